@@ -203,7 +203,7 @@ impl PoseOptions {
             ap_limit_mm: self.ap_limit_mm,
             rp_limit_mm: self.rp_limit_mm,
             position_uncertainty_mm: None,
-            decision_rule: self.decision_rule,
+            decision_rule: self.decision_rule.into(),
         })?;
         let stated = Limits {
             accuracy_max_mm: self.ap_limit_mm,

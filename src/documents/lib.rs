@@ -19,6 +19,7 @@ mod iso9283;
 mod kinematics;
 mod limits;
 mod manifest;
+mod mirror;
 mod parameters;
 mod plan;
 mod recommendation;

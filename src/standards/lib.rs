@@ -1,4 +1,5 @@
-//! Characteristics of standards: ISO 9283, one file each with its clause.
+//! Characteristics of standards, one a file with its clause: ISO 9283, decision rules.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod decision;
 pub mod iso9283;

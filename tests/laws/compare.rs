@@ -3,11 +3,10 @@
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::compare::{Compared, compare};
-use etalon::documents::Iso9283Interval as Interval;
 use etalon::documents::*;
 use etalon::standards::iso9283::pose::accuracy::pose_accuracy;
 use etalon::standards::iso9283::pose::repeatability::pose_repeatability;
-use etalon::standards::iso9283::statistics::interval::{accuracy_interval, repeatability_interval};
+use etalon::standards::iso9283::statistics::interval::{Interval, accuracy_interval, repeatability_interval};
 use std::collections::BTreeMap;
 
 const PAIRS: u64 = 2000;
@@ -197,7 +196,7 @@ fn of_pairs_of_unchanged_robots_one_in_twenty_is_called_changed() {
 fn tested(folder: &str, noise: &mut Noise, (off, sigma, cycles): (Vector, Vector, usize)) -> Compared {
     let attained: Vec<Vector> = (0..cycles).map(|_| [0, 1, 2].map(|k| off[k] + noise.gaussian(sigma[k]))).collect();
     let (ap, rp) = (pose_accuracy(&attained, [0.0; 3]).unwrap(), pose_repeatability(&attained).unwrap());
-    let stated = |i: Interval| Some(Iso9283Interval { low_mm: i.low_mm, high_mm: i.high_mm });
+    let stated = |i: Interval| Some(i.into());
     let pose = Iso9283Pose {
         pose: 1.into(),
         cycles,

@@ -3,12 +3,13 @@
 use super::iso9283::cloud;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus, norm};
-use etalon::documents::{Conformity, DecisionRule, Iso9283Ellipsoid as Ellipsoid, Iso9283Interval as Interval};
-use etalon::standards::iso9283::pose::ellipsoid::ellipsoid;
+use etalon::standards::decision::{Conformity, DecisionRule};
+use etalon::standards::iso9283::pose::ellipsoid::{Ellipsoid, ellipsoid};
 use etalon::standards::iso9283::pose::noise_free::{repeatability_of_scatter, without_noise};
 use etalon::standards::iso9283::pose::reference::epochs;
 use etalon::standards::iso9283::pose::repeatability::pose_repeatability;
 use etalon::standards::iso9283::statistics::bootstrap::Bootstrap;
+use etalon::standards::iso9283::statistics::interval::Interval;
 use std::f64::consts::PI;
 
 const TESTS: usize = 2000;

@@ -45,16 +45,19 @@ impl PlanOptions {
                 return Err(Problems::from(message.expected("six, or four for planar robots")).into());
             }
         };
-        let mut document = plan(&Request {
+        let plan = plan(&Request {
             workspace_mm,
             plane: self.test_plane.clone(),
             orientation_deg: self.orientation_deg.clone(),
             reorientation_deg: self.reorientation_deg.clone(),
         })?;
-        if let Some(file) = &self.robot {
-            let robot = read_robot(file)?.build(&["target".to_owned()])?;
-            reach(&mut document, robot.as_ref())?;
-        }
+        let document = match &self.robot {
+            None => Iso9283PlanDocument::new(&plan, None),
+            Some(file) => {
+                let robot = read_robot(file)?.build(&["target".to_owned()])?;
+                Iso9283PlanDocument::new(&plan, Some((robot.as_ref(), &reach(&plan, robot.as_ref())?)))
+            }
+        };
         for u in &document.unreached {
             say(format_args!("warning: {} {} is not reached: {}\n", u.places, u.point, u.reason));
         }

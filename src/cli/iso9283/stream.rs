@@ -10,8 +10,8 @@ use etalon_formats::table::ANGLES;
 use etalon_formats::table::XYZ;
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
 use etalon_report::Faces;
+use etalon_standards::iso9283::motion::Stated;
 use etalon_standards::iso9283::motion::stream::Recording;
-use etalon_standards::iso9283::motion::{Stated, evaluate};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 use std::path::{Path, PathBuf};
@@ -76,7 +76,7 @@ impl StreamOptions {
         let poses = commanded.map(poses).transpose()?;
         let path = self.path.as_deref().map(|path| read_path(path, file, &recording)).transpose()?;
         let settings = stated.settings(poses, path, seed);
-        let document = evaluate(&recording, &settings)?;
+        let document = Iso9283StreamDocument::evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
             files::write(path, csv(&document, &recording).as_bytes())?;
         }

@@ -8,7 +8,8 @@ use etalon_standards::iso9283::load::{self, DIRECTIONS, Reading};
 
 /// Compliance from a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`.
 pub fn evaluate(table: NamedTable) -> Result<Iso9283ComplianceDocument> {
-    let mut document = load::evaluate(&readings(table)?).map_err(|more| table.place(more))?;
+    let found = load::evaluate(&readings(table)?).map_err(|more| table.place(more))?;
+    let mut document = Iso9283ComplianceDocument::new(found);
     document.messages.extend(table.unread(&["direction", "cycle", "force_n"]));
     Ok(document)
 }

@@ -165,7 +165,7 @@ fn settings(campaign: &Campaign) -> Settings {
         draws: DRAWS,
         ap_limit_mm: campaign.file.limits.accuracy_max_mm,
         rp_limit_mm: campaign.file.limits.repeatability_max_mm,
-        decision_rule: campaign.file.limits.decision_rule.unwrap_or_default(),
+        decision_rule: campaign.file.limits.decision_rule.unwrap_or_default().into(),
     }
 }
 

@@ -7,8 +7,9 @@ use etalon_campaign::PosesDefinition;
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use etalon_formats::tables::pose_test::pose_test;
 use etalon_formats::tables::reference_targets::{SetupDrift, compensate_setup_drift};
+use etalon_standards::iso9283::pose::Settings;
+use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
-use etalon_standards::iso9283::pose::{Settings, drifts, evaluate};
 use std::path::Path;
 use toml::Spanned;
 
@@ -118,7 +119,7 @@ impl PreparedTest {
     /// All characteristics.
     pub fn evaluate(&self, settings: &Settings) -> Result<Iso9283Document> {
         let Self { test, drift } = self;
-        let mut document = evaluate(test, settings)?;
+        let mut document = Iso9283Document::evaluate(test, settings)?;
         if !drift.epochs.is_empty() {
             let convention = match (drift.turned, test.angles.is_empty()) {
                 (true, _) => "positions and orientations are carried back by reference targets",
@@ -135,7 +136,7 @@ impl PreparedTest {
 
     /// Whether there are enough cycles for the drift over sets of so many.
     pub fn drifts(&self, set: usize) -> Result<()> {
-        drifts(&self.test, Some(set)).map(|_| ())
+        drifts(&self.test, set).map(|_| ())
     }
 
     /// Every attained pose, pose by pose.

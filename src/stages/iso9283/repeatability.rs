@@ -11,9 +11,10 @@ use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso92
 use etalon_formats::Point;
 use etalon_formats::table::ANGLES;
 use etalon_formats::tables::recording::commanded_poses;
+use etalon_standards::iso9283::pose::Settings;
 use etalon_standards::iso9283::pose::coplanarity::from_the_others;
+use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
-use etalon_standards::iso9283::pose::{self, Settings};
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -31,7 +32,7 @@ pub fn evaluate(
         return Err(message.at(campaign.world_place()).into());
     };
     let gathered = gather(campaign, definition, points, commanded, &frame.export_T_world)?;
-    let mut document = pose::evaluate(&gathered.visits, settings)?;
+    let mut document = Iso9283Document::evaluate(&gathered.visits, settings)?;
     document.conventions.push(format!(
         "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
          frame ({})",
@@ -44,7 +45,7 @@ pub fn evaluate(
     }
     if let Some(homings) = &gathered.homings {
         let settings = Settings { drift_set: None, ap_limit_mm: None, ..settings.clone() };
-        let homing = pose::evaluate(homings, &settings)?.poses.pop();
+        let homing = Iso9283Document::evaluate(homings, &settings)?.poses.pop();
         document.messages.extend(homing.as_ref().and_then(too_coarse));
         document.homing = homing;
     }
@@ -94,7 +95,7 @@ pub fn gather(
     if let Some(commanded) = commanded {
         commanded.give_to(&mut visits)?;
         if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
-            pose::drifts(&visits, Some(*set.get_ref())).map_err(|more| more.at(&campaign.place(set)))?;
+            drifts(&visits, *set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
         }
         homings.iter_mut().filter(|_| !commanded.spatial).for_each(flatten);
     }

@@ -3,10 +3,10 @@
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::{Campaign, StreamDefinition};
-use etalon_documents::{Iso9283NamedStream, Iso9283StreamsDocument};
+use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
 use etalon_standards::iso9283::motion::stream::Recording;
-use etalon_standards::iso9283::motion::{Settings, Stated, evaluate};
+use etalon_standards::iso9283::motion::{Settings, Stated};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -53,7 +53,7 @@ pub(super) fn evaluate_all(campaign: &Campaign, ready: &[Ready]) -> Result<Optio
     }
     let mut streams = Vec::new();
     for (definition, ready) in campaign.file.streams.iter().zip(ready) {
-        let found = evaluate(&ready.recording, &ready.settings);
+        let found = Iso9283StreamDocument::evaluate(&ready.recording, &ready.settings);
         streams.push(Iso9283NamedStream {
             name: definition.name.get_ref().clone(),
             file: definition.file.get_ref().clone(),

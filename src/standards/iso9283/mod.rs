@@ -1,5 +1,6 @@
-//! Characteristics of ISO 9283:1998, one a file, each with its clause. Plain positions and angles come in, the
-//! documents of the characteristics go out; nothing here reads a file, a campaign or a column.
+//! Characteristics of ISO 9283:1998, one a file, each with its clause. Plain positions and angles
+//! come in, plain results in millimetres and radians go out; their words and their form in
+//! documents are those of another crate.
 //!
 //! What each formula rests on. *Read*: in an excerpt of the standard and reproduced from data that others evaluated.
 //! *Unverified*: general knowledge of the standard, to be compared with a bought copy before anybody claims conformity.
@@ -24,11 +25,13 @@
 //! | cube, test plane, poses, paths, cycles | 6 | [`plan::layout`], [`plan::programme`] | poses, loads, velocities and 30 cycles read |
 //! | uncertainty at most 25 % of the characteristic | 6 | [`statistics::uncertainty_ratio`] | unverified |
 //!
-//! Not of the standard: smallest enclosing sphere and circle beside mean + 3 s ([`pose::repeatability`]), intervals of AP and RP
-//! ([`statistics::interval`], [`statistics::bootstrap`]) and of AT and RT ([`path::bootstrap`]), conformity with a limit ([`DecisionRule`](etalon_documents::DecisionRule)), the ellipsoid of the next position
-//! ([`pose::ellipsoid`]), RP without the instrument's noise ([`pose::noise_free`]), drift of the set-up by reference targets
-//! ([`pose::reference`], [`pose::rotations`]), spread by the pose approached from ([`pose::directions`]), coplanarity of mean positions ([`pose::coplanarity`],
-//! thesis 2.4).
+//! Not of the standard: smallest enclosing sphere and circle beside mean + 3 s
+//! ([`pose::repeatability`]), intervals of AP and RP ([`statistics::interval`],
+//! [`statistics::bootstrap`]) and of AT and RT ([`path::bootstrap`]), conformity with a limit
+//! ([`crate::decision`]), the ellipsoid of the next position ([`pose::ellipsoid`]), RP without the
+//! instrument's noise ([`pose::noise_free`]), drift of the set-up by reference targets
+//! ([`pose::reference`], [`pose::rotations`]), spread by the pose approached from
+//! ([`pose::directions`]), coplanarity of mean positions ([`pose::coplanarity`], thesis 2.4).
 //!
 //! Recorded motions ([`motion::stream`]) are cut into standstills ([`motion::standstill`]) and passes of a commanded path ([`path::commanded`],
 //! [`path::passes`]).

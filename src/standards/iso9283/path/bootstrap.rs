@@ -12,12 +12,11 @@ use crate::iso9283::path::passes::{Pass, check, positions_at};
 use crate::iso9283::path::repeatability::PathRepeatability;
 use crate::iso9283::pose::noise_free::repeatability_of_scatter;
 use crate::iso9283::statistics::bootstrap::quantile;
-use crate::iso9283::statistics::interval::TAIL;
+use crate::iso9283::statistics::interval::{Interval, TAIL};
 use crate::iso9283::statistics::sample::{covariance, mean_position, spread};
 use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_documents::Iso9283Interval;
 use etalon_math::symmetric_eigen;
 
 /// Simulated tests, drawn from a stated seed.
@@ -43,7 +42,7 @@ const RT_LOW_TAIL: f64 = 0.01;
 impl PathBootstrap {
     /// 95 % interval of AT_p, at least three passes: how much more or less the mean path may deviate, as a whole, before what
     /// was found is at either end of what is drawn. Its errors are Student's, alike in shape to what the passes scatter.
-    pub fn accuracy(&self, passes: &[Pass], points: &[CommandPoint], found: &PathAccuracy) -> Result<Iso9283Interval> {
+    pub fn accuracy(&self, passes: &[Pass], points: &[CommandPoint], found: &PathAccuracy) -> Result<Interval> {
         check(passes, points, 3, "interval of path accuracy")?;
         let chosen = chosen(points.len(), found.worst);
         let deviations: Vec<Vector> = chosen.iter().map(|&i| minus(found.means_mm[i], points[i].position_mm)).collect();
@@ -80,10 +79,10 @@ impl PathBootstrap {
             near * found.at_mm
         };
         if found.at_mm == 0.0 {
-            return Ok(Iso9283Interval { low_mm: 0.0, high_mm: 0.0 });
+            return Ok(Interval { low_mm: 0.0, high_mm: 0.0 });
         }
         let low_mm = if beyond(0.0) > AT_TAIL { 0.0 } else { end(AT_TAIL) };
-        Ok(Iso9283Interval { low_mm, high_mm: end(1.0 - AT_TAIL) })
+        Ok(Interval { low_mm, high_mm: end(1.0 - AT_TAIL) })
     }
 
     /// 95 % interval of RT_p, at least three passes. A sample's scatters lie wider apart along the path than the truth's, and
@@ -93,7 +92,7 @@ impl PathBootstrap {
         passes: &[Pass],
         points: &[CommandPoint],
         found: &PathRepeatability,
-    ) -> Result<Iso9283Interval> {
+    ) -> Result<Interval> {
         check(passes, points, 3, "interval of path repeatability")?;
         let chosen = chosen(points.len(), found.worst);
         let rests = rests(passes, &chosen);
@@ -105,7 +104,7 @@ impl PathBootstrap {
         let expected: Vec<f64> = (0..chosen.len()).map(expected).collect();
         let there: Vec<usize> = (0..chosen.len()).filter(|&i| expected[i] > 0.0).collect();
         if there.is_empty() {
-            return Ok(Iso9283Interval { low_mm: found.rt_mm, high_mm: found.rt_mm });
+            return Ok(Interval { low_mm: found.rt_mm, high_mm: found.rt_mm });
         }
         let mut noise = Noise::new(self.seed, STREAM + 1);
         let mut drawn = || -> Vec<f64> {
@@ -136,7 +135,7 @@ impl PathBootstrap {
         };
         let low_mm = found.rt_mm / quantile_of(&truth, 1.0 - RT_LOW_TAIL);
         let high_mm = found.rt_mm / quantile_of(&as_found, TAIL);
-        Ok(Iso9283Interval { low_mm, high_mm: high_mm.max(low_mm) })
+        Ok(Interval { low_mm, high_mm: high_mm.max(low_mm) })
     }
 }
 

@@ -10,6 +10,8 @@ use etalon_base::pose::{minus, norm};
 /// How a commanded velocity is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathVelocity {
+    /// Commanded velocity.
+    pub commanded_mm_s: f64,
     /// Mean over passes of the mean velocity of each.
     pub mean_mm_s: f64,
     /// AV: mean minus commanded, in per cent of the commanded velocity.
@@ -50,6 +52,7 @@ pub fn path_velocity(
         high - low
     };
     Ok(PathVelocity {
+        commanded_mm_s,
         mean_mm_s: means.mean,
         av_percent: (means.mean - commanded_mm_s) / commanded_mm_s * 100.0,
         rv_percent: 3.0 * means.deviation / commanded_mm_s * 100.0,

@@ -4,14 +4,11 @@ pub mod layout;
 pub mod programme;
 mod reach;
 
-pub use reach::reach;
+pub use reach::{Reach, Unreached, reach};
 
-use crate::iso9283::plan::layout::{PLANES, layout};
-use crate::iso9283::plan::programme::{LOADS_PERCENT, programme};
+use crate::iso9283::plan::layout::{Layout, PLANES, layout};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
-use etalon_documents::{Iso9283Places, Iso9283PlanDocument};
-use std::collections::BTreeMap;
 
 /// What the user states.
 #[derive(Clone, Debug)]
@@ -26,17 +23,44 @@ pub struct Request {
     pub reorientation_deg: Vec<f64>,
 }
 
-/// Coordinates of a commanded pose in the document.
-const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+/// Test laid into a workspace.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// `true` for planar robots: neither z nor angles a and b.
+    pub planar: bool,
+    /// Cube, test plane and poses.
+    pub layout: Layout,
+    /// Places to visit.
+    pub places: Vec<Places>,
+}
 
-/// Angles of a commanded pose in the document.
+/// Poses, or a path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Places {
+    /// Name of the list.
+    pub name: &'static str,
+    /// Characteristics that it is for.
+    pub purpose: &'static str,
+    /// The places in order.
+    pub points: Vec<Place>,
+}
+
+/// Commanded pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// Position; z is zero for planar robots.
+    pub position_mm: Vector,
+    /// Angles a, b, c, of planar robots c alone; empty where none are stated.
+    pub angles_deg: Vec<f64>,
+}
+
+/// Angles of a commanded pose.
 const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
-
 /// Chords of a circle.
 const CHORDS: usize = 72;
 
-/// The test.
-pub fn plan(request: &Request) -> Result<Iso9283PlanDocument> {
+/// Lays out the test.
+pub fn plan(request: &Request) -> Result<Plan> {
     let [low, high] = request.workspace_mm;
     let planar = low[2] == high[2];
     let number = plane(request.plane.as_deref(), planar)?;
@@ -53,17 +77,14 @@ pub fn plan(request: &Request) -> Result<Iso9283PlanDocument> {
     }
     let test = layout(low, high, number)?;
     let place = |p: Vector, turned: f64| {
-        let position = XYZ.iter().take(if planar { 2 } else { 3 }).map(|name| name.to_string()).zip(p);
         let change = |k: usize| request.reorientation_deg.get(k).copied().unwrap_or_default();
-        let turn = |(k, (name, angle)): (usize, (&&str, &f64))| (name.to_string(), angle + turned * change(k));
-        let angles = angles.iter().zip(&request.orientation_deg).enumerate().map(turn);
-        position.chain(angles).collect::<BTreeMap<String, f64>>()
+        let turn = |(k, angle): (usize, &f64)| angle + turned * change(k);
+        let angles_deg = request.orientation_deg.iter().enumerate().map(turn).collect();
+        Place { position_mm: if planar { [p[0], p[1], 0.0] } else { p }, angles_deg }
     };
-    let still = |name: &str, purpose: &str, points: Vec<Vector>| Iso9283Places {
-        name: name.to_owned(),
-        purpose: purpose.to_owned(),
-        points: points.into_iter().map(|p| place(p, 0.0)).collect(),
-        joints: Vec::new(),
+    let still = |name, purpose, points: Vec<Vector>| {
+        let points = points.into_iter().map(|p| place(p, 0.0)).collect();
+        Places { name, purpose, points }
     };
     let [large, small] = test.circles(CHORDS);
     let mut places = vec![
@@ -78,20 +99,10 @@ pub fn plan(request: &Request) -> Result<Iso9283PlanDocument> {
         let [from, to] = [test.poses_mm[1], test.poses_mm[3]];
         let at = |(share, turned): (f64, f64)| place([0, 1, 2].map(|k| from[k] + share * (to[k] - from[k])), turned);
         let points = [(0.0, 0.0), (0.25, 1.0), (0.5, 0.0), (0.75, -1.0), (1.0, 0.0)].map(at).to_vec();
-        let purpose = "path accuracy on reorientation: P2 to P4, turned there and back".to_owned();
-        places.push(Iso9283Places { name: "reorientation".to_owned(), purpose, points, joints: Vec::new() });
+        let purpose = "path accuracy on reorientation: P2 to P4, turned there and back";
+        places.push(Places { name: "reorientation", purpose, points });
     }
-    Ok(Iso9283PlanDocument {
-        schema: "etalon/iso9283-plan/1".to_owned(),
-        conventions: conventions(planar),
-        side_mm: test.side_mm,
-        test_plane: test.plane.map(|k| format!("C{}", k + 1)).join("-"),
-        corners_mm: test.corners_mm,
-        places,
-        unreached: Vec::new(),
-        programme: programme(),
-        loads_percent: LOADS_PERCENT.to_vec(),
-    })
+    Ok(Plan { planar, layout: test, places })
 }
 
 fn plane(name: Option<&str>, planar: bool) -> Result<usize> {
@@ -103,16 +114,4 @@ fn plane(name: Option<&str>, planar: bool) -> Result<usize> {
         }),
         None => Ok(0),
     }
-}
-
-fn conventions(planar: bool) -> Vec<String> {
-    let cube = if planar { "square" } else { "cube" };
-    vec![
-        format!("the largest {cube} in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y"),
-        "P1: centre; P2 to P5: 10 % of the diagonals from the corners of the test plane, in their order".to_owned(),
-        "P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the \
-         corners were not compared with a bought copy"
-            .to_owned(),
-        "whether all joints move between poses, and whether the robot reaches them, was not looked at".to_owned(),
-    ]
 }

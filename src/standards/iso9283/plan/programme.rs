@@ -1,13 +1,28 @@
 //! The test's programme: which characteristic with which poses, loads, velocities and cycles (ISO 9283:1998 6 and table 7).
 
-use etalon_documents::Iso9283Item;
+/// One line of the programme.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// What is tested.
+    pub characteristic: String,
+    /// Clause.
+    pub clause: String,
+    /// Poses of a cycle in order, or the path.
+    pub visits: String,
+    /// Per cent of the rated velocity.
+    pub velocities_percent: Vec<u32>,
+    /// Cycles for each velocity.
+    pub cycles: u32,
+    /// `true` if the line was read in the standard's text; otherwise it is general knowledge.
+    pub read: bool,
+}
 
 /// Loads in per cent of the rated load: the first is mandatory, the second optional (read).
 pub const LOADS_PERCENT: [u32; 2] = [100, 10];
 
 /// The programme; drift goes on for eight hours, in sets of ten cycles.
-pub fn programme() -> Vec<Iso9283Item> {
-    let item = |characteristic: &str, clause: &str, visits: &str, cycles: u32, read: bool| Iso9283Item {
+pub fn programme() -> Vec<Item> {
+    let item = |characteristic: &str, clause: &str, visits: &str, cycles: u32, read: bool| Item {
         characteristic: characteristic.to_owned(),
         clause: clause.to_owned(),
         visits: visits.to_owned(),
@@ -20,11 +35,8 @@ pub fn programme() -> Vec<Iso9283Item> {
         item("multi-directional pose accuracy variation vAP", "7.2.3", "P4 P2 P1, from three directions", 30, false),
         item("distance accuracy AD and repeatability RD", "7.3", "P4 P2", 30, false),
         item("position stabilisation time, overshoot OV", "7.4, 7.5", "P5 P4 P3 P2 P1", 3, false),
-        Iso9283Item {
-            velocities_percent: vec![100],
-            ..item("drift dAP, dRP", "7.6", "P2 P1, sets of 10 for 8 h", 10, false)
-        },
-        Iso9283Item {
+        Item { velocities_percent: vec![100], ..item("drift dAP, dRP", "7.6", "P2 P1, sets of 10 for 8 h", 10, false) },
+        Item {
             velocities_percent: vec![100],
             ..item("exchangeability E", "7.7", "P5 P4 P3 P2 P1, five robots", 30, false)
         },
@@ -33,7 +45,7 @@ pub fn programme() -> Vec<Iso9283Item> {
         item("cornering CR, CO", "8.5", "rectangle", 3, false),
         item("path velocity AV, RV, FV", "8.6", "linear", 10, false),
         item("minimum posing time", "9", "posing", 3, false),
-        Iso9283Item {
+        Item {
             velocities_percent: Vec::new(),
             ..item("static compliance", "10", "P1, ±x ±y ±z, steps of 10 % load", 3, false)
         },

@@ -1,77 +1,79 @@
 //! Whether a robot reaches the places of a test, within what its file states, and with which joint values.
 
+use crate::iso9283::plan::{Place, Places, Plan};
 use etalon_base::message::{Message, Result};
-use etalon_base::pose::Vector;
-use etalon_documents::{Iso9283Places, Iso9283PlanDocument, Iso9283Unreached};
 use etalon_robots::{PlanarPose, Quantity, Robot};
-use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// Name of the assembly mode beside joint values.
-const ASSEMBLY: &str = "assembly";
+/// Joint values of the places of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach {
+    /// Joint values at each place of each list, and after them the assembly mode, if the robot has
+    /// several; `None` out of reach.
+    pub joints: Vec<Vec<Option<Vec<f64>>>>,
+    /// Places out of reach.
+    pub unreached: Vec<Unreached>,
+    /// `true` if all joints move between P1 to P5, as the standard asks.
+    pub all_move: bool,
+}
 
-/// Fills in joint values of every place, and which places are not reached and why. Models without an inverse that holds
-/// everywhere are refused.
-pub fn reach(document: &mut Iso9283PlanDocument, robot: &dyn Robot) -> Result<()> {
+/// Place that the robot does not reach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unreached {
+    /// Name of the list.
+    pub places: String,
+    /// Number of the point in it, from 1.
+    pub point: usize,
+    /// Reason.
+    pub reason: String,
+}
+
+/// Joint values of every place, and which places are out of reach and why. Models without an
+/// inverse that holds everywhere are refused. Of several working modes one is kept along a list,
+/// the one that reaches most of it.
+pub fn reach(plan: &Plan, robot: &dyn Robot) -> Result<Reach> {
     if robot.platform().is_none() && robot.inverse_all(&robot.nominal(), [0.0; 3]).is_none() {
         let message =
             Message::error(format!("what a robot of model `{}` reaches its file does not state", robot.model()));
         return Err(message.hint("leave --robot out, and try the places on the robot at low speed").into());
     }
+    let joints: Vec<_> = plan.places.iter().map(|places| way(robot, places)).collect();
     let mut unreached = Vec::new();
-    for places in &mut document.places {
-        let way = way(robot, places);
-        for (i, (joints, point)) in way.iter().zip(&places.points).enumerate() {
-            if joints.is_none() {
-                let (places, reason) = (places.name.clone(), reason(robot, point));
-                unreached.push(Iso9283Unreached { places, point: i + 1, reason });
-            }
+    for (places, way) in plan.places.iter().zip(&joints) {
+        for (i, point) in places.points.iter().enumerate().filter(|(i, _)| way[*i].is_none()) {
+            unreached.push(Unreached { places: places.name.to_owned(), point: i + 1, reason: reason(robot, point) });
         }
-        places.joints = way.iter().map(|q| q.as_ref().map(|q| named(robot, q))).collect();
     }
-    document.conventions.pop();
-    document.conventions.push(format!(
-        "reach: nominal parameters and the limits of the robot file; of several working modes one is kept along a list, the one that \
-         reaches most of it; {}",
-        match document.places.iter().any(|p| p.name == "poses" && moves_all(robot, p)) {
-            true => "all joints move between P1 to P5",
-            false => "not all joints move between P1 to P5, as the standard asks",
-        }
-    ));
-    document.unreached = unreached;
-    Ok(())
+    let all_move = joints.first().is_some_and(|poses| moves_all(robot, poses));
+    Ok(Reach { joints, unreached, all_move })
 }
 
 /// Joint values of every way to a place that is within the limits.
-fn ways(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> Vec<Vec<f64>> {
+fn ways(robot: &dyn Robot, point: &Place) -> Vec<Vec<f64>> {
     let within = |q: &Vec<f64>| robot.limit_violation(&robot.nominal(), q).is_none();
     match robot.platform() {
         Some(_) => at_pose(robot, point).filter(within).into_iter().collect(),
-        None => robot.inverse_all(&robot.nominal(), position(point)).unwrap_or_default(),
+        None => robot.inverse_all(&robot.nominal(), point.position_mm).unwrap_or_default(),
     }
 }
 
 /// Joint values that bring a platform to a place, whatever their limits.
-fn at_pose(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> Option<Vec<f64>> {
+fn at_pose(robot: &dyn Robot, point: &Place) -> Option<Vec<f64>> {
     let (platform, parameters) = (robot.platform()?, robot.nominal());
-    let [x, y, _] = position(point);
+    let [x, y, _] = point.position_mm;
     let [x_mm, y_mm] = platform.in_base(&parameters, [x, y]);
-    let theta_rad = point.get("c_deg").copied().unwrap_or_default().to_radians();
+    let theta_rad = point.angles_deg.last().copied().unwrap_or_default().to_radians();
     let q = platform.joints_at(&parameters, PlanarPose { x_mm, y_mm, theta_rad });
     q.iter().all(|v| v.is_finite()).then_some(q)
 }
 
-fn position(point: &BTreeMap<String, f64>) -> Vector {
-    ["x_mm", "y_mm", "z_mm"].map(|name| point.get(name).copied().unwrap_or_default())
-}
-
-fn reason(robot: &dyn Robot, point: &BTreeMap<String, f64>) -> String {
+fn reason(robot: &dyn Robot, point: &Place) -> String {
     let violation = at_pose(robot, point).and_then(|q| robot.limit_violation(&robot.nominal(), &q));
     violation.unwrap_or_else(|| "no working mode reaches it within the limits".to_owned())
 }
 
 /// Joint values along a list without leaving the working mode: of all ways to begin the one that misses least.
-fn way(robot: &dyn Robot, places: &Iso9283Places) -> Vec<Option<Vec<f64>>> {
+fn way(robot: &dyn Robot, places: &Places) -> Vec<Option<Vec<f64>>> {
     let all: Vec<Vec<Vec<f64>>> = places.points.iter().map(|point| ways(robot, point)).collect();
     let starts = all.iter().find(|ways| !ways.is_empty()).cloned().unwrap_or_default();
     let follow = |start: Vec<f64>| -> Vec<Option<Vec<f64>>> {
@@ -103,19 +105,13 @@ fn same_mode(robot: &dyn Robot, a: &[f64], b: &[f64]) -> bool {
     !robot.has_assembly_modes() || (a.last() == b.last() && apart(robot, a, b) < PI / 2.0)
 }
 
-fn moves_all(robot: &dyn Robot, poses: &Iso9283Places) -> bool {
-    let moves = |pair: &[Option<BTreeMap<String, f64>>]| match pair {
-        [Some(a), Some(b)] => robot.joints().iter().all(|j| {
-            let name = j.column();
-            a.get(&name).zip(b.get(&name)).is_some_and(|(a, b)| (a - b).abs() > 1e-6)
+fn moves_all(robot: &dyn Robot, poses: &[Option<Vec<f64>>]) -> bool {
+    let moves = |pair: &[Option<Vec<f64>>]| match pair {
+        [Some(a), Some(b)] => robot.joints().iter().zip(a.iter().zip(b)).all(|(j, (a, b))| {
+            let outward = |v: &f64| j.quantity.outward(*v);
+            (outward(a) - outward(b)).abs() > 1e-6
         }),
         _ => false,
     };
-    poses.joints.windows(2).all(moves)
-}
-
-fn named(robot: &dyn Robot, q: &[f64]) -> BTreeMap<String, f64> {
-    let joints = robot.joints().iter().zip(q).map(|(j, v)| (j.column(), j.quantity.outward(*v)));
-    let assembly = q.get(robot.joints().len()).map(|mode| (ASSEMBLY.to_owned(), *mode));
-    joints.chain(assembly).collect()
+    poses.windows(2).all(moves)
 }

@@ -1,5 +1,6 @@
 //! Coplanarity of mean positions (thesis 2.4): a planar robot's barycentres should lie in one plane.
 
+use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
@@ -51,4 +52,14 @@ pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
         *distance_mm = unit(normal).map_or(0.0, |n| dot(minus(means[i], a), n).abs());
     }
     Ok(distances_mm)
+}
+
+/// Peak to valley of the mean positions of a test about their plane; `None` for planar robots, and
+/// with fewer than four poses or poses on a line.
+pub fn flatness(test: &PoseTest) -> Result<Option<f64>> {
+    if !test.spatial || test.poses.len() < 4 {
+        return Ok(None);
+    }
+    let means: Vec<Vec<Vector>> = test.poses.iter().map(|p| p.positions_mm(|_| true)).collect();
+    Ok(coplanarity(&means).ok().map(|c| c.flatness_mm))
 }

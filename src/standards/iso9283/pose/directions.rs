@@ -2,9 +2,11 @@
 //! unverified against a bought copy) and the same by any pose approached from (not of the standard).
 
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
+use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
 
 /// Attained positions of one pose, apart by approach.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +19,69 @@ pub struct Variation {
     pub means_mm: Vec<Vector>,
     /// Repeatability within each approach; absent with a single visit.
     pub within: Vec<Option<PoseRepeatability>>,
+}
+
+/// One pose of a test approached in several ways.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseVariation {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// vAP_p.
+    pub vap_mm: f64,
+    /// The two approaches that are farthest apart.
+    pub between: [String; 2],
+    /// vAP of each angle of the test.
+    pub angles_rad: Vec<f64>,
+    /// Every approach by itself.
+    pub approaches: Vec<Approach>,
+}
+
+/// Visits by one approach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Approach {
+    /// Name of the approach.
+    pub name: String,
+    /// Visits.
+    pub cycles: usize,
+    /// Barycentre.
+    pub mean_mm: Vector,
+    /// Barycentre minus commanded position; absent where none was commanded.
+    pub deviation_mm: Option<Vector>,
+    /// RP within this approach; absent with a single visit.
+    pub rp_mm: Option<f64>,
+    /// Radius of the smallest sphere (planar robots: circle) that holds the positions; absent with
+    /// a single visit.
+    pub enclosing_radius_mm: Option<f64>,
+}
+
+/// Variation of every pose of a test that was approached in at least two ways.
+pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
+    let of_pose = |p: &TestedPose| -> Result<PoseVariation> {
+        let names: Vec<String> = p.approaches().into_keys().map(str::to_owned).collect();
+        let by = |name: &String| p.positions_mm(|v| v.approach.as_ref() == Some(name));
+        let groups: Vec<Vec<Vector>> = names.iter().map(by).collect();
+        let found = variation(&groups)?;
+        let turned = (0..test.angles.len()).map(|k| {
+            let by = |name: &String| p.angles_rad(k, |v| v.approach.as_ref() == Some(name));
+            angle_variation_rad(&names.iter().map(by).collect::<Vec<_>>())
+        });
+        let approach = |(i, name): (usize, &String)| Approach {
+            name: name.clone(),
+            cycles: groups[i].len(),
+            mean_mm: found.means_mm[i],
+            deviation_mm: p.commanded_mm.map(|commanded| minus(found.means_mm[i], commanded)),
+            rp_mm: found.within[i].map(|w| w.rp_mm),
+            enclosing_radius_mm: found.within[i].map(|w| w.enclosing_radius_mm),
+        };
+        Ok(PoseVariation {
+            pose: p.pose,
+            vap_mm: found.vap_mm,
+            between: [names[found.between.0].clone(), names[found.between.1].clone()],
+            angles_rad: turned.collect(),
+            approaches: names.iter().enumerate().map(approach).collect(),
+        })
+    };
+    test.poses.iter().filter(|p| p.approaches().len() > 1).map(of_pose).collect()
 }
 
 /// Variation over approaches, each with at least one position; at least two approaches (the standard has three at right

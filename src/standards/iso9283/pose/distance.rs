@@ -1,8 +1,10 @@
 //! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified against a bought copy).
 
+use crate::iso9283::pose::test::{Pair, PoseTest};
 use crate::iso9283::statistics::sample::{Spread, spread, unwrapped, wrapped};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
 
 /// How well a commanded distance is driven.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +19,49 @@ pub struct Distance {
     pub rd_mm: f64,
     /// RD_x, RD_y, RD_z.
     pub rd_axis_mm: Vector,
+}
+
+/// Distance between two poses of a test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairDistance {
+    /// The two poses.
+    pub poses: [PoseName; 2],
+    /// Cycles that have both.
+    pub cycles: usize,
+    /// AD and RD of the position.
+    pub position: Distance,
+    /// AD and RD of each angle of the test.
+    pub angles_rad: Vec<(f64, f64)>,
+}
+
+/// Distances of every pair of commanded poses, by the cycles that have each of the two once; two
+/// cycles at least.
+pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
+    let mut all = Vec::new();
+    for (i, p) in test.poses.iter().enumerate() {
+        for q in &test.poses[i + 1..] {
+            let (Some(from), Some(to)) = (p.commanded_mm, q.commanded_mm) else { continue };
+            let pairs = p.pairs(q);
+            if pairs.len() < 2 {
+                continue;
+            }
+            let positions = |of: fn(&Pair) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
+            let (first, second) = (positions(|v| v.from.position_mm), positions(|v| v.to.position_mm));
+            let position = distance(&first, &second, [from, to])?;
+            let turned = (0..test.angles.len()).map(|k| {
+                let (a, b): (Vec<f64>, Vec<f64>) =
+                    pairs.iter().map(|v| (v.from.angles_rad[k], v.to.angles_rad[k])).unzip();
+                angle_distance_rad(&a, &b, [p.commanded_rad[k], q.commanded_rad[k]])
+            });
+            all.push(PairDistance {
+                poses: [p.pose, q.pose],
+                cycles: pairs.len(),
+                angles_rad: turned.collect(),
+                position,
+            });
+        }
+    }
+    Ok(all)
 }
 
 /// Distance between two poses that were visited in the same cycles, in order: at least two.

@@ -3,17 +3,35 @@
 
 use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
+use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_documents::Iso9283Drift;
+use std::collections::BTreeSet;
+
+/// Drift of one pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drift {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// AP of each set.
+    pub ap_mm: Vec<f64>,
+    /// RP of each set.
+    pub rp_mm: Vec<f64>,
+    /// dAP: |AP at the start - AP at the end|.
+    pub dap_mm: f64,
+    /// dRP: |RP at the start - RP at the end|.
+    pub drp_mm: f64,
+    /// Number of sets after which AP had settled.
+    pub settled_after: Option<usize>,
+}
 
 /// Sets in a row that must be quiet, and the share of the largest change that counts as quiet.
 const QUIET_SETS: usize = 5;
 const QUIET: f64 = 0.1;
 
 /// Drift over at least two sets of at least two positions of one pose.
-pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Iso9283Drift> {
+pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Drift> {
     if sets_mm.len() < 2 {
         let message = Message::error(format!("drift: {} sets of cycles", sets_mm.len()));
         return Err(message.expected("at least two").into());
@@ -22,14 +40,20 @@ pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> R
         sets_mm.iter().map(|set| Ok(pose_accuracy(set, commanded_mm)?.ap_mm)).collect::<Result<_>>()?;
     let rp_mm: Vec<f64> = sets_mm.iter().map(|set| Ok(pose_repeatability(set)?.rp_mm)).collect::<Result<_>>()?;
     let change = |values: &[f64]| (values[values.len() - 1] - values[0]).abs();
-    Ok(Iso9283Drift {
-        pose,
-        dap_mm: change(&ap_mm),
-        drp_mm: change(&rp_mm),
-        settled_after: settled(&ap_mm),
-        ap_mm,
-        rp_mm,
-    })
+    Ok(Drift { pose, dap_mm: change(&ap_mm), drp_mm: change(&rp_mm), settled_after: settled(&ap_mm), ap_mm, rp_mm })
+}
+
+/// Drift of every commanded pose of a test, in sets of `size` cycles in their order; a last set
+/// that is cut short does not count.
+pub fn drifts(test: &PoseTest, size: usize) -> Result<Vec<Drift>> {
+    let drifting = |(p, commanded): (&TestedPose, Vector)| -> Result<Drift> {
+        let cycles: BTreeSet<i64> = p.attained.iter().map(|v| v.cycle).collect();
+        let cycles: Vec<i64> = cycles.into_iter().collect();
+        let sets: Vec<Vec<Vector>> =
+            cycles.chunks_exact(size.max(1)).map(|set| p.positions_mm(|v| set.contains(&v.cycle))).collect();
+        drift(p.pose, &sets, commanded)
+    };
+    test.poses.iter().filter_map(|p| Some((p, p.commanded_mm?))).map(drifting).collect()
 }
 
 fn settled(ap_mm: &[f64]) -> Option<usize> {

@@ -3,21 +3,29 @@
 use crate::iso9283::statistics::scatter::Scatter;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
-use etalon_documents::Iso9283Ellipsoid;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+/// Ellipsoid about the mean position, flat in directions without scatter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipsoid {
+    /// Semi-axes, the longest first.
+    pub semi_axes_mm: Vector,
+    /// Unit vectors of the semi-axes.
+    pub axes: [Vector; 3],
+}
 
 /// Share of future positions that the ellipsoid holds.
 const HELD: f64 = 0.95;
 
 /// Prediction ellipsoid of Gaussian scatter: Hotelling's T² of one more position, d (n - 1)(n + 1) / n (n - d) times the
 /// quantile of F(d, n - d) in d directions that scatter. At least d + 2 positions.
-pub fn ellipsoid(attained_mm: &[Vector]) -> Result<Iso9283Ellipsoid> {
+pub fn ellipsoid(attained_mm: &[Vector]) -> Result<Ellipsoid> {
     crate::iso9283::statistics::sample::positions(attained_mm, 3, "error ellipsoid")?;
     let scatter = Scatter::new(attained_mm);
     let directions = scatter.found.iter().filter(|&&v| v > 1e-12 * scatter.found[2]).count();
     let [c, b, a] = scatter.axes;
     if directions == 0 {
-        return Ok(Iso9283Ellipsoid { semi_axes_mm: [0.0; 3], axes: [a, b, c] });
+        return Ok(Ellipsoid { semi_axes_mm: [0.0; 3], axes: [a, b, c] });
     }
     if attained_mm.len() < directions + 2 {
         let message = Message::error(format!("error ellipsoid: {} attained positions", attained_mm.len()));
@@ -27,5 +35,5 @@ pub fn ellipsoid(attained_mm: &[Vector]) -> Result<Iso9283Ellipsoid> {
     let quantile = FisherSnedecor::new(d, n - d).map_or(f64::NAN, |f| f.inverse_cdf(HELD));
     let squared = d * (n - 1.0) * (n + 1.0) / (n * (n - d)) * quantile;
     let [short, middle, long] = scatter.found.map(|v| (v * squared).sqrt());
-    Ok(Iso9283Ellipsoid { semi_axes_mm: [long, middle, short], axes: [a, b, c] })
+    Ok(Ellipsoid { semi_axes_mm: [long, middle, short], axes: [a, b, c] })
 }

@@ -1,8 +1,9 @@
 //! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots, one programme, the same mounting.
 
 use crate::iso9283::pose::directions::farthest;
+use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::{Vector, minus, norm};
 
 /// How far apart the mean poses of robots of one type are.
@@ -30,4 +31,20 @@ pub fn exchangeability(attained_mm: &[Vec<Vec<Vector>>]) -> Result<Exchangeabili
     };
     let poses_mm: Vec<f64> = (0..poses).map(apart).collect();
     Ok(Exchangeability { e_mm: poses_mm.iter().fold(0.0, |m, e| m.max(*e)), poses_mm })
+}
+
+/// E of the robots of a test; `None` with a single one.
+pub fn exchanged(test: &PoseTest) -> Result<Option<f64>> {
+    let robots = test.robots();
+    if robots.len() < 2 {
+        return Ok(None);
+    }
+    let lacks = |robot: &&str| test.poses.iter().find(|p| p.attained.iter().all(|v| v.robot != *robot)).map(|p| p.pose);
+    if let Some((robot, pose)) = robots.iter().find_map(|robot| Some((robot, lacks(robot)?))) {
+        let message = Message::error(format!("exchangeability: robot `{}` did not visit pose {pose}", one_line(robot)));
+        return Err(message.expected("every robot at every pose").into());
+    }
+    let of = |robot: &&str| test.poses.iter().map(|p| p.positions_mm(|v| v.robot == *robot)).collect::<Vec<_>>();
+    let attained: Vec<Vec<Vec<Vector>>> = robots.iter().map(of).collect();
+    Ok(Some(exchangeability(&attained)?.e_mm))
 }

@@ -2,6 +2,7 @@
 //! differ by the instrument alone, means of visits by the robot and what is left of the instrument.
 
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
+use crate::iso9283::pose::test::TestedPose;
 use crate::iso9283::statistics::sample::{covariance, mean_position};
 use crate::iso9283::statistics::scatter::drawn_together;
 use etalon_base::message::{Message, Result};
@@ -59,6 +60,13 @@ pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
         rp_mm: if all > 0.0 { found.rp_mm * (rest / all).min(1.0) } else { 0.0 },
         noise_mm: [0, 1, 2].map(|k| noise[k][k].sqrt()),
     })
+}
+
+/// RP without noise of a pose with at least three visits, where any of them was read twice.
+pub fn of_pose(pose: &TestedPose) -> Result<Option<NoiseFree>> {
+    let read_again = pose.attained.iter().any(|v| v.readings_mm.len() > 1);
+    let readings: Vec<Vec<Vector>> = pose.attained.iter().map(|v| v.readings_mm.clone()).collect();
+    (read_again && readings.len() > 2).then(|| without_noise(&readings)).transpose()
 }
 
 fn add(to: &mut [[f64; 3]; 3], m: &[[f64; 3]; 3], factor: f64) {

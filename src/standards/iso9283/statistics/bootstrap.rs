@@ -4,13 +4,12 @@
 
 use crate::iso9283::pose::accuracy::PoseAccuracy;
 use crate::iso9283::pose::repeatability::PoseRepeatability;
-use crate::iso9283::statistics::interval::TAIL;
+use crate::iso9283::statistics::interval::{Interval, TAIL};
 use crate::iso9283::statistics::sample::{mean_position, spread};
 use crate::iso9283::statistics::scatter::{FARTHEST, Scatter};
 use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus};
-use etalon_documents::Iso9283Interval;
 
 /// Simulated tests of unit scatter.
 #[derive(Clone, Debug)]
@@ -46,22 +45,22 @@ impl Bootstrap {
     }
 
     /// 95 % interval of RP: the ratio of drawn to true RP hardly depends on the scatter, and is turned round.
-    pub fn repeatability(&self, attained_mm: &[Vector], found: &PoseRepeatability) -> Result<Iso9283Interval> {
+    pub fn repeatability(&self, attained_mm: &[Vector], found: &PoseRepeatability) -> Result<Interval> {
         crate::iso9283::statistics::sample::positions(attained_mm, self.cycles, "bootstrap")?;
         let variances = Scatter::new(attained_mm).drawn_together;
         let truth = mean_and_three_deviations(&self.squares, variances);
         if truth.is_nan() || truth <= 0.0 {
-            return Ok(Iso9283Interval { low_mm: found.rp_mm, high_mm: found.rp_mm });
+            return Ok(Interval { low_mm: found.rp_mm, high_mm: found.rp_mm });
         }
         let tests = self.centred.chunks_exact(self.cycles);
         let mut ratios: Vec<f64> = tests.map(|test| mean_and_three_deviations(test, variances) / truth).collect();
         let mut end = |share: f64| found.rp_mm / quantile(&mut ratios, share);
-        Ok(Iso9283Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
+        Ok(Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
     }
 
     /// 95 % interval of AP: the accuracies at which what was found would lie at either end of what is drawn. Zero is in it
     /// where chance alone brings the mean as far.
-    pub fn accuracy(&self, attained_mm: &[Vector], found: &PoseAccuracy) -> Result<Iso9283Interval> {
+    pub fn accuracy(&self, attained_mm: &[Vector], found: &PoseAccuracy) -> Result<Interval> {
         crate::iso9283::statistics::sample::positions(attained_mm, self.cycles, "bootstrap")?;
         let scatter = Scatter::new(attained_mm);
         let mean = scatter.along(found.deviation_mm);
@@ -84,7 +83,7 @@ impl Bootstrap {
         };
         let (low_mm, high_mm) = (end(TAIL), end(1.0 - TAIL));
         // what is left at the end of the search is rounding
-        Ok(Iso9283Interval { low_mm: if low_mm < 1e-9 * found.ap_mm { 0.0 } else { low_mm }, high_mm })
+        Ok(Interval { low_mm: if low_mm < 1e-9 * found.ap_mm { 0.0 } else { low_mm }, high_mm })
     }
 }
 

@@ -5,8 +5,38 @@ use crate::iso9283::pose::repeatability::PoseRepeatability;
 use crate::iso9283::statistics::scatter::{FARTHEST, Scatter, dimensions};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_documents::Iso9283Interval;
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
+
+/// Two-sided interval of 95 %.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Lower end.
+    pub low_mm: f64,
+    /// Upper end.
+    pub high_mm: f64,
+}
+
+impl Interval {
+    /// Interval of AP with the instrument's expanded uncertainty (k = 2) of a coordinate beside the
+    /// sampling's: both halves as the root of the sum of squares (GUM 5.1.2). A mean of many
+    /// readings is wrong by what all of them have in common.
+    pub fn with_instrument(self, ap_mm: f64, expanded_mm: f64) -> Self {
+        Self {
+            low_mm: (ap_mm - (ap_mm - self.low_mm).hypot(expanded_mm)).max(0.0),
+            high_mm: ap_mm + (self.high_mm - ap_mm).hypot(expanded_mm),
+        }
+    }
+
+    /// Interval of the robot's RP where readings scatter with the instrument's expanded uncertainty
+    /// (k = 2) of a coordinate: the noise only adds, so that the upper end stays, and the lower one
+    /// is what is left if all of the uncertainty is noise (mean + 3 s of the radius of Gaussian
+    /// noise: 3.615 standard deviations in space, 3.219 in the plane; Maxwell and Rayleigh
+    /// distribution).
+    pub fn without_noise(self, expanded_mm: f64, spatial: bool) -> Self {
+        let noise_mm = if spatial { 3.615 } else { 3.219 } * expanded_mm / 2.0;
+        Self { low_mm: (self.low_mm.powi(2) - noise_mm.powi(2)).max(0.0).sqrt(), ..self }
+    }
+}
 
 /// Probability outside at either end of an interval of 95 %.
 pub(crate) const TAIL: f64 = 0.025;
@@ -15,7 +45,7 @@ pub(crate) const TAIL: f64 = 0.025;
 /// across the deviation adds on average. At least three positions.
 ///
 /// Where AP is within four standard uncertainties of nothing the direction is chance, and the lower end is zero.
-pub fn accuracy_interval(attained_mm: &[Vector], accuracy: &PoseAccuracy) -> Result<Iso9283Interval> {
+pub fn accuracy_interval(attained_mm: &[Vector], accuracy: &PoseAccuracy) -> Result<Interval> {
     crate::iso9283::statistics::sample::positions(attained_mm, 3, "interval of AP")?;
     let n = attained_mm.len() as f64;
     let scatter = Scatter::new(attained_mm);
@@ -38,7 +68,7 @@ pub fn accuracy_interval(attained_mm: &[Vector], accuracy: &PoseAccuracy) -> Res
     let across = if accuracy.ap_mm > 0.0 { total - along } else { 0.0 };
     let less = |ap_mm: f64| (ap_mm.powi(2) - across).max(0.0).sqrt();
     let chance = accuracy.ap_mm < 4.0 * total.sqrt();
-    Ok(Iso9283Interval { low_mm: if chance { 0.0 } else { less(end(1.0)) }, high_mm: less(end(-1.0)) })
+    Ok(Interval { low_mm: if chance { 0.0 } else { less(end(1.0)) }, high_mm: less(end(-1.0)) })
 }
 
 /// Length in units of the scatter; where there is none a barycentre does not move.
@@ -48,7 +78,7 @@ fn units(d: Vector, variances: Vector) -> f64 {
 
 /// 95 % interval of RP: chi-square with the degrees of freedom that give mean + 3 s its relative variance. At least three
 /// positions.
-pub fn repeatability_interval(attained_mm: &[Vector], repeatability: &PoseRepeatability) -> Result<Iso9283Interval> {
+pub fn repeatability_interval(attained_mm: &[Vector], repeatability: &PoseRepeatability) -> Result<Interval> {
     crate::iso9283::statistics::sample::positions(attained_mm, 3, "interval of RP")?;
     let n = attained_mm.len() as f64;
     let degrees = (n - 1.0) * worth(Scatter::new(attained_mm).drawn_together);
@@ -58,7 +88,7 @@ pub fn repeatability_interval(attained_mm: &[Vector], repeatability: &PoseRepeat
         Ok(chi) => rp_mm * (degrees / chi.inverse_cdf(probability)).sqrt(),
         Err(_) => rp_mm,
     };
-    Ok(Iso9283Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
+    Ok(Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
 }
 
 /// Degrees of freedom that one cycle is worth: 1 / 2v, where v / n is the relative variance of mean + 3 s of the radius.

@@ -1,0 +1,75 @@
+//! Static compliance (ISO 9283:1998 10).
+
+use etalon_base::message::Message;
+use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Static compliance (10).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283ComplianceDocument {
+    /// `etalon/iso9283-compliance/1`
+    pub schema: String,
+    /// How it is computed, and that the clause is not verified.
+    pub conventions: Vec<String>,
+    /// One per direction, in the order of the table.
+    pub directions: Vec<Iso9283Compliance>,
+    /// Remarks and warnings.
+    pub messages: Vec<Message>,
+}
+
+/// Compliance in one direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Compliance {
+    /// `+x`, `-x` ...
+    pub direction: String,
+    /// Readings under load.
+    pub readings: usize,
+    /// Repeats.
+    pub cycles: usize,
+    /// Largest force.
+    pub force_n: f64,
+    /// Displacement along the force by force.
+    pub compliance_mm_n: f64,
+    /// Its standard uncertainty from the scatter about the line; null with a single reading.
+    pub standard_uncertainty_mm_n: Option<f64>,
+    /// Largest displacement along the force.
+    pub largest_mm: f64,
+    /// Largest distance of a reading from the line.
+    pub off_line_mm: f64,
+}
+
+impl Iso9283ComplianceDocument {
+    /// Document of the directions in which a robot was loaded.
+    pub fn new(found: Vec<DirectionalCompliance>) -> Self {
+        let short: Vec<&str> = found.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction).collect();
+        let warning = || Message::warning(format!("fewer than {CYCLES} cycles in direction {}", short.join(", ")));
+        Self {
+            schema: "etalon/iso9283-compliance/1".to_owned(),
+            conventions: vec![
+                "compliance: displacement along the force by force, least squares through the unloaded position"
+                    .to_owned(),
+                "clause 10 was not compared with a bought copy of the standard".to_owned(),
+            ],
+            messages: (!short.is_empty()).then(warning).into_iter().collect(),
+            directions: found.into_iter().map(Into::into).collect(),
+        }
+    }
+}
+
+impl From<DirectionalCompliance> for Iso9283Compliance {
+    fn from(d: DirectionalCompliance) -> Self {
+        Self {
+            direction: d.direction.to_owned(),
+            readings: d.readings,
+            cycles: d.cycles,
+            force_n: d.force_n,
+            compliance_mm_n: d.compliance.compliance_mm_n,
+            standard_uncertainty_mm_n: Some(d.compliance.standard_uncertainty_mm_n).filter(|u| u.is_finite()),
+            largest_mm: d.compliance.largest_mm,
+            off_line_mm: d.compliance.off_line_mm,
+        }
+    }
+}

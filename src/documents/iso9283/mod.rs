@@ -1,0 +1,62 @@
+//! ISO 9283: poses, recorded motions, compliance, and the layout of a test.
+
+mod load;
+mod motion;
+mod path;
+mod plan;
+mod pose;
+
+pub use load::*;
+pub use motion::*;
+pub use path::*;
+pub use plan::*;
+pub use pose::*;
+
+use crate::LimitVerdict;
+use etalon_base::message::Message;
+use etalon_base::pose::Vector;
+
+/// Angles in degrees.
+fn degrees(angles_rad: &[f64]) -> Vec<f64> {
+    angles_rad.iter().map(|angle| angle.to_degrees()).collect()
+}
+
+/// Coordinates that exist: x, y and, of spatial robots, z.
+fn coordinates(p: Vector, spatial: bool) -> Vec<f64> {
+    p[..if spatial { 3 } else { 2 }].to_vec()
+}
+
+/// One of each kind of test that there is.
+#[derive(Clone, Debug, Default)]
+pub struct Characteristics {
+    /// Poses that were visited: iso9283.json.
+    pub poses: Option<Iso9283Document>,
+    /// Recorded motions: iso9283-streams.json.
+    pub streams: Option<Iso9283StreamsDocument>,
+    /// Static compliance: iso9283-compliance.json.
+    pub compliance: Option<Iso9283ComplianceDocument>,
+}
+
+impl Characteristics {
+    /// Whether nothing was tested.
+    pub fn none(&self) -> bool {
+        self.poses.is_none() && self.streams.is_none() && self.compliance.is_none()
+    }
+
+    /// Everything that is remarked of them.
+    pub fn messages(&self) -> impl Iterator<Item = &Message> {
+        let poses = self.poses.iter().flat_map(|d| &d.messages);
+        let streams = self.streams.iter().flat_map(Iso9283StreamsDocument::messages);
+        poses.chain(streams).chain(self.compliance.iter().flat_map(|d| &d.messages))
+    }
+
+    /// Limits that are judged.
+    pub fn limits(&self) -> impl Iterator<Item = &LimitVerdict> {
+        self.poses.iter().flat_map(|d| &d.limits)
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.poses.is_none() && self.streams.is_none() && self.compliance.is_none()
+    }
+}

@@ -1,0 +1,152 @@
+//! Plan of a test (ISO 9283:1998 6).
+
+use crate::mirror::mirror;
+use etalon_base::pose::Vector;
+use etalon_robots::Robot;
+use etalon_standards::iso9283::plan::programme::{Item, LOADS_PERCENT, programme};
+use etalon_standards::iso9283::plan::{Place, Places, Plan, Reach, Unreached};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A test by ISO 9283:1998 laid into a workspace.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283PlanDocument {
+    /// `etalon/iso9283-plan/1`
+    pub schema: String,
+    /// What was chosen how, and what is not verified against the standard, in words.
+    pub conventions: Vec<String>,
+    /// Side of the cube, of planar robots the square.
+    pub side_mm: f64,
+    /// Corners C1 to C8, of planar robots C1 to C4.
+    pub corners_mm: Vec<Vector>,
+    /// Corners of the test plane.
+    pub test_plane: String,
+    /// Places to visit in order, each list with its name: `poses` (P1 to P5), `linear`, `circle-large`, ...
+    pub places: Vec<Iso9283Places>,
+    /// Places that the robot does not reach, where one is stated.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unreached: Vec<Iso9283Unreached>,
+    /// Which characteristic is tested how.
+    pub programme: Vec<Iso9283Item>,
+    /// Loads in per cent of the rated one; the first is mandatory.
+    pub loads_percent: Vec<u32>,
+}
+
+/// Poses, or a path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Places {
+    /// Name of the list, and of the files that hold it.
+    pub name: String,
+    /// What it is for.
+    pub purpose: String,
+    /// `x_mm`, `y_mm` and, where they exist, `z_mm`, `a_deg`, `b_deg`, `c_deg` of each, numbered from 1.
+    pub points: Vec<BTreeMap<String, f64>>,
+    /// Joint values of each, where a robot is stated; null where it does not get there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<Option<BTreeMap<String, f64>>>,
+}
+
+mirror! {
+    /// A place that the stated robot does not reach.
+    struct Iso9283Unreached of Unreached {
+        /// Name of the list.
+        places: String,
+        /// Number of the point in it, from 1.
+        point: usize,
+        /// Why.
+        reason: String,
+    }
+}
+
+mirror! {
+    /// One line of the programme.
+    struct Iso9283Item of Item {
+        /// What is tested.
+        characteristic: String,
+        /// Clause.
+        clause: String,
+        /// Poses of a cycle in order, or the path.
+        visits: String,
+        /// Per cent of the rated velocity.
+        velocities_percent: Vec<u32>,
+        /// Cycles for each velocity.
+        cycles: u32,
+        /// Whether the line was read in the standard's text; otherwise it is general knowledge.
+        read: bool,
+    }
+}
+
+/// Names of the coordinates and angles of a commanded pose.
+const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
+/// Name of the assembly mode beside joint values.
+const ASSEMBLY: &str = "assembly";
+
+impl Iso9283PlanDocument {
+    /// Document of a plan, with the joint values of a robot where one is stated.
+    pub fn new(plan: &Plan, reached: Option<(&dyn Robot, &Reach)>) -> Self {
+        let joints = |i: usize| match reached {
+            Some((robot, reach)) => reach.joints[i].iter().map(|q| q.as_ref().map(|q| named(robot, q))).collect(),
+            None => Vec::new(),
+        };
+        let places = |(i, places): (usize, &Places)| Iso9283Places {
+            name: places.name.to_owned(),
+            purpose: places.purpose.to_owned(),
+            points: places.points.iter().map(|place| columns(place, plan.planar)).collect(),
+            joints: joints(i),
+        };
+        let reach = reached.map(|(_, reach)| reach);
+        Self {
+            schema: "etalon/iso9283-plan/1".to_owned(),
+            conventions: conventions(plan.planar, reach),
+            side_mm: plan.layout.side_mm,
+            test_plane: plan.layout.plane.map(|k| format!("C{}", k + 1)).join("-"),
+            corners_mm: plan.layout.corners_mm.clone(),
+            places: plan.places.iter().enumerate().map(places).collect(),
+            unreached: reach.iter().flat_map(|reach| &reach.unreached).cloned().map(Into::into).collect(),
+            programme: programme().into_iter().map(Into::into).collect(),
+            loads_percent: LOADS_PERCENT.to_vec(),
+        }
+    }
+}
+
+/// Coordinates and angles of a place under the names of their columns.
+fn columns(place: &Place, planar: bool) -> BTreeMap<String, f64> {
+    let (axes, angles) = if planar { (&XYZ[..2], &ANGLES[2..]) } else { (&XYZ[..], &ANGLES[..]) };
+    let position = axes.iter().zip(place.position_mm);
+    let angles = angles.iter().zip(place.angles_deg.iter().copied());
+    position.chain(angles).map(|(name, value)| ((*name).to_owned(), value)).collect()
+}
+
+/// Joint values under the names of their columns.
+fn named(robot: &dyn Robot, q: &[f64]) -> BTreeMap<String, f64> {
+    let joints = robot.joints().iter().zip(q).map(|(j, v)| (j.column(), j.quantity.outward(*v)));
+    let assembly = q.get(robot.joints().len()).map(|mode| (ASSEMBLY.to_owned(), *mode));
+    joints.chain(assembly).collect()
+}
+
+fn conventions(planar: bool, reach: Option<&Reach>) -> Vec<String> {
+    let cube = if planar { "square" } else { "cube" };
+    let moves = |reach: &Reach| match reach.all_move {
+        true => "all joints move between P1 to P5",
+        false => "not all joints move between P1 to P5, as the standard asks",
+    };
+    vec![
+        format!("the largest {cube} in the stated workspace, edges parallel to the axes; C1 to C4 from the smallest x and y"),
+        "P1: centre; P2 to P5: 10 % of the diagonals from the corners of the test plane, in their order".to_owned(),
+        "P1 to P5, loads, velocities and 30 cycles follow the standard's text; paths, other counts and the order of the \
+         corners were not compared with a bought copy"
+            .to_owned(),
+        match reach {
+            None => "whether all joints move between poses, and whether the robot reaches them, was not looked at".to_owned(),
+            Some(reach) => format!(
+                "reach: nominal parameters and the limits of the robot file; of several working modes one is kept along a list, the one that \
+                 reaches most of it; {}",
+                moves(reach)
+            ),
+        },
+    ]
+}

@@ -1,0 +1,489 @@
+//! Tests of poses (ISO 9283:1998 7).
+
+use super::{coordinates, degrees};
+use crate::mirror::mirror;
+use crate::{Conformity, LimitVerdict};
+use etalon_base::message::{Message, Result, one_line};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use etalon_standards::decision::DecisionRule;
+use etalon_standards::iso9283::pose::coplanarity::flatness;
+use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
+use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
+use etalon_standards::iso9283::pose::drift::{Drift, drifts};
+use etalon_standards::iso9283::pose::ellipsoid::{Ellipsoid, ellipsoid};
+use etalon_standards::iso9283::pose::exchangeability::exchanged;
+use etalon_standards::iso9283::pose::test::{PoseTest, TestedPose};
+use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, Settings, characteristics, noise_free};
+use etalon_standards::iso9283::statistics::interval::Interval;
+use etalon_standards::iso9283::statistics::uncertainty_ratio::UncertaintyRatio;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Characteristics of ISO 9283:1998 of one test.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Document {
+    /// `etalon/iso9283/1`
+    pub schema: String,
+    /// What angles mean, which cycles count, and what is not verified against the standard, in words.
+    pub conventions: Vec<String>,
+    /// One per pose, in the order of the commanded poses.
+    pub poses: Vec<Iso9283Pose>,
+    /// One per pair of poses that were visited in the same cycles.
+    pub distances: Vec<Iso9283Distance>,
+    /// One per pose that was approached in at least two ways.
+    pub approaches: Vec<Iso9283Variation>,
+    /// Drift of each pose, where sets are stated.
+    pub drifts: Vec<Iso9283Drift>,
+    /// Largest distance between barycentres of two robots at any pose, where there are several robots.
+    pub exchangeability_mm: Option<f64>,
+    /// Peak to valley of the mean positions about their plane; four poses or more, with z.
+    pub coplanarity_mm: Option<f64>,
+    /// Distance of the mean position of each of four poses from the plane of the other three, where a campaign names them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub coplanarity_of_four: Vec<Iso9283OutOfPlane>,
+    /// Homings as visits of one pose, number 0, where a campaign has them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub homing: Option<Iso9283Pose>,
+    /// Every visit of a campaign, those of one pose in the order of recording.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub visits: Vec<Iso9283Visit>,
+    /// Limits that the campaign states.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<LimitVerdict>,
+    /// Measurements of the reference targets by which positions were carried back, where there are any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reference: Vec<Iso9283Epoch>,
+    /// Remarks and warnings.
+    pub messages: Vec<Message>,
+}
+
+impl Iso9283Document {
+    /// All characteristics of attained poses. Of several robots it is the first by name, and what exchanging them does.
+    pub fn evaluate(all: &PoseTest, settings: &Settings) -> Result<Self> {
+        let count = all.robots().len();
+        if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
+            let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
+            return Err(message.hint("test each robot by itself; together they give the exchangeability").into());
+        }
+        let test = &all.of_first_robot();
+        let found = characteristics(test, settings)?;
+        let pose = |(p, found)| Iso9283Pose::new(p, found, test.spatial);
+        let poses = test.poses.iter().zip(&found).map(pose).collect::<Result<Vec<_>>>()?;
+        Ok(Self {
+            schema: "etalon/iso9283/1".to_owned(),
+            conventions: conventions(all, settings),
+            distances: distances(test)?.iter().map(|d| Iso9283Distance::new(d, test.spatial)).collect(),
+            approaches: variations(test)?.into_iter().map(Into::into).collect(),
+            drifts: match settings.drift_set {
+                Some(size) => drifts(test, size)?.into_iter().map(Into::into).collect(),
+                None => Vec::new(),
+            },
+            exchangeability_mm: exchanged(all)?,
+            coplanarity_mm: flatness(test)?,
+            coplanarity_of_four: Vec::new(),
+            homing: None,
+            visits: Vec::new(),
+            limits: Vec::new(),
+            reference: Vec::new(),
+            messages: messages(test, &poses),
+            poses,
+        })
+    }
+
+    /// Characteristics of the poses alone.
+    pub fn of_poses(self) -> Self {
+        Self {
+            distances: Vec::new(),
+            approaches: Vec::new(),
+            drifts: Vec::new(),
+            exchangeability_mm: None,
+            coplanarity_mm: None,
+            reference: Vec::new(),
+            ..self
+        }
+    }
+}
+
+/// One measurement of the reference targets.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Epoch {
+    /// Cycle from which on it holds.
+    pub cycle: i64,
+    /// Largest movement of a target since the first.
+    pub moved_mm: f64,
+    /// Root mean square distance that is left when the targets are carried back.
+    pub rms_mm: f64,
+}
+
+/// A pose whose mean lies out of the plane of three others (thesis 2.4).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283OutOfPlane {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Distance from the plane.
+    pub distance_mm: f64,
+}
+
+/// One visit of one pose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Visit {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the cycle.
+    pub cycle: i64,
+    /// How the pose was approached; null for the first visit of all.
+    pub approach: Option<String>,
+    /// Attained position.
+    pub attained_mm: Vector,
+}
+
+mirror! {
+    /// Two-sided interval of 95 %.
+    #[derive(Copy)]
+    struct Iso9283Interval of Interval {
+        /// Lower end.
+        low_mm: f64,
+        /// Upper end.
+        high_mm: f64,
+    }
+}
+
+/// Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Pose {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Visits counted.
+    pub cycles: usize,
+    /// AP_p (7.2.1); null where no position was commanded, as its coordinates.
+    pub ap_mm: Option<f64>,
+    /// AP_x: mean minus commanded.
+    pub ap_x_mm: Option<f64>,
+    /// AP_y.
+    pub ap_y_mm: Option<f64>,
+    /// AP_z.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ap_z_mm: Option<f64>,
+    /// RP_l (7.2.2): mean radius and three standard deviations; null with a single visit, as all that follows.
+    pub rp_mm: Option<f64>,
+    /// The same of the projections into xy (thesis, table 2.1).
+    pub rp_xy_mm: Option<f64>,
+    /// The same of x alone.
+    pub rp_along_x_mm: Option<f64>,
+    /// The same of y alone.
+    pub rp_along_y_mm: Option<f64>,
+    /// The same of z alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_along_z_mm: Option<f64>,
+    /// Mean distance from the barycentre.
+    pub mean_radius_mm: Option<f64>,
+    /// Standard deviation of that distance.
+    pub sd_radius_mm: Option<f64>,
+    /// Radius of the smallest sphere (planar robots: circle) that holds all positions.
+    pub enclosing_radius_mm: Option<f64>,
+    /// Radius of the smallest circle that holds their projections into xy.
+    pub enclosing_circle_radius_mm: Option<f64>,
+    /// RP_x: three standard deviations.
+    pub rp_x_mm: Option<f64>,
+    /// RP_y.
+    pub rp_y_mm: Option<f64>,
+    /// RP_z.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_z_mm: Option<f64>,
+    /// AP_a.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ap_a_deg: Option<f64>,
+    /// AP_b.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ap_b_deg: Option<f64>,
+    /// AP_c.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ap_c_deg: Option<f64>,
+    /// RP_a: three standard deviations.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_a_deg: Option<f64>,
+    /// RP_b.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_b_deg: Option<f64>,
+    /// RP_c.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_c_deg: Option<f64>,
+    /// 95 % interval of AP by parametric bootstrap, and with the instrument's uncertainty where that is stated; null with fewer than
+    /// three visits.
+    pub ap_interval: Option<Iso9283Interval>,
+    /// 95 % interval of RP, likewise.
+    pub rp_interval: Option<Iso9283Interval>,
+    /// 95 % interval of AP in closed form, of the sampling alone.
+    pub ap_interval_analytic: Option<Iso9283Interval>,
+    /// 95 % interval of RP in closed form, of the sampling alone.
+    pub rp_interval_analytic: Option<Iso9283Interval>,
+    /// Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four).
+    pub ellipsoid: Option<Iso9283Ellipsoid>,
+    /// RP without the instrument's noise, where visits were read several times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_without_noise_mm: Option<f64>,
+    /// Standard deviation of one reading, by coordinate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise_mm: Option<Vector>,
+    /// AP judged by the stated limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ap_conformity: Option<Conformity>,
+    /// RP likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rp_conformity: Option<Conformity>,
+    /// The instrument's expanded uncertainty of a position (k = 2) over AP, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_over_ap: Option<f64>,
+    /// The instrument's expanded uncertainty over RP.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_over_rp: Option<f64>,
+    /// Whether both are at most a quarter (clause 6).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quarter_rule_met: Option<bool>,
+}
+
+mirror! {
+    /// Ellipsoid about the mean position, flat in directions without scatter.
+    #[derive(Copy)]
+    struct Iso9283Ellipsoid of Ellipsoid {
+        /// Semi-axes, the longest first.
+        semi_axes_mm: Vector,
+        /// Their unit vectors.
+        axes: [Vector; 3],
+    }
+}
+
+/// Distance between two poses (7.3).
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Distance {
+    /// The two poses.
+    pub poses: [PoseName; 2],
+    /// Cycles that have both.
+    pub cycles: usize,
+    /// AD_p: mean attained minus commanded distance.
+    pub ad_mm: f64,
+    /// AD_x, AD_y and, where there is one, AD_z.
+    pub ad_axes_mm: Vec<f64>,
+    /// RD_p: three standard deviations.
+    pub rd_mm: f64,
+    /// RD_x, RD_y and, where there is one, RD_z.
+    pub rd_axes_mm: Vec<f64>,
+    /// AD of the angles that exist, in the order a, b, c.
+    pub ad_angles_deg: Vec<f64>,
+    /// RD of the angles that exist.
+    pub rd_angles_deg: Vec<f64>,
+}
+
+/// One pose approached in several ways (7.2.3).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Iso9283Variation {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// vAP_p: largest distance between barycentres of two approaches.
+    pub vap_mm: f64,
+    /// The two that are farthest apart.
+    pub between: [String; 2],
+    /// vAP of the angles that exist, in the order a, b, c.
+    pub vap_angles_deg: Vec<f64>,
+    /// Every approach by itself.
+    pub approaches: Vec<Iso9283Approach>,
+}
+
+mirror! {
+    /// Visits by one approach.
+    struct Iso9283Approach of Approach {
+        /// The column `approach`, or the previous pose.
+        name: String,
+        /// Visits.
+        cycles: usize,
+        /// Barycentre.
+        mean_mm: Vector,
+        /// Barycentre minus commanded position; null where none was commanded.
+        deviation_mm: Option<Vector>,
+        /// RP within this approach; null with a single visit.
+        rp_mm: Option<f64>,
+        /// Radius of the smallest sphere (planar robots: circle) that holds its positions.
+        enclosing_radius_mm: Option<f64>,
+    }
+}
+
+mirror! {
+    /// Drift of one pose (7.6).
+    struct Iso9283Drift of Drift {
+        /// Name of the pose.
+        pose: PoseName,
+        /// AP of each set.
+        ap_mm: Vec<f64>,
+        /// RP of each set.
+        rp_mm: Vec<f64>,
+        /// |AP at the start - AP at the end|.
+        dap_mm: f64,
+        /// |RP at the start - RP at the end|.
+        drp_mm: f64,
+        /// Number of sets after which AP had settled.
+        settled_after: Option<usize>,
+    }
+}
+
+impl Iso9283Pose {
+    fn new(tested: &TestedPose, p: &PoseCharacteristics, spatial: bool) -> Result<Self> {
+        let (ap, rp) = (p.accuracy.as_ref(), p.repeatability.as_ref());
+        let there = |k: usize| k < 2 || spatial;
+        let ap_mm = |k: usize| ap.filter(|_| there(k)).map(|a| a.deviation_mm[k]);
+        let rp_mm = |k: usize| rp.filter(|_| there(k)).map(|r| r.axis_mm[k]);
+        let along_mm = |k: usize| rp.filter(|_| there(k)).map(|r| r.along_mm[k]);
+        let [ap_a_deg, ap_b_deg, ap_c_deg] = p.angle_accuracy_rad.map(|angle| angle.map(f64::to_degrees));
+        let [rp_a_deg, rp_b_deg, rp_c_deg] = p.angle_repeatability_rad.map(|angle| angle.map(f64::to_degrees));
+        // over nothing there is no ratio
+        let ratio = |of: Option<UncertaintyRatio>| of.map(|u| u.ratio).filter(|r| r.is_finite());
+        let noise_free = noise_free::of_pose(tested)?;
+        Ok(Self {
+            pose: p.pose,
+            cycles: p.cycles,
+            ap_mm: ap.map(|a| a.ap_mm),
+            ap_x_mm: ap_mm(0),
+            ap_y_mm: ap_mm(1),
+            ap_z_mm: ap_mm(2),
+            rp_mm: rp.map(|r| r.rp_mm),
+            rp_xy_mm: rp.map(|r| r.plane_mm),
+            rp_along_x_mm: along_mm(0),
+            rp_along_y_mm: along_mm(1),
+            rp_along_z_mm: along_mm(2),
+            mean_radius_mm: rp.map(|r| r.mean_radius_mm),
+            sd_radius_mm: rp.map(|r| r.sd_radius_mm),
+            enclosing_radius_mm: rp.map(|r| r.enclosing_radius_mm),
+            enclosing_circle_radius_mm: rp.map(|r| r.enclosing_circle_radius_mm),
+            rp_x_mm: rp_mm(0),
+            rp_y_mm: rp_mm(1),
+            rp_z_mm: rp_mm(2),
+            ap_a_deg,
+            ap_b_deg,
+            ap_c_deg,
+            rp_a_deg,
+            rp_b_deg,
+            rp_c_deg,
+            ap_interval: p.ap_interval.map(Into::into),
+            rp_interval: p.rp_interval.map(Into::into),
+            ap_interval_analytic: p.ap_interval_analytic.map(Into::into),
+            rp_interval_analytic: p.rp_interval_analytic.map(Into::into),
+            // too few visits have none
+            ellipsoid: ellipsoid(&tested.positions_mm(|_| true)).ok().map(Into::into),
+            rp_without_noise_mm: noise_free.map(|free| free.rp_mm),
+            noise_mm: noise_free.map(|free| free.noise_mm),
+            ap_conformity: p.ap_conformity.map(Into::into),
+            rp_conformity: p.rp_conformity.map(Into::into),
+            uncertainty_over_ap: ratio(p.uncertainty_over_ap),
+            uncertainty_over_rp: ratio(p.uncertainty_over_rp),
+            quarter_rule_met: p.is_verified(),
+        })
+    }
+}
+
+impl Iso9283Distance {
+    fn new(d: &PairDistance, spatial: bool) -> Self {
+        let (ad, rd): (Vec<f64>, Vec<f64>) = d.angles_rad.iter().copied().unzip();
+        Self {
+            poses: d.poses,
+            cycles: d.cycles,
+            ad_mm: d.position.ad_mm,
+            ad_axes_mm: coordinates(d.position.ad_axis_mm, spatial),
+            rd_mm: d.position.rd_mm,
+            rd_axes_mm: coordinates(d.position.rd_axis_mm, spatial),
+            ad_angles_deg: degrees(&ad),
+            rd_angles_deg: degrees(&rd),
+        }
+    }
+}
+
+impl From<PoseVariation> for Iso9283Variation {
+    fn from(v: PoseVariation) -> Self {
+        Self {
+            pose: v.pose,
+            vap_mm: v.vap_mm,
+            between: v.between,
+            vap_angles_deg: degrees(&v.angles_rad),
+            approaches: v.approaches.into_iter().map(Into::into).collect(),
+        }
+    }
+}
+
+/// Warnings of a test of poses.
+fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
+    let mut messages = test.warnings.clone();
+    messages.extend(several_ways(test));
+    let named = |wanted: fn(&Iso9283Pose) -> bool| {
+        let names: Vec<String> = poses.iter().filter(|p| wanted(p)).map(|p| p.pose.to_string()).collect();
+        (!names.is_empty()).then(|| names.join(", "))
+    };
+    if let Some(short) = named(|p| p.cycles < CYCLES) {
+        let message = Message::warning(format!("fewer than {CYCLES} cycles at pose {short}"));
+        messages.push(message.hint("ISO 9283 asks for 30; the intervals show what fewer leave open"));
+    }
+    if let Some(coarse) = named(|p| p.quarter_rule_met == Some(false)) {
+        let what = format!("the instrument's uncertainty exceeds a quarter of what it verifies at pose {coarse}");
+        let message = Message::warning(what);
+        messages.push(message.hint("the values are upper bounds of the robot's; measure with a better instrument"));
+    }
+    messages
+}
+
+fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
+    let mut conventions = vec![
+        "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
+        match settings.expanded_uncertainty_mm {
+            Some(u) => format!(
+                "intervals contain the sampling and the instrument's expanded uncertainty of a coordinate, {} um (k = 2)",
+                (u * 1e9).round() / 1e6
+            ),
+            None => "intervals contain the sampling alone: no uncertainty of the instrument is stated".to_owned(),
+        },
+        "RP follows the standard's text (7.2.2); the other clauses were not compared with a bought copy".to_owned(),
+    ];
+    if visits.poses.iter().all(|p| p.commanded_mm.is_none()) {
+        conventions.push("no commanded poses: AP, distances and drift are not determined, and null".to_owned());
+    }
+    if settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
+        conventions.push(match settings.decision_rule {
+            DecisionRule::Guarded => {
+                "conformity: guarded acceptance (ISO 14253-1) with the interval of 95 %: proven only where all of it is on one side"
+            }
+            DecisionRule::SimpleAcceptance => "conformity: simple acceptance (ILAC-G8:09/2019, 4.2.1)",
+            DecisionRule::SharedRisk => {
+                "conformity: shared risk (JCGM 106:2012, 8.2.1): decided where the expanded uncertainty is at most a quarter of the limit"
+            }
+        }.to_owned());
+    }
+    let robots = visits.robots();
+    if let (Some(first), true) = (robots.first(), robots.len() > 1) {
+        let one = one_line(first);
+        conventions.push(format!("of {} robots: all is of `{one}`, but for exchangeability", robots.len()));
+    }
+    if visits.poses.iter().flat_map(|p| &p.attained).any(|v| v.readings_mm.len() > 1) {
+        conventions.push("readings of one visit are averaged; their scatter is the instrument's noise".to_owned());
+    }
+    if !visits.angles.is_empty() {
+        let order = settings.rotation_order.as_deref().unwrap_or("not stated");
+        conventions.push(format!("angles a, b, c are unwrapped and treated each alone; order of rotations: {order}"));
+    }
+    conventions
+}
+
+/// A warning where visits of a pose come from several directions: the standard's AP and RP are of one (7.2.1, 7.2.2).
+fn several_ways(visits: &PoseTest) -> Option<Message> {
+    let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
+    let poses: Vec<String> = several.map(|p| p.pose.to_string()).collect();
+    let what = format!(
+        "approached in several ways: pose {}; AP, RP and their intervals are of all visits together",
+        poses.join(", ")
+    );
+    let hint = "what the standard calls RP is that of each approach, listed beside it; together they hold vAP as well, and their scatter is not Gaussian";
+    (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
+}

@@ -1,0 +1,38 @@
+//! Document forms of plain types of other crates.
+
+/// Defines the document form of a plain struct or enum: the same fields or variants, each converted with `Into`. A field that is
+/// missing here, or has another type, does not compile.
+macro_rules! mirror {
+    ($(#[$meta:meta])* struct $name:ident of $plain:ty { $($(#[$inner:meta])* $field:ident: $type:ty,)* }) => {
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        $(#[$meta])*
+        pub struct $name { $($(#[$inner])* pub $field: $type,)* }
+
+        impl From<$plain> for $name {
+            #[allow(clippy::useless_conversion)] // most fields have the same type
+            fn from(plain: $plain) -> Self {
+                Self { $($field: plain.$field.into(),)* }
+            }
+        }
+    };
+    ($(#[$meta:meta])* enum $name:ident of $plain:ty { $($(#[$inner:meta])* $variant:ident,)* }) => {
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        $(#[$meta])*
+        pub enum $name { $($(#[$inner])* $variant,)* }
+
+        impl From<$plain> for $name {
+            fn from(plain: $plain) -> Self {
+                match plain { $(<$plain>::$variant => Self::$variant,)* }
+            }
+        }
+
+        impl From<$name> for $plain {
+            fn from(document: $name) -> Self {
+                match document { $($name::$variant => Self::$variant,)* }
+            }
+        }
+    };
+}
+
+pub(crate) use mirror;
