@@ -17,7 +17,7 @@ use etalon_campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
 use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use etalon_formats::table;
-use etalon_identify::{FrameError, Identification, Observation, RobustFit, Settings};
+use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings};
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,8 +46,10 @@ pub fn identify(
     frames: &FramesDocument,
     inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
-    let Selected { mut sets, settings, poses, selections, mut messages } = select(campaign, stated, robot, joined)?;
+    let mut selected = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
+    selected.leave_unplaced_out(robot)?;
+    let Selected { mut sets, settings, poses, selections, mut messages } = selected;
     let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
     let mut found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
@@ -117,6 +119,53 @@ pub struct Selected {
     selections: Selections,
     /// Warnings.
     pub messages: Vec<Message>,
+}
+
+/// Targets that a message names.
+const NAMED: usize = 5;
+
+impl Selected {
+    /// Leaves targets that are measured at validation poses alone out of the validation, and holds their places: no calibration
+    /// reading places them, so that an error of theirs says nothing of the robot.
+    ///
+    /// # Errors
+    /// If nothing else is measured at the validation poses.
+    pub fn leave_unplaced_out(&mut self, robot: &dyn Robot) -> Result<()> {
+        let Some(arm) = robot.free_base() else { return Ok(()) };
+        let Self { sets, settings, messages, .. } = self;
+        let mut placed = vec![false; robot.targets().len()];
+        let measured =
+            |o: &Observation| -> Vec<usize> { (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect() };
+        let places = |c: &&Condition| !c.kind.is_orientation() && !matches!(c.kind, Kind::Joint { .. });
+        sets.calibration.iter().flat_map(measured).for_each(|k| placed[k] = true);
+        sets.calibration_conditions.iter().filter(places).for_each(|c| placed[c.target] = true);
+        let of_conditions = sets.validation_conditions.iter().filter(places).map(|c| c.target);
+        let seen = sets.validation.iter().flat_map(measured).chain(of_conditions);
+        let unplaced: BTreeSet<usize> = seen.filter(|&k| !placed[k]).collect();
+        if unplaced.is_empty() {
+            return Ok(());
+        }
+        for o in &mut sets.validation {
+            o.targets.iter_mut().zip(&placed).filter(|(_, placed)| !**placed).for_each(|(target, _)| *target = None);
+        }
+        sets.validation.retain(|o| o.targets.iter().any(Option::is_some));
+        sets.validation_conditions.retain(|c| placed[c.target] || matches!(c.kind, Kind::Joint { .. }));
+        let names: Vec<String> = unplaced.iter().take(NAMED).map(|&k| format!("`{}`", robot.targets()[k])).collect();
+        let more = if unplaced.len() > NAMED { ", ..." } else { "" };
+        let what = format!(
+            "{} measured at validation poses alone: {}{more}; no calibration pose places them, and they are not judged",
+            count(unplaced.len(), "target"),
+            names.join(", ")
+        );
+        let hint = "measure them at calibration poses too, or move a pose where they are measured to `calibration`";
+        if sets.validation.is_empty() && sets.validation_conditions.is_empty() {
+            return Err(Message::error(format!("{what}: nothing is left to validate with")).hint(hint).into());
+        }
+        messages.push(Message::warning(what).to_decide().hint(hint));
+        let of_place = |k: usize| (0..3).map(move |axis| arm.target_place(k) + axis);
+        settings.hold.extend(unplaced.into_iter().flat_map(of_place).map(|i| robot.parameters()[i].name.clone()));
+        Ok(())
+    }
 }
 
 /// What a campaign selects of the observations of its first log; what they refer to is added to the parameters of `robot`.

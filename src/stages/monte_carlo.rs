@@ -84,8 +84,10 @@ pub fn distributions(
 ) -> Result<UncertaintyDocument> {
     let inputs = BTreeMap::new();
     let identified = identify(campaign, stated, robot, joined, frames, &inputs)?;
-    let settings = select(campaign, stated, robot, joined)?.settings;
+    let mut selected = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
+    selected.leave_unplaced_out(robot)?;
+    let settings = selected.settings;
     let found = &identified.found;
     let trials = Trials { seed: draws.seed, ..Trials::new(campaign, robot, (points, frames), &settings, &identified) };
     let positions_alone = settings.conditions.is_empty();

@@ -28,7 +28,11 @@ pub fn validate(
     document: Option<&ParametersDocument>,
     frames: GivenFrames,
 ) -> Result<Validated> {
-    let Selected { sets, settings, mut messages, .. } = select(campaign, stated, robot, joined)?;
+    let mut selected = select(campaign, stated, robot, joined)?;
+    if frames != GivenFrames::Given {
+        selected.leave_unplaced_out(robot)?;
+    }
+    let Selected { sets, settings, mut messages, .. } = selected;
     if frames == GivenFrames::Prior && document.is_none() {
         let message = Message::error("nominal parameters have no uncertainty that `--frames prior` could use");
         return Err(message.hint("name identified ones with `--parameters`, or use `--frames refit`").into());

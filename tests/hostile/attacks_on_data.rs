@@ -168,3 +168,74 @@ fn counts_are_bounded_before_anything_is_allocated() {
         assert!(code == Some(2) && error.contains(part), "{to}: {error}");
     }
 }
+
+/// A campaign of an arm with three targets at 60 poses, and `more` that are measured at validation poses alone.
+fn with_unplaced_targets(more: usize) -> Scratch {
+    let scratch = copy_sample("draw-wire");
+    let robot = etalon::campaign::read_robot(&scratch.path().join("robot.toml")).unwrap();
+    let names: Vec<String> = (0..3).map(|k| format!("S{k}")).chain((0..more).map(|k| format!("V{k}"))).collect();
+    let robot = robot.build(&names).unwrap();
+    let mut values = robot.nominal();
+    for (i, p) in robot.parameters().iter().enumerate().filter(|(_, p)| p.role == etalon::math::robots::Role::Target) {
+        values[i] = 60.0 + 50.0 * (1.7 * i as f64 + p.name.len() as f64).sin();
+    }
+    let mut rows = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+    for pose in 0..60 {
+        let wave = |k: usize| 60.0 * (0.37 * (pose * (k + 3)) as f64 + 1.3 * k as f64).sin();
+        let deg: Vec<f64> = (0..6).map(wave).collect();
+        let joints: Vec<f64> = deg.iter().map(|q| q.to_radians()).collect();
+        let own = (3..names.len()).filter(|k| pose >= 40 && k % 20 == pose - 40);
+        for target in (0..3).chain(own) {
+            let at = robot.position(&values, &joints, target);
+            let noise = |axis: usize| 0.02 * (12.9 * (pose * 97 + target * 31 + axis * 7) as f64).sin();
+            let at: Vec<String> = (0..3).map(|axis| format!("{:.5}", at[axis] + noise(axis))).collect();
+            let deg: Vec<String> = deg.iter().map(|q| format!("{q:.12}")).collect();
+            rows += &format!("{},{},{},{}\n", pose + 1, names[target], deg.join(","), at.join(","));
+        }
+    }
+    std::fs::write(scratch.path().join("observations.csv"), rows).unwrap();
+    scratch.replace("campaign.toml", "calibration = \"1-60\"", "calibration = \"1-40\"");
+    scratch
+}
+
+#[test]
+fn targets_of_validation_poses_alone_are_not_judged() {
+    let said = ends(&with_unplaced_targets(7), "run", 0, &[]);
+    let parts = ["7 targets measured at validation poses alone: `V0`, `V1`, `V2`, `V3`, `V4`, ...", "not judged"];
+    assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+    assert!(!said.contains("another campaign") && !said.contains("do not depend"), "{said}");
+    // all others as without these targets
+    let accuracy = |more: usize| -> serde_json::Value {
+        let scratch = with_unplaced_targets(more);
+        ends(&scratch, "run", 0, &[]);
+        serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
+    };
+    let (with, without) = (accuracy(7), accuracy(0));
+    assert_eq!(with["sets"][1]["count"], without["sets"][1]["count"]);
+    let rms = |of: &serde_json::Value| of["sets"][1]["errors"][0]["after"]["rms"].as_f64().unwrap();
+    assert!((rms(&with) / rms(&without) - 1.0).abs() < 1e-6, "{} {}", rms(&with), rms(&without));
+    // where nothing else is measured there, nothing can be judged
+    let scratch = with_unplaced_targets(7);
+    let path = scratch.path().join("observations.csv");
+    let alone = |line: &&str| {
+        let mut cells = line.split(',');
+        let (pose, target) = (cells.next().unwrap().parse::<usize>().unwrap_or(0), cells.next().unwrap());
+        pose <= 40 || target.starts_with('V')
+    };
+    let text: Vec<String> = std::fs::read_to_string(&path).unwrap().lines().filter(alone).map(str::to_owned).collect();
+    std::fs::write(path, text.join("\n") + "\n").unwrap();
+    ends(&scratch, "run", 2, &["7 targets measured at validation poses alone", "nothing is left to validate with"]);
+}
+
+#[test]
+fn the_time_of_a_run_grows_with_targets_of_validation_poses_and_not_with_their_square() {
+    let time_s = |more: usize| {
+        let scratch = with_unplaced_targets(more);
+        let start = std::time::Instant::now();
+        ends(&scratch, "run", 0, &[]);
+        start.elapsed().as_secs_f64()
+    };
+    let (few, many) = (time_s(100), time_s(400));
+    // four times as many targets; sixteen times the time before
+    assert!(many < 6.0 * few, "{few:.1} s with 100, {many:.1} s with 400");
+}
