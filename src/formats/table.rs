@@ -194,10 +194,16 @@ impl<W: Write + Send> RowGroups<W> {
     }
 }
 
-/// The table of a Parquet file that a stage wrote.
-pub fn from_parquet(bytes: Vec<u8>) -> Result<DataFrame> {
-    let unreadable = |e| Message::error(format!("it is not a table: {e}")).into();
-    ParquetReader::new(Cursor::new(bytes)).finish().map_err(unreadable)
+/// The table of so many rows of a Parquet file that a stage wrote; another number is refused before any row is read.
+pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<DataFrame> {
+    let unreadable = |e| Problems::from(Message::error(format!("it is not a table: {e}")));
+    let mut reader = ParquetReader::new(Cursor::new(bytes));
+    let found = reader.num_rows().map_err(unreadable)?;
+    if found != rows {
+        let message = Message::error(format!("the table has {found} rows")).expected(format!("{rows} rows"));
+        return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
+    }
+    reader.finish().map_err(unreadable)
 }
 
 #[cfg(test)]

@@ -133,11 +133,13 @@ impl Run {
     pub fn read(documents: &Documents) -> Result<Self> {
         let identified = |parameters| -> Result<Identified> {
             let name = "residuals.parquet";
-            let residuals = table::from_parquet(documents.bytes(name)?);
+            let accuracy: AccuracyDocument = documents.json("accuracy.json")?;
+            let rows = accuracy.sets.iter().map(|set| set.count).fold(0, usize::saturating_add);
+            let residuals = table::from_parquet(documents.bytes(name)?, rows);
             let place = Place::file(documents.path(name).display().to_string());
             Ok(Identified {
                 parameters,
-                accuracy: documents.json("accuracy.json")?,
+                accuracy,
                 errors: residuals.and_then(|table| evaluate::from_table(&table)).map_err(|more| more.at(&place))?,
             })
         };

@@ -239,3 +239,20 @@ fn the_time_of_a_run_grows_with_targets_of_validation_poses_and_not_with_their_s
     // four times as many targets; sixteen times the time before
     assert!(many < 6.0 * few, "{few:.1} s with 100, {many:.1} s with 400");
 }
+
+#[test]
+fn residuals_that_the_documents_do_not_state_are_not_read() {
+    use polars::prelude::{DataFrame, NamedFrom, ParquetCompression, Series};
+    let scratch = with_unplaced_targets(0);
+    ends(&scratch, "run", 0, &[]);
+    let out = scratch.path().join("out");
+    let zeros = Series::new("x_mm".into(), vec![0.0f64; 2_000_000]);
+    let mut table = DataFrame::new(2_000_000, vec![zeros.into()]).unwrap();
+    let file = std::fs::File::create(out.join("residuals.parquet")).unwrap();
+    let writer = polars_io::parquet::write::ParquetWriter::new(file);
+    writer.with_compression(ParquetCompression::Snappy).finish(&mut table).unwrap();
+    crate::support::scratch::stamp(&out);
+    let (code, error) = said(&scratch, &["report", "campaign"]);
+    let parts = ["the table has 2000000 rows", "expected: 180 rows", "residuals.parquet"];
+    assert!(code == Some(2) && parts.iter().all(|part| error.contains(part)), "{error}");
+}
