@@ -22,6 +22,7 @@ mod manifest;
 mod parameters;
 mod plan;
 mod recommendation;
+mod results;
 pub mod schema;
 mod study;
 mod uncertainty;
@@ -46,13 +47,12 @@ pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
 pub use recommendation::*;
+pub use results::*;
 pub use study::*;
 pub use uncertainty::*;
 pub use verification::*;
 
 use etalon_base::message::{Message, Result};
-pub use etalon_identify::{Figure, Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
-pub use etalon_math::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

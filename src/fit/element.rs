@@ -2,13 +2,11 @@
 
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, unit};
-use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
 /// A geometric element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
     /// Straight line in the plane.
     Line2d,
@@ -112,8 +110,7 @@ impl FromStr for Element {
 }
 
 /// How a circle in space is fitted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CircleMethod {
     /// Least-squares plane, projection onto it, circle in it: as NIST's reference pairs and most CMM software.
     #[default]

@@ -12,13 +12,10 @@ use etalon_base::pose_name::PoseName;
 use etalon_math::{Problem, Solution};
 use etalon_robots::Robot;
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A source of uncertainty.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum UncertaintySource {
     /// The instrument: its stated uncertainty, or that which readings state of themselves.
     Instrument,
@@ -87,8 +84,7 @@ pub struct Budget {
 }
 
 /// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Replicates {
     /// Standard deviation of a coordinate among repeats of a pose, mm.
     pub repeats_mm: f64,
@@ -311,8 +307,7 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
 }
 
 /// A figure made of the position errors of an identification: its derivatives by each of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// Their mean size.
     Mean,

@@ -12,14 +12,12 @@ use etalon_base::statistics::median;
 use etalon_math::{Blocks, Problem, Rows, Solution};
 use etalon_robots::{FreeBase, Loads, Parametrised, Platform, Robot, State};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// What is compared.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ResidualKind {
     /// Coordinates of each target, weighted by the instrument's uncertainty.
     #[default]

@@ -13,8 +13,7 @@ use etalon_robots::{Robot, Role};
 use nalgebra::{Matrix3, Vector3};
 
 /// The part in whose frame a tool point is stated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToolFrame {
     /// The flange of an arm.
     Flange,

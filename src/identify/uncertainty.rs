@@ -16,13 +16,10 @@ use etalon_base::statistics::median;
 use etalon_math::{Factor, Problem, Solution, column_norms};
 use etalon_robots::{Quantity, Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What standard uncertainties rest on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UncertaintyFrom {
     /// The stated uncertainty of the instrument: chi-square does not reject the model.
     Instrument,

@@ -1,12 +1,8 @@
 //! Positioning of a linear axis by ISO 230-2:2014 (terms and formulas of its clause 3): deviations of measured from programmed positions,
 //! approached n times from either side.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 /// The runs to one position from one side.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// Runs, n.
     pub runs: usize,
@@ -19,8 +15,7 @@ pub struct Approach {
 }
 
 /// One position of the axis, approached from both sides.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisPosition {
     /// Programmed position.
     pub position_mm: f64,
@@ -37,8 +32,7 @@ pub struct AxisPosition {
 }
 
 /// A quantity of both directions together, and of each.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directions {
     /// Bidirectional.
     pub both_mm: f64,
@@ -49,8 +43,7 @@ pub struct Directions {
 }
 
 /// Positioning of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisPositioning {
     /// Reversal error B = max |Bi|.
     pub reversal_mm: f64,

@@ -26,7 +26,6 @@ pub use priors::{Prior, WithPriors};
 pub use svd::{Svd, svd};
 pub use trust_region::{TrustRegion, norm};
 
-use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Residuals r(x) of `m` equations in `n` parameters and their Jacobian; the sum of squares of r is minimised.
@@ -73,8 +72,7 @@ impl Default for Options {
 }
 
 /// Why the solver stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Termination {
     /// The last step no longer changed the parameters.
     StepVanished,

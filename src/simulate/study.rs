@@ -8,9 +8,9 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::parse;
-use etalon_documents::{DesignError, DesignParameter, Spread, StudiedDesign};
+use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
 use etalon_identify::plan::candidates;
-use etalon_identify::{Observation, ResidualKind, Settings, identify_from};
+use etalon_identify::{Observation, Settings, identify_from};
 use etalon_robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -347,7 +347,7 @@ impl StudyFile {
             for &noise_um in &self.noise_um {
                 progress(&format!("{}, {noise_um} um", set.name));
                 let settings = Settings {
-                    kind: self.residuals,
+                    kind: self.residuals.into(),
                     standard_uncertainty_mm: Some(noise_um / 1e3),
                     hold: self.hold.clone(),
                     ..Settings::default()

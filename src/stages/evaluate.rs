@@ -8,11 +8,9 @@ use etalon_base::table::{self, TIME, XYZ};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
-    Statistics,
+    ReadingReliability, Statistics,
 };
-use etalon_identify::{
-    Condition, Contributions, Figure, Kind, Observation, ReadingReliability, Settings, UncertaintySource,
-};
+use etalon_identify::{self as identify, Condition, Contributions, Kind, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
@@ -338,13 +336,13 @@ fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: Er
 }
 
 /// The budgets of figures, from the variances that each source contributes (mm²).
-pub fn budgets(figures: Vec<(Figure, Contributions)>) -> Vec<FigureBudget> {
-    let contribution = |(source, variance): (UncertaintySource, f64)| FigureContribution {
-        source,
+pub fn budgets(figures: Vec<(identify::Figure, Contributions)>) -> Vec<FigureBudget> {
+    let contribution = |(source, variance): (identify::UncertaintySource, f64)| FigureContribution {
+        source: source.into(),
         standard_uncertainty_mm: variance.sqrt(),
     };
-    let of = |(figure, variances): (Figure, Contributions)| FigureBudget {
-        figure,
+    let of = |(figure, variances): (identify::Figure, Contributions)| FigureBudget {
+        figure: figure.into(),
         standard_uncertainty_mm: variances.iter().map(|(_, v)| v).sum::<f64>().sqrt(),
         contributions: variances.into_iter().map(contribution).collect(),
     };

@@ -10,11 +10,9 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{
-    DistributionEntry, FramePose, FramesDocument, Provenance, UncertaintyDocument, UncertaintySource,
-};
+use etalon_documents::{DistributionEntry, Figure, FramePose, FramesDocument, Provenance, UncertaintyDocument};
 use etalon_formats::Point;
-use etalon_identify::{Figure, Identification, Observation, Repeated, Settings};
+use etalon_identify::{Identification, Observation, Repeated, Settings, UncertaintySource};
 use etalon_robots::{Quantity, Robot};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
@@ -153,7 +151,7 @@ pub fn distributions(
         draws: monte_carlo.len(),
         two_digits_reached: digits,
         resamples: bootstrap.as_ref().map_or(0, Vec::len),
-        uncertainties_from: found.uncertainty_from,
+        uncertainties_from: found.uncertainty_from.into(),
         parameters: (0..n).map(entry).collect(),
         errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
         messages: found.warnings.clone(),

@@ -83,7 +83,7 @@ impl<'a> Expected<'a> {
                 self.error()
             ),
             point_mm: self.point.point_mm,
-            frame: self.point.frame,
+            frame: self.point.frame.into(),
             set: judged.name.clone(),
             poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
             before: summarise(sizes_before),
@@ -130,7 +130,7 @@ impl<'a> Expected<'a> {
                 self.error()
             ),
             point_mm: self.point.point_mm,
-            frame: self.point.frame,
+            frame: self.point.frame.into(),
             spacing_mm,
             nodes,
         }))
