@@ -84,6 +84,11 @@ impl Element {
         matches!(self, Self::Circle2d | Self::Sphere).then_some(self.span())
     }
 
+    /// `true` if [`minimum_zone`](crate::minimum_zone) fits the element.
+    pub fn has_minimum_zone(self) -> bool {
+        !matches!(self, Self::Line | Self::Torus)
+    }
+
     fn has_radius(self) -> bool {
         matches!(self, Self::Circle2d | Self::Circle3d | Self::Sphere | Self::Cylinder)
     }

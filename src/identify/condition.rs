@@ -6,7 +6,8 @@
 
 use super::surface::Surface;
 use super::{Observation, ResidualKind, Settings, Status};
-use etalon_base::message::{Message, Result};
+use crate::{Error, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, cross, minus, norm, turning_axes, unit};
 use etalon_base::pose_name::PoseName;
 use etalon_robots::{FreeBase, Parameter, Quantity, Robot, Role, meaning};
@@ -496,20 +497,14 @@ pub(super) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
     }
     let coordinates = settings.conditions.iter().all(|c| matches!(c.kind, Kind::Coordinate { .. }));
     if robot.free_base().is_none() && !(coordinates && settings.known.is_empty() && !robot.has_assembly_modes()) {
-        let what = format!(
-            "orientations, distances, contacts, surfaces and joints are for arms in space, not for `{}`",
-            robot.model()
-        );
-        return Err(Message::error(what).hint("give positions of its targets: rows of kind `point`").into());
+        return Err(Error::NotAnArm { model: robot.model().to_owned() });
     }
     if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
         let what = "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
         return Err(Message::error(what).into());
     }
     if settings.standard_uncertainty_mm.is_none() {
-        return Err(Message::error("observations of several kinds need the standard uncertainty of a coordinate")
-            .hint("state it (--standard-uncertainty-um)")
-            .into());
+        return Err(Error::KindsWithoutUncertainty);
     }
     Ok(())
 }

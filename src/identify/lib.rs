@@ -8,6 +8,7 @@ mod condition;
 mod diagnosis;
 mod effects;
 mod elimination;
+mod error;
 mod fixtures;
 mod frame_error;
 pub mod geometric;
@@ -39,6 +40,7 @@ use condition::tied_to_world;
 pub use condition::{Condition, Fixture, Kind, Known};
 pub use diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
 pub use effects::effects;
+pub use error::{Cause, Error};
 pub use fixtures::mounted_misfit_rad;
 pub use frame_error::FrameError;
 pub use identifiability::{Group, RANK_TOLERANCE};
@@ -62,12 +64,15 @@ pub use verification::{
 };
 pub use weights::{Covariance, turned, weigh};
 
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
 use etalon_math::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use residuals::{Common, Residuals};
 use solution::solve_identifiable;
+
+/// A value, or why there is none.
+pub type Result<T> = std::result::Result<T, Error>;
 
 /// What is identified from which residuals.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -318,26 +323,18 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
         return Err(Message::error("there are no observations to identify from").into());
     }
     if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
-        return Err(Message::error(
-            "pose residuals mix mm and rad: they need the standard uncertainty of a coordinate",
-        )
-        .hint("state it (--standard-uncertainty-um), or compare targets")
-        .into());
+        return Err(Error::PoseWithoutUncertainty);
     }
     let whole = settings.kind == ResidualKind::Targets && settings.standard_uncertainty_mm.is_some();
     if settings.common_uncertainty_mm.is_some() && !whole {
-        return Err(Message::error(
-            "an uncertainty common to several observations is for residuals of targets, beside one that each has of its own",
-        )
-        .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
-        .into());
+        return Err(Error::CommonUncertaintyAlone);
     }
     condition::check(robot, settings)?;
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {
-            let what = format!("`hold` names `{pattern}`, which is not a parameter of this robot");
-            return Err(Message::error(what).hint_names(pattern, names()).into());
+            let names = names().map(str::to_owned).collect();
+            return Err(Error::UnknownParameter { pattern: pattern.clone(), names });
         }
     }
     let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));

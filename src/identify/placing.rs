@@ -6,7 +6,7 @@
 use super::identifiability::Analysis;
 use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
-use etalon_base::message::Result;
+use crate::Result;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
 use etalon_math::{Factor, Options, Problem, Termination};
 use etalon_robots::{FreeBase, Quantity, Robot, base_pose};

@@ -5,7 +5,8 @@ use super::elimination::Layout;
 use super::rigid_part::{At, Shape};
 use super::weights::Weights;
 use super::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use crate::{Error, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::statistics::median;
@@ -91,10 +92,9 @@ impl<'a> Residuals<'a> {
         }
         let platform = match settings.kind {
             ResidualKind::Targets => None,
-            ResidualKind::Pose => Some(robot.platform().ok_or_else(|| {
-                Message::error(format!("`residuals = \"pose\"` is for planar robots, not for `{}`", robot.model()))
-                    .hint("use `residuals = \"targets\"`")
-            })?),
+            ResidualKind::Pose => {
+                Some(robot.platform().ok_or_else(|| Error::NotPlanar { model: robot.model().to_owned() })?)
+            }
         };
         let rows = observations.iter().map(|o| {
             let measured = o.targets.iter().flatten().count();

@@ -3,7 +3,7 @@
 
 use super::residuals::{OF_MEDIAN, ResidualKind, Residuals};
 use super::{Identification, Observation, Settings};
-use etalon_base::message::Result;
+use crate::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_base::statistics::median;
 use etalon_math::{Loss, Options, Problem, covariance, factor_at, solve};

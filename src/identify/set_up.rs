@@ -67,10 +67,15 @@ impl SetUpError {
 /// Gives the first of `messages` the change of the set-up that explains it as its hint, where there is one.
 pub fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observation]) {
     if let Some(first) = messages.first_mut()
-        && let Some(found) = set_up_error(robot, observations)
+        && let Some(hint) = set_up_hint(robot, observations)
     {
-        first.hint = Some(found.hint());
+        first.hint = Some(hint);
     }
+}
+
+/// The change of the set-up that explains the observations, where there is one.
+pub(super) fn set_up_hint(robot: &dyn Robot, observations: &[Observation]) -> Option<String> {
+    set_up_error(robot, observations).map(|found| found.hint())
 }
 
 /// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken

@@ -5,7 +5,7 @@ use super::elimination::Layout;
 use super::identifiability::{Analysis, Group};
 use super::residuals::Residuals;
 use super::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use crate::{Error, Result};
 use etalon_math::{Options, Prior, Solution, WithPriors};
 use etalon_robots::{Quantity, Robot, Role};
 use std::f64::consts::TAU;
@@ -129,9 +129,7 @@ fn rounds(
         }
         held = now;
     }
-    Err(Message::error("which parameters are separately identifiable changes from step to step")
-        .hint("hold parameters in [identify], or measure more poses")
-        .into())
+    Err(Error::Unsteady)
 }
 
 /// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come

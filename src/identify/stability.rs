@@ -4,7 +4,7 @@
 use super::residuals::Residuals;
 use super::robust::quantile;
 use super::{Identification, Observation, Settings};
-use etalon_base::message::Result;
+use crate::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Problem, covariance, linearised_at};
 use etalon_robots::Robot;

@@ -6,7 +6,8 @@ use super::frame_error::response;
 use super::residuals::Residuals;
 use super::rigid_part::turn_of;
 use super::{Group, Identification, Observation, Settings};
-use etalon_base::message::{Message, Result};
+use crate::{Error, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, unit};
 use etalon_math::{covariance, factor_at};
 use etalon_robots::{Robot, Role};
@@ -60,11 +61,7 @@ impl ToolPoint {
     /// Its place in the base frame of `robot`, mm.
     pub fn in_base(&self, robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Result<Vector> {
         let values = without_base(robot, values);
-        let lacks = |part: &str| {
-            let what = format!("a tool point in the frame of the {part}: `{}` has no {part}", robot.model());
-            Message::error(what)
-                .hint("`frame` is `flange` for an arm, `platform` for a PreXYT, `targets` for any robot")
-        };
+        let lacks = |part| Error::NoSuchPart { model: robot.model().to_owned(), part };
         match self.frame {
             ToolFrame::Platform => {
                 let pose = robot.platform().ok_or_else(|| lacks("platform"))?.pose(&values, joints);

@@ -8,7 +8,8 @@
 use super::residuals::Residuals;
 use super::significance::{Variance, bisect};
 use super::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use crate::Result;
+use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, cross, minus};
 use etalon_math::Problem;
 use etalon_robots::Robot;

@@ -1,6 +1,7 @@
 //! Studies: how near parameters and tool of a robot with a known truth come to it, by what is measured (thesis 3.7 and 4.6).
 
 use super::truth::{Circle, stated_joints, true_values};
+use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result};
@@ -53,7 +54,8 @@ impl Study<'_> {
             let mut noise = Noise::new(self.seed, draw * self.runs + run);
             let measured: Vec<Observation> =
                 observations.iter().map(|o| self.measured(o, noise_mm, &mut noise)).collect();
-            let found = identify_from(self.robot, &measured, &self.settings, &self.robot.nominal())?;
+            let found =
+                identify_from(self.robot, &measured, &self.settings, &self.robot.nominal()).map_err(remedied)?;
             if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
                 return Err(Message::error("too few poses to identify all parameters").into());
             }

@@ -8,6 +8,7 @@ use crate::stages::join::Joined;
 use crate::stages::kinds::{self, Observed, Stated};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
+use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
 use crate::stages::tool::Expected;
 use etalon_base::message::{Message, Place, Problems, Result, count};
@@ -48,16 +49,18 @@ pub fn identify(
 ) -> Result<Identified> {
     let Selected { mut sets, settings, poses, selections, mut messages } = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
-    let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
+    let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
-    let mut found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
+    let mut found =
+        etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic).map_err(remedied)?;
     if stated.outliers == OutlierRule::Exclude {
         let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
         let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
         while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
             messages.push(left_out);
-            before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
-            found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
+            before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
+            found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)
+                .map_err(remedied)?;
         }
     }
     for (name, table) in joined.observations.iter().skip(1) {
@@ -65,7 +68,7 @@ pub fn identify(
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
         leave_out(campaign, stated, robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
-        let theirs = etalon_identify::identify(robot, &others.calibration, &settings)?;
+        let theirs = etalon_identify::identify(robot, &others.calibration, &settings).map_err(remedied)?;
         let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
         let other = LogFit { name, sets: &others, found: &theirs };
         let warnings =
@@ -84,7 +87,8 @@ pub fn identify(
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
     if sets.validation_conditions.is_empty() {
-        let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;
+        let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)
+            .map_err(remedied)?;
         accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
     }
     let tool = campaign.file.tool.map(|tool| tool.point());
@@ -94,11 +98,13 @@ pub fn identify(
         accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
-    let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found)?;
+    let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)));
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
-    if let Some(reliability) = etalon_identify::reliability(robot, &sets.calibration, &settings, &found)? {
+    if let Some(reliability) =
+        etalon_identify::reliability(robot, &sets.calibration, &settings, &found).map_err(remedied)?
+    {
         with_reliability(robot, &reliability, &mut errors);
         parameters.reliability = reliability_summary(robot, &reliability);
     }

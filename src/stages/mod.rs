@@ -18,6 +18,7 @@ pub mod orientations;
 pub mod plausible;
 pub mod qif_fit;
 pub mod recommendation;
+pub mod remedies;
 pub mod repeats;
 pub(crate) mod table_file;
 pub mod tool;

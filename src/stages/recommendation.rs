@@ -8,6 +8,7 @@
 use super::evaluate::{self, Sets, summarise};
 use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
+use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::noise::Noise;
 use etalon_base::pose::norm;
@@ -92,7 +93,7 @@ impl<'a> Study<'a> {
             Noise::new(SEED, repeat as u64).shuffle(&mut names);
             folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
         }
-        let before = etalon_identify::fit_frames(robot, observations, &settings)?;
+        let before = etalon_identify::fit_frames(robot, observations, &settings).map_err(remedied)?;
         Ok(Self { robot, observations, effects: effects(robot, observations), before, folds, poses, settings })
     }
 
@@ -110,7 +111,7 @@ impl<'a> Study<'a> {
 
     /// Identifies from some of the poses, from where base and targets are.
     fn identify(&self, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-        etalon_identify::identify_from(self.robot, observations, settings, &self.before)
+        etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
     /// Tries a choice of parameters, which may be made anew in each fold from what that identifies.
@@ -247,6 +248,7 @@ impl<'a> Study<'a> {
         let mut left_out = self.folds[..self.folds.len() / repeats(self.poses)].to_vec();
         left_out.extend(etalon_identify::halves(self.observations));
         etalon_identify::stability(self.robot, self.observations, model, found, (&of_robot, &left_out))
+            .map_err(remedied)
     }
 
     /// Parameters that are proven and stable.

@@ -13,9 +13,10 @@ pub use criterion::{Criterion, Pool};
 pub use search::Choice;
 pub use study::{PlaceError, Setting, Study, point_of, study};
 
+use crate::Result;
 use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
 use bound::{Proven, branch_and_bound};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_robots::Robot;
 use search::{exchange_from_many, greedy};
