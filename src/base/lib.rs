@@ -1,5 +1,5 @@
 //! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random
-//! numbers, dates, order statistics, line drawings.
+//! numbers, dates, line drawings.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod country;
@@ -14,5 +14,4 @@ pub mod pose;
 pub mod pose_name;
 pub mod scalar;
 pub mod sketch;
-pub mod statistics;
 pub mod table;

@@ -9,6 +9,7 @@ use super::{Covariance, Identification, Observation, ResidualKind, Settings};
 use crate::Result;
 use UncertaintySource as Source;
 use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::{mean, rms};
 use etalon_math::{Problem, Solution};
 use etalon_robots::Robot;
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
@@ -353,7 +354,7 @@ pub fn figure_budgets(
     let size = |e: &[f64]| e[..used].iter().map(|v| v * v).sum::<f64>().sqrt();
     let sizes: Vec<f64> = residuals.chunks_exact(width).map(size).collect();
     let count = sizes.len() as f64;
-    let rms = (sizes.iter().map(|s| s * s).sum::<f64>() / count).sqrt();
+    let rms = rms(sizes.iter().copied());
     let largest = sizes.iter().copied().fold(0.0, f64::max);
     let u_mm = found.budget.stated_mm.unwrap_or(0.0);
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -424,7 +425,7 @@ pub(super) fn replicates(
             continue;
         }
         for axis in 0..dimension {
-            let mean = of_pose.iter().map(|(_, miss)| miss[axis]).sum::<f64>() / of_pose.len() as f64;
+            let mean = mean(of_pose.iter().map(|(_, miss)| miss[axis]));
             within += of_pose.iter().map(|(_, miss)| (miss[axis] - mean).powi(2)).sum::<f64>();
         }
         degrees += dimension * (of_pose.len() - 1);

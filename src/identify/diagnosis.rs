@@ -9,7 +9,7 @@ use super::{Cause, Error, Identification, Observation, ResidualKind, Settings, u
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::median;
 use etalon_math::{Loss, Options, Problem, Termination};
 use etalon_robots::{Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};

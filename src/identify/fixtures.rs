@@ -7,6 +7,7 @@ use super::{Observation, Settings};
 use etalon_base::pose::{Pose, Vector, centroid, dot, minus};
 use etalon_fit::rotation_onto;
 use etalon_math::Factor;
+use etalon_math::statistics::mean;
 use etalon_robots::{FreeBase, Robot};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -199,7 +200,7 @@ fn reach(arm: &dyn FreeBase, conditions: &[Condition], is_unknown: impl Fn(usize
             let p = minus(*p, centre);
             0.5 * (dot(p, p) - d * d)
         };
-        let mean = all.iter().map(square).sum::<f64>() / all.len() as f64;
+        let mean = mean(all.iter().map(square));
         let rows: Vec<f64> = places.iter().flat_map(|p| minus(*p, centre)).collect();
         let right: Vec<f64> = all.iter().map(|p| square(p) - mean).collect();
         if let Some(found) = Factor::new(&rows, &right, &[1.0; 3]).damped(SHORTEST).solve() {
@@ -248,7 +249,7 @@ fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [
                 let centre = centroid(&at.iter().map(|(p, _)| *p).collect::<Vec<_>>()).unwrap_or_default();
                 let off: Vec<Vector> = at.iter().map(|(p, _)| minus(*p, centre)).collect();
                 let rows = off.iter().flat_map(|p| [p[0], p[1], p[2], 1.0]).collect();
-                let offset = at.iter().map(|(_, offset)| offset).sum::<f64>() / at.len() as f64;
+                let offset = mean(at.iter().map(|(_, offset)| *offset));
                 solved(rows, off.iter().map(|p| 0.5 * dot(*p, *p)).collect(), 4).map(|f| {
                     let radius = (2.0 * f[3] + f[0] * f[0] + f[1] * f[1] + f[2] * f[2]).max(0.0).sqrt();
                     vec![centre[0] + f[0], centre[1] + f[1], centre[2] + f[2], radius - offset]

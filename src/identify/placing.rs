@@ -8,6 +8,7 @@ use super::residuals::Residuals;
 use super::{Observation, ResidualKind, Settings};
 use crate::Result;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
+use etalon_math::statistics::rms;
 use etalon_math::{Factor, Options, Problem, Termination};
 use etalon_robots::{FreeBase, Quantity, Robot, base_pose};
 use std::collections::{BTreeMap, BTreeSet};
@@ -146,7 +147,7 @@ fn place_all(
 pub(super) fn spread_mm(observations: &[Observation]) -> f64 {
     let all: Vec<_> = observations.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
     let mean = centroid(&all).unwrap_or_default();
-    (all.iter().map(|p| norm(minus(*p, mean)).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt()
+    rms(all.iter().map(|p| norm(minus(*p, mean))))
 }
 
 /// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal one; held components

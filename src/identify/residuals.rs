@@ -9,7 +9,7 @@ use crate::{Error, Result};
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::median;
 use etalon_math::{Blocks, Problem, Rows, Solution};
 use etalon_robots::{FreeBase, Loads, Parametrised, Platform, Robot, State};
 use rayon::prelude::*;

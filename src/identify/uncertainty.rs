@@ -13,7 +13,7 @@ use super::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use crate::Result;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::{median, rms};
 use etalon_math::{Factor, Problem, Solution, column_norms};
 use etalon_robots::{Quantity, Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
@@ -119,7 +119,7 @@ pub(super) fn with_uncertainty(
         observability,
         budget,
         replicates,
-        rms: (lengths.iter().map(|r| r * r).sum::<f64>() / lengths.len().max(1) as f64).sqrt() * problem.unit,
+        rms: rms(lengths.iter().copied()) * problem.unit,
         max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
         chi_square,

@@ -13,6 +13,7 @@ mod factor;
 mod least_squares;
 mod loss;
 mod priors;
+pub mod statistics;
 mod svd;
 mod trust_region;
 

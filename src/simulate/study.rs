@@ -12,6 +12,7 @@ use etalon_campaign::parse;
 use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
 use etalon_identify::plan::candidates;
 use etalon_identify::{Observation, Settings, identify_from};
+use etalon_math::statistics::rms;
 use etalon_robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -403,8 +404,7 @@ fn error_spreads(draws: &[Vec<Landing>]) -> Vec<DesignError> {
     ];
     let one = |(quantity, unit, size): (&str, &str, Size)| {
         let largest = |all: &Vec<Landing>| all.iter().map(|l| size(l).abs()).fold(0.0, f64::max);
-        let rms =
-            |all: &Vec<Landing>| (all.iter().map(|l| size(l).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt();
+        let rms = |all: &Vec<Landing>| rms(all.iter().map(size));
         DesignError {
             quantity: quantity.to_owned(),
             unit: unit.to_owned(),

@@ -3,7 +3,6 @@
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
 use etalon_documents::{
     InfluenceEntry, PointError, ReadingReliability, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose,
     RobustSummary,
@@ -12,6 +11,7 @@ use etalon_identify::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, Reliability, RobustChange, RobustComparison, Variance,
     WRONG_READINGS, holm,
 };
+use etalon_math::statistics::median;
 use etalon_robots::Robot;
 use nalgebra::DVector;
 use std::collections::BTreeMap;

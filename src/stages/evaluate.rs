@@ -11,6 +11,7 @@ use etalon_documents::{
     ReadingReliability, Statistics,
 };
 use etalon_identify::{self as identify, Condition, Contributions, Kind, Observation, Settings};
+use etalon_math::statistics::{mean, quantile, rms};
 use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
@@ -365,13 +366,8 @@ fn statistics(quantity: &str, unit: &str, errors: &[&PointError], size: Size) ->
 /// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     sizes.sort_by(f64::total_cmp);
-    let n = sizes.len() as f64;
-    let Some(&max) = sizes.last() else { return Statistics::default() };
-    let rank = 0.95 * (n - 1.0);
-    let (low, part) = (rank.floor() as usize, rank.fract());
-    let p95 = sizes[low] + part * (sizes.get(low + 1).unwrap_or(&max) - sizes[low]);
-    let sum_of_squares: f64 = sizes.iter().map(|s| s * s).sum();
-    Statistics { mean: sizes.iter().sum::<f64>() / n, rms: (sum_of_squares / n).sqrt(), p95, max }
+    let (Some(&max), Some(p95)) = (sizes.last(), quantile(&sizes, 0.95)) else { return Statistics::default() };
+    Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
 }
 
 /// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, and `redundancy w detectable_mm`.

@@ -7,7 +7,7 @@ use etalon_base::message::Message;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::middle_pair;
+use etalon_math::statistics::middle_pair;
 use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;

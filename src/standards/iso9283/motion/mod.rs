@@ -20,6 +20,7 @@ use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_base::table::ANGLES;
 use etalon_documents::{Iso9283Arrival, Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamDocument};
+use etalon_math::statistics::mean;
 pub use stated::Stated;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -261,7 +262,7 @@ fn moves(standing: &[Standing]) -> Vec<Iso9283Posing> {
         }
     }
     let mean_move = |((from, to), moves): ((PoseName, PoseName), Vec<Posing>)| {
-        let mean = |of: fn(&Posing) -> f64| moves.iter().map(of).sum::<f64>() / moves.len() as f64;
+        let mean = |of: fn(&Posing) -> f64| mean(moves.iter().map(of));
         Iso9283Posing {
             from,
             to,

@@ -21,6 +21,7 @@ use crate::iso9283::path::weaving::{Weave, Weaving, weaving};
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pose::{Vector, minus};
 use etalon_documents::{Iso9283Corner, Iso9283Path, Iso9283PathPoint, Iso9283Velocity, Iso9283Weaving};
+use etalon_math::statistics::mean;
 
 /// A commanded path and how it is compared.
 #[derive(Clone, Debug)]
@@ -164,7 +165,7 @@ impl<'a> Driven<'a> {
         let along = minus(self.points[last].position_mm, self.points[0].position_mm);
         let swung = |pass: &Pass| weaving(&self.recording.stream, pass.samples(0, last), along, weave);
         let all = self.found.complete.iter().map(swung).collect::<Result<Vec<_>>>()?;
-        let mean = |of: fn(&Weaving) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
+        let mean = |of: fn(&Weaving) -> f64| mean(all.iter().map(of));
         Ok(Iso9283Weaving {
             passes: all.len(),
             turns: all.iter().map(|w| w.turns).sum(),
