@@ -76,7 +76,7 @@ compare: $(ETALON)
 # the libraries are built once, as the program has them; etalon's own crates are not optimised for the tests of single files
 CRATES := $(patsubst src/%/Cargo.toml,etalon-%,$(wildcard src/*/Cargo.toml)) etalon
 UNOPTIMISED := $(foreach crate,$(CRATES),$(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.$(crate).$(option)))
-RUN := cargo $(if $(shell command -v cargo-nextest),nextest run,test) --locked --release
+RUN := cargo $(if $(shell command -v cargo-nextest),nextest run --no-fail-fast,test --no-fail-fast) --locked --release
 WHOLE := $(RUN) --test laws --test etalon
 SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED)
 

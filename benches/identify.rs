@@ -5,9 +5,9 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints
 
-use etalon::base::table;
 use etalon::campaign::Campaign;
-use etalon::identify::{Observation, Settings, identify};
+use etalon::formats::table;
+use etalon::identify::{Settings, identify};
 use etalon::run::check::{Prepared, check};
 use etalon::stages::evaluate;
 use etalon::stages::frames;
@@ -27,16 +27,19 @@ fn main() {
     let Prepared { gathered: imported, robot, .. } = check(&campaign).expect("import");
     let features = frames::fit_features(&campaign, &imported.points).expect("features");
     let frames = frames::make_frames(&campaign, &imported.points, &features, false).expect("frames");
-    let joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
-    let observations =
-        Observation::from_table(robot.as_ref(), &joined.observations[0].1, &mut Vec::new()).expect("observations");
+    let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
+    let observations = joined.observations[0].1.positions(robot.as_ref(), &mut Vec::new()).expect("observations");
     let stated = campaign.file.identify.as_ref().expect("[identify]");
     let selections = campaign.selections(stated).expect("selections");
     let observed = Observed { observations, settings: campaign.settings(stated) };
     let sets = evaluate::split(&observed, &observed.poses(), &selections);
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
-    std::fs::write(&csv, table::to_csv(&joined.observations[0].1).expect("csv")).expect("csv");
+    std::fs::write(
+        &csv,
+        table::to_csv(&joined.observations.swap_remove(0).1.into_table().expect("table")).expect("csv"),
+    )
+    .expect("csv");
 
     for (what, extra) in [("45 parameters", 6), ("39 parameters", 0)] {
         let mut settings: Settings = campaign.settings(stated);

@@ -62,7 +62,7 @@ fn read(path: &Path) {
     let before = Instant::now();
     let cloud = cloud(path, &Format::default(), Unit::Millimetre).expect("readable").expect("plain");
     let seconds = before.elapsed().as_secs_f64();
-    let sum = |name: &str| etalon::base::table::numbers(&cloud.table, name).expect("numbers").iter().sum::<f64>();
+    let sum = |name: &str| etalon::formats::table::numbers(&cloud.table, name).expect("numbers").iter().sum::<f64>();
     let peak = peak_mb();
     let rows = cloud.table.height();
     println!(

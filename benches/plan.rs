@@ -8,8 +8,9 @@
 use etalon::campaign::read_robot;
 use etalon::formats;
 use etalon::identify::plan::search::greedy;
-use etalon::identify::plan::{Criterion, candidates, pool_of};
+use etalon::identify::plan::{Criterion, pool_of};
 use etalon::identify::{Settings, sensitivity};
+use etalon::stages::candidates::configurations;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -23,7 +24,7 @@ fn main() {
     let robot = read_robot(&sample.join("robot.toml")).expect("robot").build(&[]).expect("robot");
     let text = std::fs::read_to_string(sample.join("candidates.csv")).expect("candidates");
     let table = formats::observations("candidates.csv", &text).expect("candidates");
-    let observations = candidates::configurations(robot.as_ref(), &table).expect("configurations").observations;
+    let observations = configurations(robot.as_ref(), &table).expect("configurations").observations;
     let settings = Settings::default();
     let known = sensitivity(robot.as_ref(), &observations, &settings).expect("sensitivity");
     let mut members: Vec<Vec<usize>> = Vec::new();

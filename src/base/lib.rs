@@ -1,4 +1,4 @@
-//! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random
+//! What every room may use: messages, files, patterns of names, poses, numbers that carry derivatives, random
 //! numbers, dates, line drawings.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
@@ -14,4 +14,3 @@ pub mod pose;
 pub mod pose_name;
 pub mod scalar;
 pub mod sketch;
-pub mod table;

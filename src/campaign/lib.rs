@@ -6,7 +6,9 @@ mod iso9283;
 mod join;
 mod mixed;
 mod paths;
+mod robot_faults;
 mod robot_file;
+mod robot_keys;
 mod selection;
 mod toml_file;
 mod types;
@@ -249,7 +251,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 /// The chain of a URDF file with the most moving joints, and the text of the file.
 pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
     let (name, text) = (path.display().to_string(), files::read_text(path)?);
-    Ok((urdf::read(&name, &text)?.longest_chain(&name)?, text))
+    Ok((urdf::read(&name, &text)?.longest_chain()?, text))
 }
 
 /// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.

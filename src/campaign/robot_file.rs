@@ -1,18 +1,20 @@
 //! `robot.toml`: the keys of every model, and those of its own model, which that model reads.
 
 use super::toml_file::{self, Recovered, UnreadKeys};
-use super::{paths, urdf};
+use super::urdf::{self, Urdf};
+use super::{paths, robot_faults, robot_keys};
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result};
-use etalon_robots::{Definition, Description, MODELS, Model, Parameter, Quantity, Robot, Role, Source, Tree};
+use etalon_robots::{
+    At, Definition, Faults, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value, Values,
+};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value as Json};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -23,8 +25,8 @@ pub struct RobotFile {
     pub name: Option<String>,
     nominal: BTreeMap<String, f64>,
     tolerance: BTreeMap<String, f64>,
-    /// The model and its own keys; none where the file does not read.
-    description: Option<(&'static Model, Arc<dyn Description>)>,
+    /// The model and the values of its own keys; none where the file does not read.
+    description: Option<(&'static Model, Values)>,
     /// The file as the user named it, and its text.
     source: (String, String),
     /// What of the file did not read.
@@ -91,7 +93,7 @@ impl JsonSchema for RobotFile {
         let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
         let mut whole = CommonKeys::json_schema(&mut generator);
         for model in MODELS {
-            let own = (model.schema)(&mut generator);
+            let own = robot_keys::schema(&model.keys(), &mut generator);
             merge(whole.ensure_object(), own.as_object());
         }
         whole
@@ -99,11 +101,11 @@ impl JsonSchema for RobotFile {
 }
 
 /// Adds the properties of `other` that `whole` does not have, and those of the tables that both have.
-fn merge(whole: &mut Map<String, Value>, other: Option<&Map<String, Value>>) {
-    let Some(other) = other.and_then(|other| other.get("properties")).and_then(Value::as_object) else { return };
-    let Some(properties) = whole.get_mut("properties").and_then(Value::as_object_mut) else { return };
+fn merge(whole: &mut Map<String, Json>, other: Option<&Map<String, Json>>) {
+    let Some(other) = other.and_then(|other| other.get("properties")).and_then(Json::as_object) else { return };
+    let Some(properties) = whole.get_mut("properties").and_then(Json::as_object_mut) else { return };
     for (key, value) in other {
-        match properties.get_mut(key).and_then(Value::as_object_mut) {
+        match properties.get_mut(key).and_then(Json::as_object_mut) {
             Some(table) => merge(table, value.as_object()),
             None => drop(properties.insert(key.clone(), value.clone())),
         }
@@ -120,19 +122,19 @@ fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::
     }
     let common = CommonKeys::deserialize(toml::de::Deserializer::from(Spanned::new(span.clone(), common)))?;
     for path in foreign(common.model) {
-        match path {
-            [key] => drop(own.remove(*key)),
+        match &path[..] {
+            [key] => drop(own.remove(key.as_str())),
             [section, key] => {
-                let Some(DeValue::Table(table)) = own.get_mut(*section).map(Spanned::get_mut) else { continue };
-                table.remove(*key);
+                let Some(DeValue::Table(table)) = own.get_mut(section.as_str()).map(Spanned::get_mut) else { continue };
+                table.remove(key.as_str());
                 if table.is_empty() {
-                    own.remove(*section);
+                    own.remove(section.as_str());
                 }
             }
             _ => {}
         }
     }
-    let description = Some((common.model, (common.model.read)(Spanned::new(span, own))?));
+    let description = Some((common.model, robot_keys::read(&common.model.keys(), Spanned::new(span, own))?));
     Ok(RobotFile {
         name: common.name,
         nominal: common.nominal,
@@ -145,40 +147,60 @@ fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::
 }
 
 /// Keys that other models have, and this one has not.
-fn foreign(model: &Model) -> impl Iterator<Item = &'static [&'static str]> {
-    let all = MODELS.into_iter().rev().flat_map(|other| other.keys.iter().copied());
-    all.filter(|path| !model.keys.contains(path))
+fn foreign(model: &Model) -> impl Iterator<Item = Vec<String>> {
+    let own = robot_keys::paths(&model.keys());
+    let all = MODELS.into_iter().rev().flat_map(|other| robot_keys::paths(&other.keys()));
+    all.filter(move |path| !own.contains(path))
 }
 
-impl Source for RobotFile {
-    /// The file where the key is not there.
+impl RobotFile {
+    /// Place of a key, given by the keys that lead to it; the file where the key is missing.
     fn place(&self, path: &[&str]) -> Place {
         let (name, text) = &self.source;
         let span = toml_file::find(text, path);
         span.map_or_else(|| Place::file(name.as_str()), |span| Place::span(name.as_str(), text, span))
     }
 
-    fn tree(&self) -> Result<Tree> {
-        // a file that does not read is reported already
-        let Some(Beside { name, text, .. }) = &self.beside else { return Err(Problems::default()) };
-        urdf::read(name, text)
+    /// Faults of the description in words, with their places in this file or in the one with links and joints.
+    fn worded(&self, faults: &Faults, keys: &[Key], urdf: Option<&Urdf>) -> Problems {
+        let file = self.description_name().unwrap_or_default();
+        let message = |fault: &etalon_robots::Fault| {
+            let table = if let At::Item(key, i) = fault.at { vec![key.to_owned(), i.to_string()] } else { Vec::new() };
+            let path_of = |own: &str| [&table[..], &[own.to_owned()]].concat();
+            let find =
+                |path: &[String]| toml_file::find(&self.source.1, &path.iter().map(String::as_str).collect::<Vec<_>>());
+            // as the file states it, if it does
+            let spellings = |name: &str| {
+                let mut all =
+                    robot_keys::named(keys, name).map_or_else(|| vec![name.to_owned()], robot_keys::spellings);
+                all.sort_by_key(|spelling| find(&path_of(spelling)).is_none());
+                all
+            };
+            let message = robot_faults::message(&fault.kind, &spellings, file);
+            match &fault.at {
+                At::Nowhere => message,
+                At::Key(key) => message.at(self.place(&[&spellings(key)[0]])),
+                At::Item(key, i) => message.at(self.place(&[key, &i.to_string()])),
+                at => message.at(urdf.and_then(|urdf| urdf.place(at)).unwrap_or_else(|| Place::file(file))),
+            }
+        };
+        Problems(faults.0.iter().map(message).collect())
     }
-}
 
-impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
         // what a wrong key may be meant as: keys of the model that is stated, of any where none is
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = |model: &&&Model| written.trim_matches(['"', '\'']) == model.name;
         let models = MODELS.iter().find(stated).map_or(&MODELS[..], std::slice::from_ref);
-        let own = models.iter().flat_map(|model| model.keys.iter().filter_map(|path| path.first().copied()));
+        let own: Vec<String> =
+            models.iter().flat_map(|model| robot_keys::paths(&model.keys())).map(|mut p| p.swap_remove(0)).collect();
         let mut top: Vec<&str> = COMMON.into_iter().collect();
-        own.for_each(|key| {
-            if !top.contains(&key) {
-                top.push(key)
+        for key in &own {
+            if !top.contains(&key.as_str()) {
+                top.push(key);
             }
-        });
+        }
         let Recovered { value, problems, unread } = toml_file::recover_with(name, text, &top, read);
         let mut problems = problems;
         let mut robot = value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot });
@@ -190,9 +212,7 @@ impl RobotFile {
 
     /// Reads the file that describes the robot, where there is one.
     fn read_description(&self) -> Result<Option<Beside>> {
-        let Some(file) = self.description.as_ref().and_then(|(_, description)| description.file()) else {
-            return Ok(None);
-        };
+        let Some(file) = self.description_name() else { return Ok(None) };
         if self.unread.affects_entry("file") {
             return Ok(None);
         }
@@ -201,6 +221,18 @@ impl RobotFile {
         let read = path.and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
         let (name, (text, stamp)) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
         Ok(Some(Beside { name, text, stamp }))
+    }
+
+    /// Key and name of the file that describes the robot.
+    fn tree_key(&self) -> Option<(&'static str, &str)> {
+        let (model, values) = self.description.as_ref()?;
+        let key = model.keys().into_iter().find(|key| matches!(key.shape, Shape::Tree))?;
+        if let Value::Text(file) = values.get(key.name)? { Some((key.name, file)) } else { None }
+    }
+
+    /// The file that describes the robot, as robot.toml names it.
+    fn description_name(&self) -> Option<&str> {
+        Some(self.tree_key()?.1)
     }
 
     /// The file that describes the robot, as robot.toml names it, and its text.
@@ -215,8 +247,7 @@ impl RobotFile {
 
     /// The file that describes the robot, as robot.toml names it, and what identifies it.
     pub fn description_file(&self) -> Option<(&str, &Stamp)> {
-        let file = self.description.as_ref().and_then(|(_, description)| description.file())?;
-        Some((file, &self.beside.as_ref()?.stamp))
+        Some((self.description_name()?, &self.beside.as_ref()?.stamp))
     }
 
     /// Stands for a file that does not read, of which no robot can be built; the problems are reported already.
@@ -236,19 +267,31 @@ impl RobotFile {
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
         // what did not read is reported already
         let readable = self.description.as_ref().filter(|(model, _)| {
-            let essential = model.essential.iter().chain(&["model"]);
-            essential.copied().all(|key| !self.unread.affects_entry(key))
+            let essential = robot_keys::essential(&model.keys());
+            !self.unread.affects_entry("model") && essential.iter().all(|key| !self.unread.affects_entry(key))
         });
-        let Some((model, description)) = readable else { return Err(Problems::default()) };
+        let Some((model, values)) = readable else { return Err(Problems::default()) };
         let mut problems = self.odd_keys(model);
-        let built = description.build(targets, self).and_then(|mut robot| {
+        let built = self.built(model, values.clone(), targets).and_then(|mut robot| {
             let mut values = robot.nominal();
-            self.nominal(robot.as_ref(), description.states_geometry(), &mut values)?;
+            self.nominal(robot.as_ref(), model.states_geometry, &mut values)?;
             robot.definition_mut().set_nominal(&values);
             self.tolerances(robot.definition_mut())?;
             Ok(robot)
         });
         built.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
+    }
+
+    /// The robot as its description alone has it.
+    fn built(&self, model: &Model, mut values: Values, targets: &[String]) -> Result<Box<dyn Robot>> {
+        let mut urdf = None;
+        if let Some((key, _)) = self.tree_key() {
+            // a file that does not read is reported already
+            let Some(Beside { name, text, .. }) = &self.beside else { return Err(Problems::default()) };
+            let file = urdf.insert(urdf::read(name, text)?);
+            values.insert(key, Value::Tree(file.tree.clone()));
+        }
+        model.build(&values, targets).map_err(|faults| self.worded(&faults, &model.keys(), urdf.as_ref()))
     }
 
     /// Errors about keys that only other models have.
@@ -257,11 +300,13 @@ impl RobotFile {
         let (name, text) = &self.source;
         let stated = toml_file::Stated::of(text);
         for path in foreign(model) {
-            let (Some(span), Some(key)) = (stated.find(path), path.last()) else { continue };
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            let (Some(span), Some(key)) = (stated.find(&path), path.last()) else { continue };
             let place = Place::span(name.as_str(), text, span);
-            let owner = MODELS.into_iter().find(|other| other.keys.contains(&path)).map_or("", |owner| owner.name);
+            let owner =
+                MODELS.into_iter().find(|other| robot_keys::paths(&other.keys()).iter().any(|own| *own == path));
             let message = Message::error(format!("`{key}` means nothing for this model")).at(place);
-            odd.push(message.hint(format!("it belongs to `model = \"{owner}\"`")));
+            odd.push(message.hint(format!("it belongs to `model = \"{}\"`", owner.map_or("", |owner| owner.name))));
         }
         odd.dedup();
         Problems(odd)
@@ -330,5 +375,111 @@ impl RobotFile {
         let what = format!("[nominal] does not state {}", names.join(", "));
         let message = Message::error(what).at(self.place(&["nominal"]));
         Some(message.hint("state the geometry of your machine as it is drawn, in mm: it is never guessed"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Errors of a robot with one target, each with its line.
+    fn errors(text: &str) -> Vec<String> {
+        let (robot, mut problems) = RobotFile::recover("robot.toml", text);
+        if let Some(robot) = robot {
+            let built = robot.build(&["ball".to_owned()]);
+            problems.0.extend(built.err().unwrap_or_default().0);
+        }
+        let line = |m: &Message| m.place.as_ref().and_then(|p| p.line);
+        problems
+            .0
+            .iter()
+            .map(|m| line(m).map_or_else(|| m.what.clone(), |line| format!("{line}: {}", m.what)))
+            .collect()
+    }
+
+    const DH: &str = "[[joint]]\nalpha_deg = 0\na_mm = 0\ntheta_deg = 0\nd_mm = 300\n";
+
+    #[test]
+    fn models_read_their_keys_in_either_unit() {
+        let other = DH.replace("a_mm = 0", "a_m = 0.27").replace("theta_deg = 0", "theta_rad = 0.5");
+        let (robot, problems) = RobotFile::recover("robot.toml", &format!("model = \"serial\"\n{DH}{other}"));
+        assert!(problems.0.is_empty(), "{problems:?}");
+        let robot = robot.unwrap().build(&["ball".to_owned()]).unwrap();
+        let nominal = |name: &str| robot.parameters()[robot.index(name).unwrap()].nominal;
+        assert_eq!([nominal("a_2"), nominal("theta_2"), nominal("d_1")], [270.0, 0.5, 300.0]);
+    }
+
+    #[test]
+    fn defaults_are_those_of_the_model() {
+        let text =
+            "model = \"delta\"\nbase_radius_mm = 200\nplatform_radius_mm = 50\nrod_mm = 400\nupper_arm_mm = 150\n";
+        let (robot, _) = RobotFile::recover("robot.toml", text);
+        let stated = RobotFile::recover("robot.toml", &format!("{text}azimuth_deg = [0, 120, 240]\n")).0;
+        let place = |robot: Option<RobotFile>| {
+            let robot = robot.unwrap().build(&["ball".to_owned()]).unwrap();
+            robot.position(&robot.nominal(), &[0.1, 0.2, 0.3], 0)
+        };
+        assert_eq!(place(robot), place(stated));
+    }
+
+    #[test]
+    fn faults_are_worded_with_the_keys_and_places_of_the_file() {
+        let serial = |more: &str| errors(&format!("model = \"serial\"\n{more}"));
+        for (found, expected) in [
+            (serial(""), &["a serial arm needs its joints"][..]),
+            (serial("convention = \"PoE\"\n"), &["2: unknown variant `PoE`", "a serial arm needs its joints"]),
+            (
+                serial(&format!("bending = [1, 3, 1]\ncoupling = [[1, 1]]\ngravity = [0, 0, 0]\n{DH}")),
+                &[
+                    "2: there is no joint 3",
+                    "2: joint 1 is there twice",
+                    "3: joint 1 is coupled with itself: that is its gain",
+                    "4: `gravity` has no direction",
+                ],
+            ),
+            (
+                serial(&DH.replace("a_mm = 0", "alpha_rad = 0\npoint_m = [0, 0, 0]")),
+                &[
+                    "2: `alpha_deg` and `alpha_rad` state the same: leave one of them out",
+                    "2: the key `a_mm` is missing in `joint`",
+                    "2: `point_m` is not a Denavit-Hartenberg parameter",
+                ],
+            ),
+            (
+                serial(&format!("convention = \"poe\"\n{DH}")),
+                &[
+                    "3: a screw axis has neither Denavit-Hartenberg parameters nor `parallel`",
+                    "3: the key `direction` is missing in `joint`",
+                    "3: the key `point_mm` is missing in `joint`",
+                    "2: screw axes need the pose of the flange at zero joints: the key `flange_xyz_mm` is missing",
+                ],
+            ),
+            (
+                serial(&format!("flange_xyz_mm = [0, 0, 0]\n{DH}")),
+                &["2: `flange_xyz_mm` means nothing for Denavit-Hartenberg parameters"],
+            ),
+            (
+                serial(&format!("leg = 1\nrod_mm = 3\n{DH}lenght = 3\n")),
+                &[
+                    "9: unknown key `lenght`",
+                    "3: `rod_mm` means nothing for this model",
+                    "2: `leg` means nothing for this model",
+                ],
+            ),
+            (
+                errors("model = \"delta\"\nbase_radius_mm = 200\nplatform_radius_mm = 50\nrod_mm = 0\n"),
+                &["the key `upper_arm_mm` is missing"],
+            ),
+            (
+                errors("model = \"delta_linear\"\nbase_radius_mm = 2\nplatform_radius_mm = 5\nrod_mm = 0\n"),
+                &["4: `rod_mm` must be positive"],
+            ),
+            (errors("model = \"hexapod\"\nhome_xyz_mm = [0, 0, 1]\n"), &["a hexapod has six legs, the file states 0"]),
+            (errors("model = \"five_bar\"\n[reach]\ntheta1_deg = 3\n"), &["3: invalid type: integer `3`"]),
+        ] {
+            let text = found.join("\n");
+            assert!(found.len() >= expected.len(), "{text}");
+            assert!(found.iter().zip(expected).all(|(found, expected)| found.starts_with(expected)), "{text}");
+        }
     }
 }

@@ -1,16 +1,48 @@
 //! URDF files: links and joints of a robot, in metres and radians. What the program does not need is passed over.
 
-use etalon_base::message::{Message, Problems, Result};
+use super::robot_faults;
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_formats::xml::{Node, Tree as Xml};
-use etalon_robots::{Link, Mimic, Tree, TreeJoint};
+use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Elements that say nothing of kinematics and masses.
 const SKIPPED: [&str; 7] = ["visual", "collision", "transmission", "gazebo", "material", "sensor", "ros2_control"];
 
+/// A URDF file.
+#[derive(Debug)]
+pub(super) struct Urdf {
+    /// Its links and joints.
+    pub tree: Arc<Tree>,
+    name: String,
+    /// Places of its joints.
+    places: Vec<Place>,
+}
+
+impl Urdf {
+    /// Place of a fault of the tree; `None` for a fault at a key of robot.toml.
+    pub fn place(&self, at: &At) -> Option<Place> {
+        let At::TreeJoint(name) = at else { return (*at == At::Tree).then(|| Place::file(self.name.as_str())) };
+        let joint = self.tree.joints.iter().position(|joint| joint.name == *name)?;
+        self.places.get(joint).cloned()
+    }
+
+    /// The chain with the most moving joints.
+    pub fn longest_chain(&self) -> Result<LongestChain> {
+        self.tree.longest_chain().map_err(|Faults(faults)| {
+            let message = |fault: &Fault| {
+                let place = self.place(&fault.at).unwrap_or_else(|| Place::file(self.name.as_str()));
+                robot_faults::message(&fault.kind, &|key| vec![key.to_owned()], &self.name).at(place)
+            };
+            Problems(faults.iter().map(message).collect())
+        })
+    }
+}
+
 /// Links and joints of a file.
-pub(super) fn read(file: &str, text: &str) -> Result<Tree> {
+pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     let xml = Xml::read(file, text, |name| SKIPPED.contains(&name))?;
     if let Some(at) = text.find("<xacro:") {
         return Err(xacro(xml.error(at, "the file holds macros of xacro, which are not expanded"), file).into());
@@ -20,16 +52,21 @@ pub(super) fn read(file: &str, text: &str) -> Result<Tree> {
         return Err(xml.error(0, "the file is not a URDF").expected("the element <robot>").into());
     };
     let mut problems = Problems::default();
-    let mut tree = Tree::default();
+    let (mut tree, mut places) = (Tree::default(), Vec::new());
     for node in root.children() {
         match node.name() {
             "link" => tree.links.extend(problems.keep(link(node, file))),
-            "joint" => tree.joints.extend(problems.keep(joint(node, file))),
+            "joint" => {
+                if let Some(joint) = problems.keep(joint(node, file)) {
+                    tree.joints.push(joint);
+                    places.push(node.place());
+                }
+            }
             _ => {}
         }
     }
     for (i, joint) in tree.joints.iter().enumerate() {
-        let error = |what: String| Message::error(what).at(joint.place.clone());
+        let error = |what: String| Message::error(what).at(places[i].clone());
         if tree.joints[..i].iter().any(|other| other.name == joint.name) {
             problems.0.push(error(format!("there are two joints `{}`", joint.name)).hint("rename one of them"));
         }
@@ -41,7 +78,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Tree> {
             }
         }
     }
-    problems.check().map(|_| tree)
+    problems.check().map(|_| Urdf { tree: Arc::new(tree), name: file.to_owned(), places })
 }
 
 /// An error about macros, with the command that expands them.
@@ -85,7 +122,6 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
         })
     });
     Ok(TreeJoint {
-        place: node.place(),
         kind,
         parent: of("parent")?,
         child: of("child")?,

@@ -8,12 +8,12 @@ use clap::ValueEnum;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::{Pose, minus, norm};
-use etalon_base::table::{self, QUATERNION, XYZ};
 use etalon_controllers::Given;
 use etalon_controllers::commands::{
     self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget,
 };
 use etalon_documents::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
+use etalon_formats::table::{self, QUATERNION, XYZ};
 use etalon_robots::{Calibrated, Kinematics};
 use std::path::PathBuf;
 

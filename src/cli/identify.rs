@@ -11,10 +11,10 @@ use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, count};
-use etalon_base::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use etalon_campaign::{Exclude, read_robot};
 use etalon_documents::parameters_document;
 use etalon_documents::to_json;
+use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use etalon_identify::{ResidualKind, Settings, fit_frames, identify_from, weigh};
 use etalon_report::Faces;
 use etalon_robots::Robot;
@@ -102,7 +102,7 @@ impl Identify {
         let Observed { mut observations, mut settings } =
             kinds::observed(robot.as_mut(), &observed.table, without, settings, &mut messages).map_err(here)?;
         messages.extend(exclude(&self.exclusions()?, robot.as_ref(), &mut observations, &mut settings.conditions)?);
-        messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(here)?);
+        messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(remedied).map_err(here)?);
         messages.extend(stale(robot.as_ref(), &observations));
         let before = fit_frames(robot.as_ref(), &observations, &settings).map_err(remedied)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before).map_err(remedied)?;

@@ -3,9 +3,9 @@
 use super::{Verdict, print};
 use crate::stages::table_file::TableFile;
 use etalon_base::message::{Message, Result};
-use etalon_base::table;
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::{AxisDocument, AxisPositioning, to_json};
+use etalon_formats::table;
 use etalon_math::axis::{Approach, AxisPosition};
 use std::path::PathBuf;
 

@@ -6,10 +6,10 @@ use crate::stages::given::robot_values;
 use crate::stages::table_file::TableFile;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Pose;
-use etalon_base::table::{self, ASSEMBLY, QUATERNION, XYZ};
 use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
-use etalon_identify::{joint_column, stated_modes};
+use etalon_formats::table::{self, ASSEMBLY, QUATERNION, XYZ};
+use etalon_formats::tables::joints::{joint_column, stated_modes};
 use etalon_robots::{Kinematics as Arm, Robot, Role};
 use std::path::{Path, PathBuf};
 

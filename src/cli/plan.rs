@@ -4,15 +4,16 @@ use super::report::Reports;
 use super::table_file::TableFile;
 use super::{Verdict, answer, progress, remark};
 use crate::simulate::true_values;
+use crate::stages::candidates::configurations;
 use crate::stages::remedies::remedied;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::ASSEMBLY;
 use etalon_campaign::{RobotFile, read_robot, read_true_parameters};
 use etalon_documents::observability_summary;
 use etalon_documents::*;
-use etalon_identify::plan::candidates::{self, Candidates};
+use etalon_formats::table::ASSEMBLY;
+use etalon_identify::plan::candidates::Candidates;
 use etalon_identify::plan::{
     Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,
 };
@@ -187,7 +188,7 @@ pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
-    let mut found = candidates::configurations(robot.as_ref(), &file.table).map_err(here)?;
+    let mut found = configurations(robot.as_ref(), &file.table).map_err(here)?;
     found.beyond = found.beyond.map(|message| message.at(Place::file(file.name.as_str())));
     Ok((robot, found))
 }

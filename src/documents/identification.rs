@@ -27,7 +27,7 @@ pub fn parameters_document(
     let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
-        role: p.role,
+        role: p.role.into(),
         meaning: p.meaning.to_owned(),
         nominal: p.quantity.outward(p.nominal),
         tolerance: p.tolerance_is_stated.then(|| p.quantity.outward(p.tolerance)),

@@ -1,10 +1,9 @@
 //! `parameters.json`: identified parameters with all that is needed to judge them.
 
-use super::{Provenance, Replicates, ResidualKind, Termination, UncertaintyFrom, UncertaintySource};
+use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
-pub use etalon_robots::Role;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;

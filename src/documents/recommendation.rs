@@ -1,8 +1,7 @@
 //! What `etalon recommend` answers: which effects the data prove, and which parameters deserve to be loaded.
 
-use super::{ParametersDocument, Statistics};
+use super::{Effect, ParametersDocument, Statistics};
 use etalon_base::message::Message;
-use etalon_robots::Effect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

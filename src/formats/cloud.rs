@@ -107,7 +107,7 @@ fn together(mut parts: Vec<Part>) -> Result<Cloud> {
         for (all, piece) in columns.iter_mut().zip(pieces) {
             match all {
                 Some(all) => {
-                    all.append(&piece)?;
+                    all.append(&piece).map_err(crate::table::failed)?;
                 }
                 None => *all = Some(piece),
             }
@@ -116,7 +116,7 @@ fn together(mut parts: Vec<Part>) -> Result<Cloud> {
     let columns: Vec<Column> = columns.into_iter().flatten().collect();
     let height = columns.first().map_or(0, Column::len);
     let labels = known.all.iter().map(|label| String::from_utf8_lossy(label).into_owned()).collect();
-    Ok(Cloud { labels, table: DataFrame::new(height, columns)? })
+    Ok(Cloud { labels, table: crate::table::frame(height, columns)? })
 }
 
 impl Plain {
@@ -217,7 +217,7 @@ fn same(a: &[u8], b: &[u8]) -> bool {
 mod tests {
     use super::*;
     use crate::dialect::{Delimiter, Dialect, Role};
-    use etalon_base::table;
+    use crate::table;
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
 

@@ -14,6 +14,7 @@ mod lexer;
 mod logs;
 mod points;
 mod propose;
+pub mod table;
 pub mod tables;
 mod workbook;
 pub mod xml;

@@ -1,9 +1,9 @@
 //! Points of exports.
 
+use crate::table::{RowGroups, frame, pose_column_as};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::{RowGroups, pose_column_as};
 use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::fmt::{self, Debug, Formatter};
@@ -180,6 +180,6 @@ impl Stated {
             let of = |axis: usize| move |p: &Point| p.direction.as_ref().map(|d| d[axis]);
             columns.extend([real("i", &of(0)), real("j", &of(1)), real("k", &of(2))]);
         }
-        Ok(DataFrame::new(p.len(), columns)?)
+        frame(p.len(), columns)
     }
 }

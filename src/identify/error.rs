@@ -27,6 +27,15 @@ pub enum Error {
     },
     /// Observations of several kinds have no common scale without the standard uncertainty of a coordinate.
     KindsWithoutUncertainty,
+    /// Readings with an uncertainty of their own are poses, or have another uncertainty in common.
+    OwnUncertainties,
+    /// Some readings have no uncertainty.
+    ReadingsWithoutUncertainty {
+        /// Number of readings without one.
+        without: usize,
+        /// Number of all readings.
+        readings: usize,
+    },
     /// Residuals of the pose are for planar robots.
     NotPlanar {
         /// Model of the robot.
@@ -151,6 +160,12 @@ impl fmt::Display for Error {
             ),
             Self::KindsWithoutUncertainty => {
                 f.write_str("observations of several kinds need the standard uncertainty of a coordinate")
+            }
+            Self::OwnUncertainties => f.write_str(
+                "readings with an uncertainty of their own weigh residuals of targets, without an uncertainty that rows have in common",
+            ),
+            Self::ReadingsWithoutUncertainty { without, readings } => {
+                write!(f, "{without} of {readings} readings state no uncertainty, and none is stated for them")
             }
             Self::NotPlanar { model } => write!(f, "residuals of the pose are for planar robots, not for `{model}`"),
             Self::NoSuchPart { model, part } => {

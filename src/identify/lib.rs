@@ -1,78 +1,58 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
-mod budget;
-mod chi_square;
-mod clusters;
-mod condition;
-mod diagnosis;
-mod effects;
-mod elimination;
 mod error;
-mod fixtures;
-mod frame_error;
 pub mod geometric;
-mod identifiability;
-mod logs;
-mod observability;
-mod observation;
-mod placing;
+mod judgement;
+mod model;
 pub mod plan;
-mod predict;
-mod reliability;
-mod residuals;
-mod rigid_part;
-mod robust;
-mod set_up;
-mod significance;
 mod solution;
-mod stability;
-mod start;
-mod surface;
-mod tool;
-mod uncertainty;
-mod verification;
-mod weights;
 
-pub use budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
-pub use chi_square::exceeds as chi_square_exceeds;
-use condition::tied_to_world;
-pub use condition::{Condition, Fixture, Kind, Known};
-pub use diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
-pub use effects::effects;
 pub use error::{Cause, Error};
-pub use fixtures::mounted_misfit_rad;
-pub use frame_error::FrameError;
-pub use identifiability::{Group, RANK_TOLERANCE};
-pub use logs::{LogComparison, compare_logs};
-pub use observability::{Observability, SingularValue, WeakGroup};
-pub use observation::{Observation, directions, joint_column, joint_values, stated_modes};
-pub use predict::{Prediction, Sensitivity, predict, sensitivity};
-pub use reliability::{ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability};
-pub use residuals::{OF_MEDIAN, ResidualKind};
-pub use rigid_part::{Pair, RigidPart};
-pub use robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
-pub use set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
-pub use significance::{Variance, holm};
-pub use stability::{Stability, halves, stability};
-pub use surface::Surface;
-pub use tool::{Held, ToolError, ToolFrame, ToolPoint, held};
-pub use uncertainty::UncertaintyFrom;
-pub use verification::{
+pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
+pub use judgement::chi_square::exceeds as chi_square_exceeds;
+pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
+pub use judgement::logs::{LogComparison, compare_logs};
+pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
+pub use judgement::reliability::{
+    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, ReadingReliability, Reliability, reliability,
+};
+pub use judgement::robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
+pub use judgement::significance::{Variance, holm};
+pub use judgement::stability::{Stability, halves, stability};
+pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, held};
+pub use judgement::uncertainty::UncertaintyFrom;
+pub use judgement::verification::{
     Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification,
     detectable, most_probable, p_value, verify,
 };
-pub use weights::{Covariance, turned, weigh};
+pub use model::effects::effects;
+pub use model::fixture::Fixture;
+pub use model::frame_error::FrameError;
+use model::kinds::tied_to_world;
+pub use model::kinds::{
+    Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Surface,
+    mounted_misfit_rad,
+};
+pub use model::observation::{
+    AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,
+};
+pub use model::residuals::{OF_MEDIAN, ResidualKind};
+pub use model::rigid_part::{Pair, RigidPart};
+pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
+pub use solution::identifiability::{Group, RANK_TOLERANCE};
+pub use solution::observability::{Observability, SingularValue, WeakGroup};
+pub use solution::set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
 
 use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
 use etalon_math::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
-use residuals::{Common, Residuals};
-use solution::solve_identifiable;
+use model::residuals::{Common, Residuals};
+use solution::solver::solve_identifiable;
 
 /// A value, or why there is none.
-pub type Result<T> = std::result::Result<T, Error>;
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// What is identified from which residuals.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -192,7 +172,9 @@ impl Identification {
 /// come first, take up what is not separately identifiable from them.
 pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Identification> {
     let start = match settings.conditions[..] {
-        [] => start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?)?,
+        [] => {
+            solution::start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?)?
+        }
         // what conditions refer to is found in closed form one by one: together it comes near enough
         _ => fit_frames(robot, observations, settings)?,
     };
@@ -219,8 +201,9 @@ pub fn identify_with(
 ) -> Result<Identification> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
-    let mut found = uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
-    found.warnings.extend(condition::without_length(robot, observations, settings, &found.status));
+    let mut found =
+        judgement::uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
+    found.warnings.extend(model::kinds::without_length(robot, observations, settings, &found.status));
     Ok(found)
 }
 
@@ -304,14 +287,14 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
     if frames.is_empty() {
         return Ok(robot.nominal());
     }
-    let start = start::start(robot, observations, settings, &frames)?;
+    let start = solution::start::start(robot, observations, settings, &frames)?;
     let found = solve_identifiable(robot, observations, settings, &frames, &start)?;
     let (Some(arm), false) = (robot.free_base(), settings.conditions.is_empty()) else { return Ok(found.values) };
     // fixtures once more, from targets that are now near: few distances of a target that is far off lead to a wrong minimum
     let mut again = found.values.clone();
     let of_fixtures: Vec<usize> =
         frames.iter().copied().filter(|&i| robot.parameters()[i].role == Role::Fixture).collect();
-    fixtures::place_fixtures(arm, observations, settings, &of_fixtures, &mut again);
+    solution::fixtures::place_fixtures(arm, observations, settings, &of_fixtures, &mut again);
     match solve_identifiable(robot, observations, settings, &frames, &again) {
         Ok(again) if again.solution.cost < found.solution.cost => Ok(again.values),
         _ => Ok(found.values),
@@ -329,7 +312,7 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     if settings.common_uncertainty_mm.is_some() && !whole {
         return Err(Error::CommonUncertaintyAlone);
     }
-    condition::check(robot, settings)?;
+    model::kinds::check(robot, settings)?;
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {

@@ -4,345 +4,302 @@
 //! near-parallel axes (Hayati & Mirmirani 1985), or screw axes (product of exponentials: Brockett 1984).
 
 use super::chain::Motion;
-use super::serial::{ArmBuilder, Drive, Effects};
-use super::{Description, Joint, Model, Quantity, Robot, Serial, Source, meaning, wrong_targets};
-use etalon_base::message::{Message, Place, Problems, Result};
+use super::keys::{Description, Reader, Stated};
+use super::serial::{ArmBuilder, Drive, Effects, drawn_link};
+use super::{
+    At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
+    meaning, wrong_targets,
+};
 use etalon_base::pose::{Pose, Vector, unit};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 /// Serial arm.
-pub(super) const MODEL: Model = Model::new::<Keys>(
-    "serial",
-    &[
-        &["joint"],
-        &["convention"],
-        &["gravity"],
-        &["bending"],
-        &["coupling"],
-        &["harmonics"],
-        &["backlash"],
-        &["flange_xyz_mm"],
-        &["flange_rpy_deg"],
-    ],
-    &[
-        "joint",
-        "alpha_deg",
-        "alpha_rad",
-        "a_mm",
-        "a_m",
-        "theta_deg",
-        "theta_rad",
-        "d_mm",
-        "d_m",
-        "direction",
-        "point_mm",
-    ],
-);
+pub(super) const MODEL: Model = Model::new::<Keys>("serial");
 
 /// Axes whose twist is below this are near-parallel: d is replaced by Hayati's beta (3 degrees).
 const NEAR_PARALLEL_RAD: f64 = 0.052;
 
-/// How the joints of an arm are stated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+/// Convention in which the joints of an arm are stated.
+#[derive(Clone, Copy, Debug)]
 enum Convention {
-    /// Modified Denavit-Hartenberg parameters (Craig): Rx(alpha) Tx(a) Rz(theta + q) Tz(d).
-    #[default]
-    Mdh,
-    /// Standard Denavit-Hartenberg parameters: Rz(theta + q) Tz(d) Tx(a) Rx(alpha).
-    Dh,
+    /// Denavit-Hartenberg parameters.
+    Table(TableConvention),
     /// Screw axes in the base at zero joints (product of exponentials).
     Poe,
 }
 
-/// Keys of a serial arm in robot.toml.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+const CONVENTION: &str = "What the joints of a serial arm state: modified (`mdh`) or standard (`dh`) Denavit-Hartenberg parameters, or screw axes (`poe`).";
+const MDH: &str = "Modified Denavit-Hartenberg parameters (Craig): Rx(alpha) Tx(a) Rz(theta + q) Tz(d).";
+const DH: &str = "Standard Denavit-Hartenberg parameters: Rz(theta + q) Tz(d) Tx(a) Rx(alpha).";
+const POE: &str = "Screw axes in the base at zero joints (product of exponentials).";
+const JOINT: &str = "A joint of a serial arm, from the base. In Denavit-Hartenberg parameters alpha, a, theta and d must be stated, each in one of its two\n\
+                     units; of a screw axis its direction, and a point on it where it turns.";
+
+/// Description of a serial arm.
 struct Keys {
-    /// What the joints of a serial arm state: modified (`mdh`) or standard (`dh`) Denavit-Hartenberg parameters, or screw axes (`poe`).
-    #[serde(default)]
     convention: Convention,
-    /// Joints of a serial arm, from the base.
-    #[serde(default, rename = "joint")]
     joints: Vec<JointKeys>,
-    /// Direction of gravity in the base of an arm.
-    #[serde(default = "down")]
-    gravity: Vector,
-    /// Joints of an arm that bend under gravity: their numbers, from 1, or names.
-    #[serde(default)]
-    bending: Vec<JointRef>,
-    /// Coupled joints of an arm: pairs of a joint and the joint that moves it, by their numbers, from 1, or names.
-    #[serde(default)]
-    coupling: Vec<(JointRef, JointRef)>,
-    /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
-    #[serde(default)]
-    harmonics: Vec<JointRef>,
-    /// Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.
-    #[serde(default)]
-    backlash: Vec<JointRef>,
-    /// Place of the flange in the base at zero joints, where the joints are screw axes.
+    effects: EffectKeys,
     flange_xyz_mm: Option<Vector>,
-    /// Orientation of the flange there: rx, ry, rz of Rz Ry Rx.
-    flange_rpy_deg: Option<Vector>,
+    flange_rpy_rad: Option<Vector>,
 }
 
-pub(super) fn down() -> Vector {
-    [0.0, 0.0, -1.0]
+/// Description of the non-geometric effects of an arm.
+pub(super) struct EffectKeys {
+    pub gravity: Vector,
+    pub bending: Vec<JointRef>,
+    pub coupling: Vec<(JointRef, JointRef)>,
+    pub harmonics: Vec<JointRef>,
+    pub backlash: Vec<JointRef>,
 }
 
-/// A joint by its number, from 1, or its name.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged, expecting = "expected the number of a joint, from 1, or its name")]
-pub(super) enum JointRef {
-    /// From 1.
-    Number(usize),
-    /// As its column begins.
-    Name(String),
-}
+impl EffectKeys {
+    pub fn read(keys: &mut Reader) -> Self {
+        Self {
+            gravity: keys.or(Key::plain("gravity", "Direction of gravity in the base of an arm."), [0.0, 0.0, -1.0]),
+            bending: keys.or(
+                Key::plain("bending", "Joints of an arm that bend under gravity: their numbers, from 1, or names."),
+                Vec::new(),
+            ),
+            coupling: keys.or(
+                Key::plain(
+                    "coupling",
+                    "Coupled joints of an arm: pairs of a joint and the joint that moves it, by their numbers, from 1, or names.",
+                ),
+                Vec::new(),
+            ),
+            harmonics: keys.or(
+                Key::plain(
+                    "harmonics",
+                    "Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.",
+                ),
+                Vec::new(),
+            ),
+            backlash: keys.or(
+                Key::plain(
+                    "backlash",
+                    "Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.",
+                ),
+                Vec::new(),
+            ),
+        }
+    }
 
-impl Effects {
-    /// Looks up joints among `joints`, by their numbers or names.
-    pub(super) fn new(
-        gravity: Vector,
-        [bending, harmonics, backlash]: [&[JointRef]; 3],
-        coupling: &[(JointRef, JointRef)],
-        joints: &[Joint],
-        place: &dyn Fn(&[&str]) -> Place,
-    ) -> Result<Self> {
-        let n = joints.len();
-        let mut problems = Problems::default();
+    /// Looks up the joints among `joints`, by their numbers or names.
+    pub fn among(&self, joints: &[Joint]) -> Result<Effects, Faults> {
         let names: Vec<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
-        let mut wrong = |key: &str, i: usize, what: String| {
-            let message = Message::error(what).at(place(&[key, &i.to_string()]));
-            let message = message.expected(format!("joints from 1 to {n}, each once"));
-            problems.0.push(message.hint(format!("the joints are {}", names.join(", "))));
+        let mut faults = Faults::default();
+        let mut wrong = |key, i, what| {
+            let joints = names.iter().map(|&name| name.to_owned()).collect();
+            faults.add(At::Item(key, i), FaultKind::Joint { what, joints });
         };
-        let find = |joint: &JointRef| match joint {
-            JointRef::Number(number) => {
-                Some(*number).filter(|j| (1..=n).contains(j)).map(|j| j - 1).ok_or_else(|| number.to_string())
-            }
-            JointRef::Name(name) => names.iter().position(|known| known == name).ok_or_else(|| format!("`{name}`")),
+        let find = |joint: &JointRef| {
+            let known = match joint {
+                JointRef::Number(number) => number.checked_sub(1).filter(|j| *j < joints.len()),
+                JointRef::Name(name) => names.iter().position(|known| known == name),
+            };
+            known.ok_or_else(|| JointFault::Unknown(joint.clone()))
         };
-        let mut effects = Self::default();
+        let mut effects = Effects::default();
         let lists = [
-            ("bending", bending, &mut effects.bending),
-            ("harmonics", harmonics, &mut effects.harmonics),
-            ("backlash", backlash, &mut effects.backlash),
+            ("bending", &self.bending, &mut effects.bending),
+            ("harmonics", &self.harmonics, &mut effects.harmonics),
+            ("backlash", &self.backlash, &mut effects.backlash),
         ];
         for (key, stated, list) in lists {
             for (i, joint) in stated.iter().enumerate() {
                 match find(joint) {
-                    Err(name) => wrong(key, i, format!("there is no joint {name}")),
+                    Err(unknown) => wrong(key, i, unknown),
                     Ok(j) if key == "harmonics" && joints[j].quantity == Quantity::Length => {
-                        wrong(key, i, format!("joint {} slides: it has no turn", names[j]));
+                        wrong(key, i, JointFault::Slides(j));
                     }
-                    Ok(j) if list.contains(&j) => wrong(key, i, format!("joint {} is there twice", j + 1)),
+                    Ok(j) if list.contains(&j) => wrong(key, i, JointFault::Twice(j)),
                     Ok(j) => list.push(j),
                 }
             }
         }
-        for (i, (joint, by)) in coupling.iter().enumerate() {
+        for (i, (joint, by)) in self.coupling.iter().enumerate() {
             match (find(joint), find(by)) {
-                (Err(name), _) | (_, Err(name)) => wrong("coupling", i, format!("there is no joint {name}")),
-                (Ok(j), Ok(by)) if j == by => {
-                    wrong("coupling", i, format!("joint {} is coupled with itself: that is its gain", j + 1));
-                }
+                (Err(unknown), _) | (_, Err(unknown)) => wrong("coupling", i, unknown),
+                (Ok(j), Ok(by)) if j == by => wrong("coupling", i, JointFault::WithItself(j)),
                 (Ok(j), Ok(by)) if effects.coupling.contains(&(j, by)) => {
-                    wrong("coupling", i, format!("the pair {}, {} is there twice", j + 1, by + 1));
+                    wrong("coupling", i, JointFault::PairTwice(j, by));
                 }
                 (Ok(j), Ok(by)) => effects.coupling.push((j, by)),
             }
         }
-        match unit(gravity) {
+        match unit(self.gravity) {
             Some(direction) => effects.gravity = direction,
-            None => problems.0.push(
-                Message::error("`gravity` has no direction")
-                    .at(place(&["gravity"]))
-                    .expected("a direction in the base, e.g. [0, 0, -1]"),
-            ),
+            None => faults.add(At::Key("gravity"), FaultKind::GravityWithoutDirection),
         }
-        problems.check().map(|_| effects)
+        faults.or(effects)
     }
 }
 
-/// A joint of a serial arm, from the base. In Denavit-Hartenberg parameters alpha, a, theta and d must be stated, each in one of its two
-/// units; of a screw axis its direction, and a point on it where it turns.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+/// Description of a joint of a serial arm.
 struct JointKeys {
-    /// Twist of the link: of the previous one in modified parameters.
-    alpha_deg: Option<f64>,
-    /// The same in radians.
-    alpha_rad: Option<f64>,
-    /// Length of the link: of the previous one in modified parameters.
-    a_mm: Option<f64>,
-    /// The same in metres.
-    a_m: Option<f64>,
-    /// Joint offset.
-    theta_deg: Option<f64>,
-    /// The same in radians.
-    theta_rad: Option<f64>,
-    /// Link offset.
-    d_mm: Option<f64>,
-    /// The same in metres.
-    d_m: Option<f64>,
-    /// Direction of a screw axis in the base at zero joints, of any length.
+    alpha_rad: Stated<f64>,
+    a_mm: Stated<f64>,
+    theta_rad: Stated<f64>,
+    d_mm: Stated<f64>,
     direction: Option<Vector>,
-    /// A point on it.
-    point_mm: Option<Vector>,
-    /// The same in metres.
-    point_m: Option<Vector>,
-    /// The joint is prismatic.
-    #[serde(default)]
+    point_mm: Stated<Vector>,
     prismatic: bool,
-    /// Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. By default so below 3 degrees of
-    /// twist.
     parallel: Option<bool>,
 }
 
 impl JointKeys {
-    /// The joint; `alone` where no other axis is on the side of its link, `place` that of its table.
-    fn of_table(&self, alone: bool, place: &Place) -> Result<SerialJoint> {
-        let mut problems = Problems::default();
-        let mut either = |keys: [&str; 2], stated: [Option<f64>; 2]| match stated {
-            [Some(value), None] | [None, Some(value)] => value,
-            [one, _] => {
-                let [key, other] = keys;
-                let what = match one {
-                    Some(_) => format!("`{key}` and `{other}` state the same: leave one of them out"),
-                    None => format!("the key `{key}` is missing in `joint`"),
-                };
-                problems.0.push(Message::error(what).at(place.clone()));
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            alpha_rad: keys.in_two_units(
+                Key::angle("alpha", "Twist of the link: of the previous one in modified parameters.").essential(),
+            ),
+            a_mm: keys.in_two_units(
+                Key::length("a", "Length of the link: of the previous one in modified parameters.").essential(),
+            ),
+            theta_rad: keys.in_two_units(Key::angle("theta", "Joint offset.").essential()),
+            d_mm: keys.in_two_units(Key::length("d", "Link offset.").essential()),
+            direction: keys.optional(
+                Key::plain("direction", "Direction of a screw axis in the base at zero joints, of any length.")
+                    .essential(),
+            ),
+            point_mm: keys.in_two_units(Key::length("point", "A point on it.").essential()),
+            prismatic: keys.or(Key::plain("prismatic", "The joint is prismatic."), false),
+            parallel: keys.optional(Key::plain(
+                "parallel",
+                "Near-parallel to the previous axis (`mdh`) or to the next one (`dh`): Hayati's beta replaces d. By default so below 3 degrees of\n\
+                 twist.",
+            )),
+        }
+    }
+
+    /// The joint `i`; `alone` where no other axis is on the side of its link.
+    fn of_table(&self, i: usize, alone: bool) -> Result<SerialJoint, Faults> {
+        let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
+        let mut once = |key, stated| match stated {
+            Stated::Once(value) => value,
+            Stated::Twice => {
+                faults.add(at(), FaultKind::StatedTwice(key));
+                0.0
+            }
+            Stated::Missing => {
+                faults.add(at(), FaultKind::Missing(key));
                 0.0
             }
         };
-        let alpha_rad = either(["alpha_deg", "alpha_rad"], [self.alpha_deg.map(f64::to_radians), self.alpha_rad]);
-        let a_mm = either(["a_mm", "a_m"], [self.a_mm, self.a_m.map(|m| 1000.0 * m)]);
-        let theta_rad = either(["theta_deg", "theta_rad"], [self.theta_deg.map(f64::to_radians), self.theta_rad]);
-        let d_mm = either(["d_mm", "d_m"], [self.d_mm, self.d_m.map(|m| 1000.0 * m)]);
-        let screw = [("direction", self.direction), ("point_mm", self.point_mm), ("point_m", self.point_m)];
-        for (key, _) in screw.iter().filter(|(_, value)| value.is_some()) {
-            let message = Message::error(format!("`{key}` is not a Denavit-Hartenberg parameter")).at(place.clone());
-            problems.0.push(message.hint("it belongs to `convention = \"poe\"`"));
+        let alpha_rad = once("alpha", self.alpha_rad);
+        let a_mm = once("a", self.a_mm);
+        let theta_rad = once("theta", self.theta_rad);
+        let d_mm = once("d", self.d_mm);
+        if self.direction.is_some() {
+            faults.add(at(), FaultKind::NotDenavitHartenberg("direction"));
+        }
+        if !self.point_mm.is_missing() {
+            faults.add(at(), FaultKind::NotDenavitHartenberg("point"));
         }
         let near = !alone && alpha_rad.sin().abs() < NEAR_PARALLEL_RAD && !self.prismatic;
         let parallel = self.parallel.unwrap_or(near);
-        problems.check()?;
-        Ok(SerialJoint { alpha_rad, a_mm, theta_rad, d_mm, prismatic: self.prismatic, parallel })
+        faults.or(SerialJoint { alpha_rad, a_mm, theta_rad, d_mm, prismatic: self.prismatic, parallel })
     }
 
-    /// The joint as a screw axis; `place` is that of its table.
-    fn screw(&self, place: &Place) -> Result<Screw> {
-        let mut problems = Problems::default();
-        let table =
-            [self.alpha_deg, self.alpha_rad, self.a_mm, self.a_m, self.theta_deg, self.theta_rad, self.d_mm, self.d_m];
-        if table.iter().any(Option::is_some) || self.parallel.is_some() {
-            let what = "a screw axis has neither Denavit-Hartenberg parameters nor `parallel`";
-            problems.0.push(Message::error(what).at(place.clone()).hint("state `direction` and `point_mm`"));
+    /// The joint `i` as a screw axis.
+    fn screw(&self, i: usize) -> Result<Screw, Faults> {
+        let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
+        let table = [self.alpha_rad, self.a_mm, self.theta_rad, self.d_mm];
+        if table.iter().any(|stated| !stated.is_missing()) || self.parallel.is_some() {
+            faults.add(at(), FaultKind::NotScrew);
         }
         let direction = self.direction.and_then(unit);
         if direction.is_none() {
-            let what = match self.direction {
-                Some(_) => "the axis of the joint has no direction",
-                None => "the key `direction` is missing in `joint`",
-            };
-            let message = Message::error(what).at(place.clone());
-            problems.0.push(message.expected("a direction in the base, e.g. [0, 0, 1]"));
+            let missing = FaultKind::Missing("direction");
+            faults.add(at(), self.direction.map_or(missing, |_| FaultKind::AxisWithoutDirection));
         }
-        let point_mm = match (self.point_mm, self.point_m.map(|p| p.map(|m| 1000.0 * m))) {
-            (Some(_), Some(_)) => {
-                let what = "`point_mm` and `point_m` state the same: leave one of them out";
-                problems.0.push(Message::error(what).at(place.clone()));
-                None
+        let point_mm = match self.point_mm {
+            Stated::Once(point_mm) => point_mm,
+            Stated::Twice => {
+                faults.add(at(), FaultKind::StatedTwice("point"));
+                Vector::default()
             }
-            (mm, m) => mm.or(m),
+            Stated::Missing => {
+                if !self.prismatic {
+                    faults.add(at(), FaultKind::Missing("point"));
+                }
+                Vector::default()
+            }
         };
-        if point_mm.is_none() && self.point_m.is_none() && !self.prismatic {
-            problems.0.push(Message::error("the key `point_mm` is missing in `joint`").at(place.clone()));
-        }
-        problems.check()?;
-        Ok(Screw {
-            direction: direction.unwrap_or_default(),
-            point_mm: point_mm.unwrap_or_default(),
-            prismatic: self.prismatic,
-        })
+        faults.or(Screw { direction: direction.unwrap_or_default(), point_mm, prismatic: self.prismatic })
     }
 }
 
 impl Keys {
-    fn screws(&self, targets: &[String], effects: &Effects, place: &dyn Fn(&[&str]) -> Place) -> Result<Serial> {
-        let mut problems = Problems::default();
-        let (mut screws, mut home) = (Vec::new(), Pose::identity());
+    fn screws(&self, targets: &[String], effects: &Effects) -> Result<Serial, Faults> {
+        let mut faults = Faults::default();
+        let mut screws = Vec::new();
         for (i, keys) in self.joints.iter().enumerate() {
-            screws.extend(problems.keep(keys.screw(&place(&["joint", &i.to_string()]))));
+            screws.extend(faults.keep(keys.screw(i)));
         }
-        match (self.flange_xyz_mm, self.flange_rpy_deg) {
-            (Some(xyz_mm), Some(rpy_deg)) => home = Pose::from_xyz_rpy(xyz_mm, rpy_deg.map(f64::to_radians)),
-            (xyz_mm, _) => {
-                let key = if xyz_mm.is_none() { "flange_xyz_mm" } else { "flange_rpy_deg" };
-                let what = format!("screw axes need the pose of the flange at zero joints: the key `{key}` is missing");
-                problems.0.push(Message::error(what).at(place(&["convention"])));
-            }
+        let [xyz_mm, rpy_rad] = [self.flange_xyz_mm, self.flange_rpy_rad];
+        if xyz_mm.is_none() || rpy_rad.is_none() {
+            let key = if xyz_mm.is_none() { "flange_xyz" } else { "flange_rpy" };
+            faults.add(At::Key("convention"), FaultKind::NoFlange(key));
         }
-        problems.check()?;
+        let home = Pose::from_xyz_rpy(xyz_mm.unwrap_or_default(), rpy_rad.unwrap_or_default());
+        faults.or(())?;
         Ok(Serial::of_screws(&screws, &home, targets, effects))
     }
 
-    fn table(
-        &self,
-        convention: TableConvention,
-        targets: &[String],
-        effects: &Effects,
-        place: &dyn Fn(&[&str]) -> Place,
-    ) -> Result<Serial> {
-        let mut problems = Problems::default();
+    fn table(&self, convention: TableConvention, targets: &[String], effects: &Effects) -> Result<Serial, Faults> {
+        let mut faults = Faults::default();
         let mut joints = Vec::new();
         for (i, keys) in self.joints.iter().enumerate() {
             let alone = i == if convention == TableConvention::Modified { 0 } else { self.joints.len() - 1 };
-            joints.extend(problems.keep(keys.of_table(alone, &place(&["joint", &i.to_string()]))));
+            joints.extend(faults.keep(keys.of_table(i, alone)));
         }
-        for (key, stated) in [("flange_xyz_mm", self.flange_xyz_mm), ("flange_rpy_deg", self.flange_rpy_deg)] {
+        for (key, stated) in [("flange_xyz", self.flange_xyz_mm), ("flange_rpy", self.flange_rpy_rad)] {
             if stated.is_some() {
-                let message = Message::error(format!("`{key}` means nothing for Denavit-Hartenberg parameters"));
-                problems.0.push(message.at(place(&[key])).hint("it belongs to `convention = \"poe\"`"));
+                faults.add(At::Key(key), FaultKind::FlangeOfTable(key));
             }
         }
-        problems.check()?;
+        faults.or(())?;
         Ok(Serial::of_table(convention, &joints, targets, effects))
     }
 }
 
 impl Description for Keys {
-    fn states_geometry(&self) -> bool {
-        true
+    fn read(keys: &mut Reader) -> Self {
+        let table = Convention::Table;
+        Self {
+            joints: keys.tables(Key::plain("joint", "Joints of a serial arm, from the base."), JOINT, JointKeys::read),
+            convention: keys.choice(
+                Key::plain("convention", CONVENTION),
+                [
+                    ("mdh", MDH, table(TableConvention::Modified)),
+                    ("dh", DH, table(TableConvention::Standard)),
+                    ("poe", POE, Convention::Poe),
+                ],
+            ),
+            effects: EffectKeys::read(keys),
+            flange_xyz_mm: keys.optional(Key::length(
+                "flange_xyz",
+                "Place of the flange in the base at zero joints, where the joints are screw axes.",
+            )),
+            flange_rpy_rad: keys
+                .optional(Key::angle("flange_rpy", "Orientation of the flange there: rx, ry, rz of Rz Ry Rx.")),
+        }
     }
 
-    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
-        let place = &|path: &[&str]| source.place(path);
+    fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
         if self.joints.is_empty() {
-            return Err(Message::error("a serial arm needs its joints")
-                .at(place(&["joint"]))
-                .hint("add one [[joint]] with alpha_deg, a_mm, theta_deg, d_mm per joint, from the base")
-                .into());
+            return Err(Fault::new(At::Key("joint"), FaultKind::NoJoints).into());
         }
-        let mut problems = wrong_targets(targets);
+        let mut faults = wrong_targets(targets);
         let joints: Vec<Joint> = (1..).zip(&self.joints).map(|(i, keys)| Joint::numbered(i, keys.prismatic)).collect();
-        let effects = problems.keep(Effects::new(
-            self.gravity,
-            [&self.bending, &self.harmonics, &self.backlash],
-            &self.coupling,
-            &joints,
-            place,
-        ));
         // geometry is checked whatever is wrong with the rest
-        let effects = effects.unwrap_or_default();
-        let arm = problems.keep(match self.convention {
-            Convention::Mdh => self.table(TableConvention::Modified, targets, &effects, place),
-            Convention::Dh => self.table(TableConvention::Standard, targets, &effects, place),
-            Convention::Poe => self.screws(targets, &effects, place),
+        let effects = faults.keep(self.effects.among(&joints)).unwrap_or_default();
+        let arm = faults.keep(match self.convention {
+            Convention::Table(convention) => self.table(convention, targets, &effects),
+            Convention::Poe => self.screws(targets, &effects),
         });
-        arm.filter(|_| problems.0.is_empty()).map(|arm| Box::new(arm) as _).ok_or(problems)
+        arm.filter(|_| faults.0.is_empty()).map(|arm| Box::new(arm) as _).ok_or(faults)
     }
 }
 
@@ -456,12 +413,15 @@ impl Serial {
         for (i, j) in joints.iter().enumerate() {
             let n = i + 1;
             let [alpha_means, a_means] = if modified { BEFORE } else { BEHIND };
-            let alpha = arm.parameter(format!("alpha_{n}"), Quantity::Angle, j.alpha_rad, alpha_means);
-            let a = arm.parameter(format!("a_{n}"), Quantity::Length, j.a_mm, a_means);
-            let theta = arm.parameter(format!("theta_{n}"), Quantity::Angle, j.theta_rad, THETA);
+            let own = |name: &str, quantity, nominal, meaning| {
+                Parameter::new(format!("{name}_{n}"), quantity, Role::Robot, nominal).meaning(meaning).of_joint(i)
+            };
+            let alpha = arm.add(own("alpha", Quantity::Angle, j.alpha_rad, alpha_means));
+            let a = arm.add(own("a", Quantity::Length, j.a_mm, a_means));
+            let theta = arm.add(own("theta", Quantity::Angle, j.theta_rad, THETA));
             let beta_or_d = match j.parallel {
-                true => arm.parameter(format!("beta_{n}"), Quantity::Angle, 0.0, BETA),
-                false => arm.parameter(format!("d_{n}"), Quantity::Length, j.d_mm, D),
+                true => arm.add(own("beta", Quantity::Angle, 0.0, BETA)),
+                false => arm.add(own("d", Quantity::Length, j.d_mm, D)),
             };
             let link = |arm: &mut ArmBuilder| {
                 arm.push(Motion::Turn(0), 0.0, &[alpha]);
@@ -488,7 +448,10 @@ impl Serial {
                 link(&mut arm);
             }
         }
-        arm.finish(joints.iter().map(|j| j.prismatic), effects)
+        let link = drawn_link(modified, joints.iter().any(|j| j.parallel));
+        let arm = arm.finish(joints.iter().map(|j| j.prismatic), effects);
+        // without joints there is no link
+        if joints.is_empty() { arm } else { arm.with_link(link) }
     }
 
     /// An arm of screw axes with `targets` on its flange, whose pose in the base at zero joints is `home`. Each axis has its own small

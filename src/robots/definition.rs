@@ -1,10 +1,7 @@
 //! What a parameter and a joint are.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 /// What is measured: decides the unit at the door.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Millimetres inside and outside.
     Length,
@@ -36,8 +33,7 @@ impl Quantity {
 }
 
 /// What a parameter describes: decides what is fitted "before" the calibration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
     /// Pose of the base in the world.
     Base,
@@ -51,8 +47,7 @@ pub enum Role {
 }
 
 /// What a parameter of the robot itself describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effect {
     /// Zeros of the joints.
     Zeros,
@@ -79,6 +74,14 @@ pub struct Parameter {
     pub quantity: Quantity,
     /// What it describes.
     pub role: Role,
+    /// Effect of a parameter of the robot itself; a zero of a joint is geometry here.
+    pub effect: Effect,
+    /// Index of the joint, or leg, that it belongs to.
+    pub joint: Option<usize>,
+    /// Index of the joint behind the effect: it moves a coupled joint, or the link behind it bends a joint.
+    pub by: Option<usize>,
+    /// Axis of the world (base) or of the flange (targets) along or about which it is: 0, 1 or 2.
+    pub axis: Option<usize>,
     /// Nominal value, in mm, rad or 1.
     pub nominal: f64,
     /// How far from nominal the part may be as it is drawn and mounted, in mm, rad or 1: a result beyond it is that of a wrong
@@ -99,8 +102,29 @@ impl Parameter {
     /// A parameter with its nominal value in mm, rad or 1, and the tolerance of its kind.
     pub fn new(name: impl Into<String>, quantity: Quantity, role: Role, nominal: f64) -> Self {
         let tolerance = usual_tolerance(quantity, role);
-        let meaning = usual_meaning(quantity, role);
-        Self { name: name.into(), quantity, role, nominal, tolerance, tolerance_is_stated: false, meaning }
+        Self {
+            name: name.into(),
+            quantity,
+            role,
+            effect: if quantity == Quantity::Ratio { Effect::Gains } else { Effect::Geometry },
+            joint: None,
+            by: None,
+            axis: None,
+            nominal,
+            tolerance,
+            tolerance_is_stated: false,
+            meaning: usual_meaning(quantity, role),
+        }
+    }
+
+    /// A coordinate, along or about `axis`, of a base or target without a nominal value.
+    pub fn free(name: impl Into<String>, quantity: Quantity, role: Role, axis: usize) -> Self {
+        Self { axis: Some(axis), tolerance: f64::INFINITY, ..Self::new(name, quantity, role, 0.0) }
+    }
+
+    /// The same of a joint, by its index.
+    pub fn of_joint(self, joint: usize) -> Self {
+        Self { joint: Some(joint), ..self }
     }
 
     /// The same with its meaning.

@@ -5,38 +5,19 @@
 //! with the rod's length eight (the model of 24 parameters of Vischer & Clavel 1998) or six. The radius of the platform makes them nine
 //! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
 
+use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, Legs, Parallel, Rod};
-use super::prexyt::Travel;
-use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
-use etalon_base::message::{Message, Result};
+use super::prexyt::travel_mm;
+use super::{At, FaultKind, Faults, Key, Model, Quantity, REACH, Robot, meaning, wrong_targets};
 use etalon_base::pose::{Pose, cross, dot, minus, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use std::f64::consts::FRAC_PI_2;
 
 /// Delta with arms that turn.
-pub(super) const ROTARY: Model = Model::new::<RotaryKeys>(
-    "delta",
-    &[
-        &["base_radius_mm"],
-        &["platform_radius_mm"],
-        &["rod_mm"],
-        &["azimuth_deg"],
-        &["upper_arm_mm"],
-        &["reach", "theta1_deg"],
-        &["reach", "theta2_deg"],
-        &["reach", "theta3_deg"],
-    ],
-    &["base_radius_mm", "platform_radius_mm", "rod_mm", "azimuth_deg", "upper_arm_mm"],
-);
+pub(super) const ROTARY: Model = Model::new::<RotaryKeys>("delta");
 /// Delta with carriages on towers.
-pub(super) const LINEAR: Model = Model::new::<LinearKeys>(
-    "delta_linear",
-    &[&["base_radius_mm"], &["platform_radius_mm"], &["rod_mm"], &["azimuth_deg"], &["reach", "travel_mm"]],
-    &["base_radius_mm", "platform_radius_mm", "rod_mm", "azimuth_deg"],
-);
+pub(super) const LINEAR: Model = Model::new::<LinearKeys>("delta_linear");
 
 const LEGS: usize = 3;
 const RADIUS: &str =
@@ -46,58 +27,51 @@ const ROD: &str = meaning("Length of the rod (forearm), between the centres of i
 const PLATFORM: &str =
     meaning("Joint of the rod from the z axis of the platform, along the x axis of its leg, outwards.");
 
-/// Keys of a delta with arms in robot.toml.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+/// Description of what all deltas have.
+struct Common {
+    base_radius_mm: f64,
+    platform_radius_mm: f64,
+    rod_mm: f64,
+    azimuths: Azimuths,
+}
+
+impl Common {
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            base_radius_mm: keys.required(Key::length(
+                "base_radius",
+                "Distance of the motor axes or towers of a delta from the z axis of its base.",
+            )),
+            platform_radius_mm: keys.required(Key::length(
+                "platform_radius",
+                "Distance of the rods' joints on the platform of a delta from the z axis of the platform.",
+            )),
+            rod_mm: keys.required(Key::length("rod", "Length of the rods of a delta (its forearms).")),
+            azimuths: Azimuths(
+                keys.or(
+                    Key::angle(
+                        "azimuth",
+                        "Directions of the three arms or towers of a delta in its base, about z from x.",
+                    )
+                    .essential(),
+                    [0.0, 120.0, 240.0],
+                ),
+            ),
+        }
+    }
+}
+
+/// Description of a delta with arms.
 struct RotaryKeys {
-    /// Distance of the motor axes or towers of a delta from the z axis of its base.
-    base_radius_mm: f64,
-    /// Distance of the rods' joints on the platform of a delta from the z axis of the platform.
-    platform_radius_mm: f64,
-    /// Length of the rods of a delta (its forearms).
-    rod_mm: f64,
-    /// Directions of the three arms or towers of a delta in its base, about z from x.
-    #[serde(default = "thirds")]
-    azimuth_deg: [f64; 3],
-    /// Length of the upper arms of a delta. At joint value zero they are level and point outwards; they sink as it grows.
+    common: Common,
     upper_arm_mm: f64,
-    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
-    #[serde(default)]
-    reach: Angles,
+    limits_rad: [Option<[f64; 2]>; LEGS],
 }
 
-/// Limits of a delta with arms.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct Angles {
-    /// Smallest and largest encoder angle of joint 1.
-    theta1_deg: Option<[f64; 2]>,
-    /// Smallest and largest encoder angle of joint 2.
-    theta2_deg: Option<[f64; 2]>,
-    /// Smallest and largest encoder angle of joint 3.
-    theta3_deg: Option<[f64; 2]>,
-}
-
-/// Keys of a delta with towers in robot.toml.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+/// Description of a delta with towers.
 struct LinearKeys {
-    /// Distance of the motor axes or towers of a delta from the z axis of its base.
-    base_radius_mm: f64,
-    /// Distance of the rods' joints on the platform of a delta from the z axis of the platform.
-    platform_radius_mm: f64,
-    /// Length of the rods of a delta (its forearms).
-    rod_mm: f64,
-    /// Directions of the three arms or towers of a delta in its base, about z from x.
-    #[serde(default = "thirds")]
-    azimuth_deg: [f64; 3],
-    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
-    #[serde(default)]
-    reach: Travel,
-}
-
-fn thirds() -> [f64; 3] {
-    [0.0, 120.0, 240.0]
+    common: Common,
+    travel_mm: Option<[f64; 3]>,
 }
 
 /// A robot of three equal legs; `lengths` must be positive.
@@ -105,55 +79,61 @@ fn build<L: Legs + 'static>(
     legs: L,
     nominal: &[f64],
     limits: [Option<[f64; 2]>; 3],
-    lengths: &[(&str, f64)],
+    lengths: &[(&'static str, f64)],
     targets: &[String],
-    source: &dyn Source,
-) -> Result<Box<dyn Robot>> {
-    let mut problems = wrong_targets(targets);
+) -> Result<Box<dyn Robot>, Faults> {
+    let mut faults = wrong_targets(targets);
     for (key, _) in lengths.iter().filter(|(_, length)| !(*length > 0.0 && length.is_finite())) {
-        problems.0.push(Message::error(format!("`{key}` must be positive")).at(source.place(&[key])));
+        faults.add(At::Key(key), FaultKind::NotPositive(key));
     }
-    problems.check()?;
-    Ok(Box::new(Parallel::new(legs, &nominal.repeat(LEGS), limits.to_vec(), targets)))
+    faults.or(Box::new(Parallel::new(legs, &nominal.repeat(LEGS), limits.to_vec(), targets)) as _)
 }
 
 impl Description for RotaryKeys {
-    fn states_geometry(&self) -> bool {
-        true
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            common: Common::read(keys),
+            upper_arm_mm: keys.required(Key::length(
+                "upper_arm",
+                "Length of the upper arms of a delta. At joint value zero they are level and point outwards; they sink as it grows.",
+            )),
+            limits_rad: keys.table(Key::plain("reach", REACH), |keys| {
+                [
+                    ("theta1", "Smallest and largest encoder angle of joint 1."),
+                    ("theta2", "Smallest and largest encoder angle of joint 2."),
+                    ("theta3", "Smallest and largest encoder angle of joint 3."),
+                ]
+                .map(|(name, meaning)| keys.optional(Key::angle(name, meaning)))
+            }),
+        }
     }
 
-    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
-        let Self { base_radius_mm, platform_radius_mm, rod_mm, upper_arm_mm, .. } = *self;
+    fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
+        let Self { common: Common { base_radius_mm, platform_radius_mm, rod_mm, azimuths }, upper_arm_mm, limits_rad } =
+            *self;
         let nominal = [base_radius_mm, 0.0, 0.0, 0.0, 0.0, upper_arm_mm, 0.0, rod_mm, platform_radius_mm];
-        let limits = [self.reach.theta1_deg, self.reach.theta2_deg, self.reach.theta3_deg];
-        let limits = limits.map(|limit| limit.map(|ends| ends.map(f64::to_radians)));
-        let legs = Rotary(Azimuths::new(self.azimuth_deg));
-        build(legs, &nominal, limits, &[("rod_mm", rod_mm), ("upper_arm_mm", upper_arm_mm)], targets, source)
+        build(Rotary(azimuths), &nominal, limits_rad, &[("rod", rod_mm), ("upper_arm", upper_arm_mm)], targets)
     }
 }
 
 impl Description for LinearKeys {
-    fn states_geometry(&self) -> bool {
-        true
+    fn read(keys: &mut Reader) -> Self {
+        Self { common: Common::read(keys), travel_mm: travel_mm(keys) }
     }
 
-    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
-        let Self { base_radius_mm, platform_radius_mm, rod_mm, .. } = *self;
+    fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
+        let Common { base_radius_mm, platform_radius_mm, rod_mm, azimuths } = self.common;
         let nominal = [0.0, 0.0, 0.0, base_radius_mm, 0.0, rod_mm, platform_radius_mm];
-        let limits = [0, 1, 2].map(|i| self.reach.travel_mm.map(|travel| [0.0, travel[i]]));
-        build(Linear(Azimuths::new(self.azimuth_deg)), &nominal, limits, &[("rod_mm", rod_mm)], targets, source)
+        let limits = [0, 1, 2].map(|i| self.travel_mm.map(|travel| [0.0, travel[i]]));
+        build(Linear(azimuths), &nominal, limits, &[("rod", rod_mm)], targets)
     }
 }
 
-/// Directions of the legs in the base.
+/// Directions of the legs in the base, rad.
 #[derive(Clone, Copy, Debug)]
 struct Azimuths([f64; LEGS]);
 
 impl Azimuths {
-    fn new(deg: [f64; LEGS]) -> Self {
-        Self(deg.map(f64::to_radians))
-    }
-
     /// The frame of a leg in base or platform: its x axis points outwards.
     fn frame<T: Scalar>(&self, leg: usize) -> Pose<T> {
         Pose::identity().turn_z(T::from(self.0[leg]))

@@ -3,16 +3,14 @@
 //!
 //! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
 
-use super::{Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role, Source};
-use super::{in_plane, in_space, meaning};
+use super::keys::{Description, Reader};
+use super::{Definition, Faults, Joint, Key, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role};
+use super::{REACH, in_plane, in_space, meaning};
 use etalon_base::expression::{Formula, Recorded};
-use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use etalon_base::pose::Vector;
 use etalon_base::scalar::{Dual, Scalar, constants, duals};
 use etalon_base::sketch::{Sketch, StrokeKind};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use std::f64::consts::PI;
 
 const PARAMETERS: usize = 12;
@@ -57,53 +55,45 @@ const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
 ];
 
 /// Five-bar with twelve parameters.
-pub(super) const MODEL: Model = Model::new::<Keys>(
-    "five_bar",
-    &[
-        &["reach", "theta1_deg"],
-        &["reach", "theta2_deg"],
-        &["reach", "clearance_mm"],
-        &["reach", "type1_margin_deg"],
-        &["reach", "type2_margin_deg"],
-    ],
-    &[],
-);
+pub(super) const MODEL: Model = Model::new::<Limits>("five_bar");
 
-/// Keys of a five-bar in robot.toml.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct Keys {
-    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
-    #[serde(default)]
-    reach: LimitKeys,
-}
+impl Description for Limits {
+    const STATES_GEOMETRY: bool = false;
 
-/// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct LimitKeys {
-    /// Smallest and largest encoder angle of joint 1.
-    theta1_deg: Option<[f64; 2]>,
-    /// Smallest and largest encoder angle of joint 2.
-    theta2_deg: Option<[f64; 2]>,
-    /// Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.
-    clearance_mm: Option<f64>,
-    /// Smallest angle of an arm from being stretched or folded (type 1 singularity).
-    type1_margin_deg: Option<f64>,
-    /// Smallest angle of the distal links from being in line (type 2 singularity).
-    type2_margin_deg: Option<f64>,
-}
+    fn read(keys: &mut Reader) -> Self {
+        let none = Self::default();
+        let limits = keys.table(Key::plain("reach", REACH), |keys| {
+            let limits = [
+                keys.optional(Key::angle("theta1", "Smallest and largest encoder angle of joint 1.")),
+                keys.optional(Key::angle("theta2", "Smallest and largest encoder angle of joint 2.")),
+            ];
+            let clearance_mm = keys.optional(Key::length(
+                "clearance",
+                "Smallest distance between the proximal link of one arm and the distal link of the other; 0 excludes that they cross.",
+            ));
+            let margins = [
+                keys.optional(Key::angle(
+                    "type1_margin",
+                    "Smallest angle of an arm from being stretched or folded (type 1 singularity).",
+                )),
+                keys.optional(Key::angle(
+                    "type2_margin",
+                    "Smallest angle of the distal links from being in line (type 2 singularity).",
+                )),
+            ];
+            (limits, clearance_mm, margins)
+        });
+        let ([first, second], clearance_mm, [type1, type2]) = limits;
+        Self {
+            limits_rad: [first.unwrap_or(none.limits_rad[0]), second.unwrap_or(none.limits_rad[1])],
+            clearance_mm,
+            type1_margin_rad: type1.unwrap_or(none.type1_margin_rad),
+            type2_margin_rad: type2.unwrap_or(none.type2_margin_rad),
+        }
+    }
 
-impl Description for Keys {
-    fn build(&self, _targets: &[String], _source: &dyn Source) -> Result<Box<dyn Robot>> {
-        let (given, none) = (self.reach, Limits::default());
-        let limits = |given: Option<[f64; 2]>, none: [f64; 2]| given.map_or(none, |l| l.map(f64::to_radians));
-        Ok(Box::new(FiveBar::default().with_limits(Limits {
-            limits_rad: [limits(given.theta1_deg, none.limits_rad[0]), limits(given.theta2_deg, none.limits_rad[1])],
-            clearance_mm: given.clearance_mm,
-            type1_margin_rad: given.type1_margin_deg.map_or(none.type1_margin_rad, f64::to_radians),
-            type2_margin_rad: given.type2_margin_deg.map_or(none.type2_margin_rad, f64::to_radians),
-        })))
+    fn build(&self, _targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
+        Ok(Box::new(FiveBar::default().with_limits(*self)))
     }
 }
 
@@ -173,9 +163,10 @@ pub struct Configuration {
 
 impl Default for FiveBar {
     fn default() -> Self {
-        let parameters = TABLE.map(|(name, quantity, role, nominal, meaning)| {
+        let mut parameters = TABLE.map(|(name, quantity, role, nominal, meaning)| {
             Parameter::new(name, quantity, role, nominal).meaning(meaning)
         });
+        (parameters[9].axis, parameters[10].axis) = (Some(0), Some(1));
         let joints = ["theta1", "theta2"].map(|name| Joint { name: name.into(), quantity: Quantity::Angle });
         let definition = Definition {
             model: "five_bar",
@@ -496,7 +487,7 @@ impl Robot for FiveBar {
         let &[theta1, theta2, assembly] = joints else { return None };
         self.violation(parameters, [theta1, theta2], &self.direct(parameters, [theta1, theta2], assembly))
     }
-    fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
+    fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
         Some("measure every position in all working modes that reach it, and positions all around the workspace")
     }
 }

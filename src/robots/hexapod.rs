@@ -3,21 +3,15 @@
 //! 42 parameters (Masory, Wang & Zhuang 1993): of each leg the centres of its joints on base and platform, and its length at joint value
 //! zero. The frames of base and platform are free, so that twelve of them are not identifiable beside a base and targets.
 
+use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod, gaps, lengthening};
-use super::{Description, Model, Quantity, Robot, Source, meaning, wrong_targets};
-use etalon_base::message::{Message, Result};
+use super::{At, FaultKind, Faults, Key, Model, Quantity, Robot, meaning, wrong_targets};
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// Platform on six legs.
-pub(super) const MODEL: Model = Model::new::<Keys>(
-    "hexapod",
-    &[&["leg"], &["home_xyz_mm"], &["home_rpy_deg"]],
-    &["leg", "base_mm", "platform_mm", "length_mm", "home_xyz_mm", "home_rpy_deg"],
-);
+pub(super) const MODEL: Model = Model::new::<Keys>("hexapod");
 
 const LEGS: usize = 6;
 const ON_BASE: &str =
@@ -25,62 +19,69 @@ const ON_BASE: &str =
 const ON_PLATFORM: &str =
     meaning("Centre of the leg's joint on the platform, along the axis of the platform that the name ends with.");
 
-/// Keys of a hexapod in robot.toml.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+/// Description of a hexapod.
 struct Keys {
-    /// Legs of a hexapod, six.
-    #[serde(default, rename = "leg")]
     legs: Vec<LegKeys>,
-    /// Place of a hexapod's platform in the base at a pose inside its workspace. Six lengths leave up to 40 poses: the platform is in
-    /// the one that leads from here without a singularity (its assembly mode).
     home_xyz_mm: Vector,
-    /// Orientation of the platform there: rx, ry, rz of Rz Ry Rx.
-    #[serde(default)]
-    home_rpy_deg: Vector,
+    home_rpy_rad: Vector,
 }
 
-/// A leg of a hexapod.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+/// Description of a leg of a hexapod.
 struct LegKeys {
-    /// Centre of its joint on the base, in the base frame.
     base_mm: Vector,
-    /// Centre of its joint on the platform, in the frame of the platform.
     platform_mm: Vector,
-    /// Length of the leg, between these centres, at joint value zero.
-    #[serde(default)]
     length_mm: f64,
-    /// Smallest and largest joint value of the leg.
     limits_mm: Option<[f64; 2]>,
 }
 
+impl LegKeys {
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            base_mm: keys.required(Key::length("base", "Centre of its joint on the base, in the base frame.")),
+            platform_mm: keys.required(Key::length(
+                "platform",
+                "Centre of its joint on the platform, in the frame of the platform.",
+            )),
+            length_mm: keys.or(
+                Key::length("length", "Length of the leg, between these centres, at joint value zero.").essential(),
+                0.0,
+            ),
+            limits_mm: keys.optional(Key::length("limits", "Smallest and largest joint value of the leg.")),
+        }
+    }
+}
+
 impl Description for Keys {
-    fn states_geometry(&self) -> bool {
-        true
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            legs: keys.tables(Key::plain("leg", "Legs of a hexapod, six."), "A leg of a hexapod.", LegKeys::read),
+            home_xyz_mm: keys.required(Key::length(
+                "home_xyz",
+                "Place of a hexapod's platform in the base at a pose inside its workspace. Six lengths leave up to 40 poses: the platform is in\n\
+                 the one that leads from here without a singularity (its assembly mode).",
+            )),
+            home_rpy_rad: keys.or(
+                Key::angle("home_rpy", "Orientation of the platform there: rx, ry, rz of Rz Ry Rx.").essential(),
+                [0.0; 3],
+            ),
+        }
     }
 
-    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
-        let mut problems = wrong_targets(targets);
+    fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
+        let mut faults = wrong_targets(targets);
         if self.legs.len() != LEGS {
-            let message = Message::error(format!("a hexapod has six legs, the file states {}", self.legs.len()));
-            let place = source.place(&["leg"]);
-            problems.0.push(message.at(place).hint("add one [[leg]] with base_mm and platform_mm per leg"));
-            return Err(problems);
+            faults.add(At::Key("leg"), FaultKind::LegCount(self.legs.len()));
+            return Err(faults);
         }
-        let legs = Hexapod { home: Pose::from_xyz_rpy(self.home_xyz_mm, self.home_rpy_deg.map(f64::to_radians)) };
+        let legs = Hexapod { home: Pose::from_xyz_rpy(self.home_xyz_mm, self.home_rpy_rad) };
         let nominal: Vec<f64> =
             self.legs.iter().flat_map(|l| [&l.base_mm[..], &l.platform_mm, &[l.length_mm]].concat()).collect();
         let rods = LegValues { legs: &legs, parameters: &nominal }.rods(&[0.0; LEGS]);
         if lengthening(&rods, &legs.home).try_inverse().is_none_or(|m| m.amax() > SINGULAR) {
-            let message =
-                Message::error("the hexapod is singular at its home pose: six leg lengths do not hold it there");
-            let hint = "check `base_mm` and `platform_mm`, or state another home pose";
-            problems.0.push(message.at(source.place(&["home_xyz_mm"])).hint(hint));
+            faults.add(At::Key("home_xyz"), FaultKind::SingularHome);
         }
-        problems.check()?;
         let limits = self.legs.iter().map(|leg| leg.limits_mm).collect();
-        Ok(Box::new(Parallel::new(legs, &nominal, limits, targets)))
+        faults.or(Box::new(Parallel::new(legs, &nominal, limits, targets)) as _)
     }
 }
 

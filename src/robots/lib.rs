@@ -1,7 +1,7 @@
 //! Robots as functions of their parameters: direct and inverse kinematics, exact Jacobians.
 //!
 //! Each model is one file: its equations, written once and generic over the [`Scalar`], and
-//! its keys of robot.toml; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
+//! the [`Key`]s that describe a robot of it; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
 //! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
@@ -10,8 +10,10 @@ mod compensation;
 mod conventions;
 mod definition;
 mod delta;
+mod fault;
 mod five_bar;
 mod hexapod;
+mod keys;
 mod parallel;
 mod prexyt;
 mod serial;
@@ -20,22 +22,17 @@ mod urdf;
 pub use compensation::{Calibrated, Compensated};
 pub use conventions::SerialJoint;
 pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
+pub use fault::{At, Fault, FaultKind, Faults, JointFault, TreeFault};
 pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
+pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use prexyt::Prexyt;
 pub use serial::Serial;
 pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
 use etalon_base::expression::Formula;
-use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::Sketch;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::DeserializeOwned;
-use std::fmt::Debug;
-use std::sync::Arc;
-use toml::Spanned;
-use toml::de::{DeTable, Deserializer};
 
 /// All models.
 pub const MODELS: [&Model; 8] = [
@@ -48,61 +45,6 @@ pub const MODELS: [&Model; 8] = [
     &delta::ROTARY,
     &delta::LINEAR,
 ];
-
-/// Reads the keys of a table that are a model's own.
-pub type ReadKeys = fn(Spanned<DeTable<'_>>) -> std::result::Result<Arc<dyn Description>, toml::de::Error>;
-
-/// A kinematic model as robot.toml names it.
-#[derive(Debug)]
-pub struct Model {
-    /// Value of the key `model`.
-    pub name: &'static str,
-    /// The model's own keys, each by the keys that lead to it.
-    pub keys: &'static [&'static [&'static str]],
-    /// Keys of the top level that the robot needs, and keys of tables that end up there where the header of their table is missing.
-    pub essential: &'static [&'static str],
-    /// Reads the model's own keys.
-    pub read: ReadKeys,
-    /// JSON Schema of these keys.
-    pub schema: fn(&mut SchemaGenerator) -> Schema,
-}
-
-impl Model {
-    /// A model with the keys `K`.
-    const fn new<K: Description + DeserializeOwned + JsonSchema + 'static>(
-        name: &'static str,
-        keys: &'static [&'static [&'static str]],
-        essential: &'static [&'static str],
-    ) -> Self {
-        let read = |keys: Spanned<DeTable<'_>>| K::deserialize(Deserializer::from(keys)).map(|k| Arc::new(k) as _);
-        Self { name, keys, essential, read, schema: K::json_schema }
-    }
-}
-
-/// What the model's own keys of a robot.toml state.
-pub trait Description: Debug + Send + Sync {
-    /// Whether they state the geometry, so that `[nominal]` need not.
-    fn states_geometry(&self) -> bool {
-        false
-    }
-
-    /// The file that describes the robot, beside robot.toml, where there is one.
-    fn file(&self) -> Option<&str> {
-        None
-    }
-
-    /// The robot, with these targets where the model has none of its own.
-    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>>;
-}
-
-/// The file that states a robot.
-pub trait Source {
-    /// Where the value of a key is, by the keys that lead to it.
-    fn place(&self, path: &[&str]) -> Place;
-
-    /// Links and joints of the file that [`Description::file`] names.
-    fn tree(&self) -> Result<Tree>;
-}
 
 /// A robot whose targets are seen by a measuring system.
 pub trait Robot: Send + Sync {
@@ -232,9 +174,14 @@ pub trait Robot: Send + Sync {
         Vec::new()
     }
 
-    /// What a parameter describes, by its index; a zero of a joint is geometry here.
-    fn effect(&self, parameter: usize) -> Effect {
-        if self.parameters()[parameter].quantity == Quantity::Ratio { Effect::Gains } else { Effect::Geometry }
+    /// Origin of the base in the world, mm; the world's own for coordinates that the model does not have.
+    fn base_origin(&self, parameters: &[f64]) -> Vector {
+        let mut origin = [0.0; 3];
+        let base = self.parameters().iter().zip(parameters).filter(|(p, _)| p.role == Role::Base);
+        for (p, &value) in base.filter(|(p, _)| p.quantity == Quantity::Length) {
+            p.axis.into_iter().for_each(|axis| origin[axis] = value);
+        }
+        origin
     }
 
     /// Drawings of the model with its parameters, from its nominal geometry.
@@ -243,7 +190,7 @@ pub trait Robot: Send + Sync {
     }
 
     /// What to measure so that these parameters become separately identifiable, where a model has an answer.
-    fn remedy(&self, _names: &[&str]) -> Option<&'static str> {
+    fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
         None
     }
 
@@ -373,7 +320,7 @@ pub trait Kinematics: Robot {
 
     /// Of the ways that no limit forbids, the one that is nearest to the joint values `near`; an angle may have made turns. The error is
     /// what forbids the nearest.
-    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> std::result::Result<Vec<f64>, String> {
+    fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
 }
@@ -391,7 +338,7 @@ fn nearest<R: Robot + ?Sized>(
     parameters: &[f64],
     mut all: Vec<Vec<f64>>,
     near: &[f64],
-) -> std::result::Result<Vec<f64>, String> {
+) -> Result<Vec<f64>, String> {
     let distance = |q: &Vec<f64>| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
     all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let violation = |q: &Vec<f64>| robot.limit_violation(parameters, q);
@@ -413,20 +360,19 @@ fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]
 }
 
 /// What is wrong with the targets of a robot in space.
-fn wrong_targets(targets: &[String]) -> Problems {
-    let mut problems = Problems::default();
+fn wrong_targets(targets: &[String]) -> Faults {
+    let mut faults = Faults::default();
     if targets.is_empty() {
-        problems.0.push(
-            Message::error("a robot in space needs at least one target")
-                .hint("name them in `targets` of the campaign, or in a column `target` of the table"),
-        );
+        faults.add(At::Nowhere, FaultKind::NoTarget);
     }
     if targets.iter().any(|target| target == "base") {
-        let what = "no target can be called `base`: its parameters would be those of the robot's base";
-        problems.0.push(Message::error(what).hint("give the target another name in label or columns"));
+        faults.add(At::Nowhere, FaultKind::TargetCalledBase);
     }
-    problems
+    faults
 }
+
+/// Meaning of the table of limits, which several models have.
+const REACH: &str = "Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.";
 
 /// A pose that lies this near to the plane is in it, mm or without unit.
 const PLANAR: f64 = 1e-6;
@@ -505,6 +451,18 @@ pub trait RailTable: Platform {
 pub fn base_pose(parameters: &[f64]) -> Pose {
     let [x, y, z, rx, ry, rz] = std::array::from_fn(|i| parameters[i]);
     Pose { translation_mm: [x, y, z], ..Pose::from_rotation_vector([rx, ry, rz]) }
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Parameters that a robot with a [`FreeBase`] begins with.
+fn base_and_targets(targets: &[String]) -> Vec<Parameter> {
+    let of = |prefix: String, quantity, role| {
+        (0..3).map(move |axis| Parameter::free(format!("{prefix}{}", AXES[axis]), quantity, role, axis))
+    };
+    let base = [(Quantity::Length, "base_"), (Quantity::Angle, "base_r")];
+    let base = base.into_iter().flat_map(|(quantity, prefix)| of(prefix.to_owned(), quantity, Role::Base));
+    base.chain(targets.iter().flat_map(|target| of(format!("{target}_"), Quantity::Length, Role::Target))).collect()
 }
 
 /// A robot in space whose base and targets are found from the observations: its first six parameters are `base_x`,

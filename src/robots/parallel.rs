@@ -5,8 +5,8 @@
 //! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
 
 use super::{
-    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, base_pose, limit_violation, meaning,
-    pose_outputs,
+    Definition, FreeBase, Joint, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
+    limit_violation, meaning, pose_outputs,
 };
 use etalon_base::expression::{Formula, Recorded};
 use etalon_base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
@@ -19,7 +19,6 @@ use std::fmt::Debug;
 const MOST: usize = 10;
 /// Parameters of base, and of each target.
 const BASE: usize = 6;
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A leg at a joint value, in mm.
 #[derive(Clone, Copy, Debug)]
@@ -194,22 +193,13 @@ pub(super) struct Parallel<L> {
 impl<L: Legs> Parallel<L> {
     /// The robot, with the nominal parameters of its legs one after the other.
     pub fn new(legs: L, nominal: &[f64], limits: Vec<Option<[f64; 2]>>, targets: &[String]) -> Self {
-        let free = |name: String, quantity, role| Parameter {
-            tolerance: f64::INFINITY,
-            ..Parameter::new(name, quantity, role, 0.0)
-        };
-        let mut parameters = Vec::new();
-        for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
-            parameters.extend(AXES.map(|axis| free(format!("base_{turn}{axis}"), quantity, Role::Base)));
-        }
-        for target in targets {
-            parameters.extend(AXES.map(|axis| free(format!("{target}_{axis}"), Quantity::Length, Role::Target)));
-        }
+        let mut parameters = base_and_targets(targets);
         let numbered = |name: &str, leg: usize| name.replace('#', &(leg + 1).to_string());
         for (leg, nominal) in nominal.chunks_exact(L::PARAMETERS.len()).enumerate() {
             let own = L::PARAMETERS.iter().zip(nominal);
             parameters.extend(
-                own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning)),
+                own.map(|(p, &v)| Parameter::new(numbered(p.name, leg), p.quantity, Role::Robot, v).meaning(p.meaning))
+                    .map(|p| p.of_joint(leg)),
             );
         }
         let joint = |leg: usize| Joint { name: numbered(L::JOINT.name, leg), quantity: L::JOINT.quantity };

@@ -3,18 +3,16 @@
 //! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
 //! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
 
+use super::keys::{Description, Reader};
 use super::{
-    Definition, Description, Joint, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
-    Role, Source,
+    Definition, Faults, Joint, Key, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity, RailTable, Robot,
+    Role,
 };
-use super::{in_plane, in_space, meaning};
+use super::{REACH, in_plane, in_space, meaning};
 use etalon_base::expression::{Formula, Recorded};
-use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use etalon_base::scalar::{Dual, Scalar, constants, duals};
 use etalon_base::sketch::{Sketch, StrokeKind};
-use schemars::JsonSchema;
-use serde::Deserialize;
 use std::f64::consts::FRAC_PI_2;
 
 const PARAMETERS: usize = 16;
@@ -85,30 +83,29 @@ const COMMON: [(&str, Quantity, Role, f64, &str); 14] = [
 ];
 
 /// Thirteen parameters.
-pub(super) const REDUCED: Model = Model::new::<Keys<false>>("prexyt", &[&["reach", "travel_mm"]], &[]);
+pub(super) const REDUCED: Model = Model::new::<Table<false>>("prexyt");
 /// Fifteen parameters.
-pub(super) const FULL: Model = Model::new::<Keys<true>>("prexyt_full", &[&["reach", "travel_mm"]], &[]);
+pub(super) const FULL: Model = Model::new::<Table<true>>("prexyt_full");
 
-/// Keys of a PreXYT in robot.toml; `FULL` before the reduction of section 3.4.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct Keys<const FULL: bool> {
-    /// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
-    #[serde(default)]
-    reach: Travel,
+/// Description of a PreXYT, `FULL` before the reduction of section 3.4: travel of each actuator from zero, mm.
+struct Table<const FULL: bool>(Option<[f64; 3]>);
+
+/// Reads how far each actuator goes from zero, mm.
+pub(super) fn travel_mm(keys: &mut Reader) -> Option<[f64; 3]> {
+    keys.table(Key::plain("reach", REACH), |keys| {
+        keys.optional(Key::length("travel", "Travel of each actuator from zero."))
+    })
 }
 
-/// Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Travel {
-    /// Travel of each actuator from zero.
-    pub travel_mm: Option<[f64; 3]>,
-}
+impl<const FULL: bool> Description for Table<FULL> {
+    const STATES_GEOMETRY: bool = false;
 
-impl<const FULL: bool> Description for Keys<FULL> {
-    fn build(&self, _targets: &[String], _source: &dyn Source) -> Result<Box<dyn Robot>> {
-        Ok(Box::new(Prexyt { travel_mm: self.reach.travel_mm, ..Prexyt::new(FULL) }))
+    fn read(keys: &mut Reader) -> Self {
+        Self(travel_mm(keys))
+    }
+
+    fn build(&self, _targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
+        Ok(Box::new(Prexyt { travel_mm: self.0, ..Prexyt::new(FULL) }))
     }
 }
 
@@ -135,6 +132,7 @@ impl Prexyt {
                 Parameter::new(name, quantity, role, nominal).meaning(meaning)
             })
             .collect();
+        (parameters[8].axis, parameters[9].axis) = (Some(0), Some(1));
         if full {
             parameters[5].name = "d1".into();
             parameters[10].name = "delta1".into();
@@ -323,9 +321,9 @@ impl Robot for Prexyt {
     fn rail_table(&self) -> Option<&dyn RailTable> {
         Some(self)
     }
-    fn remedy(&self, names: &[&str]) -> Option<&'static str> {
-        // d and x_c act along x and x': only different |theta| separate them
-        (names.contains(&"x_c") && (names.contains(&"d") || names.contains(&"d1")))
+    fn remedy(&self, parameters: &[usize]) -> Option<&'static str> {
+        // d (or d1) and x_c act along x and x': only different |theta| separate them
+        (parameters.contains(&6) && parameters.contains(&5))
             .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
     }
 }

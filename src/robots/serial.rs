@@ -4,8 +4,8 @@
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Loads, Parameter, Parametrised, Quantity,
-    Robot, Role, State, base_pose, meaning, pose_outputs,
+    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, Kinematics, Loads, Parameter, Parametrised,
+    Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
 };
 use super::{limit_violation, nearest};
 use etalon_base::expression::{Formula, Recorded, derivatives};
@@ -38,7 +38,7 @@ pub(super) struct Drive {
     pub prismatic: bool,
 }
 
-/// The joints that `bending`, `coupling`, `harmonics` and `backlash` name, and the direction of `gravity`.
+/// Non-geometric effects of joints, by their indices, and the direction of gravity in the base.
 #[derive(Debug, Default)]
 pub(super) struct Effects {
     pub gravity: Vector,
@@ -61,6 +61,8 @@ struct Axis {
     /// From the frame of the joint to that frame.
     aligned: Pose,
     body: Body,
+    /// Parameter of its gain.
+    gain: Option<usize>,
 }
 
 /// What bends a joint.
@@ -72,8 +74,6 @@ enum Load {
     /// arm is stretched out level.
     Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
 }
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 const GAIN: &str = meaning("Gain of the joint: by how much it moves for each unit of its logged value; 1 as drawn.");
 const BENDING: &str = meaning(
@@ -121,7 +121,7 @@ impl ArmBuilder {
     /// A chain that begins with its base and carries these targets.
     pub fn new(targets: &[String]) -> Self {
         let mut arm = Self {
-            parameters: Vec::new(),
+            parameters: base_and_targets(targets),
             elements: Vec::new(),
             axes: Vec::new(),
             loads: Vec::new(),
@@ -130,16 +130,6 @@ impl ArmBuilder {
             moved: Vec::new(),
             approached: Vec::new(),
         };
-        for (quantity, turn) in [(Quantity::Length, ""), (Quantity::Angle, "r")] {
-            for axis in AXES {
-                arm.free(format!("base_{turn}{axis}"), quantity, Role::Base);
-            }
-        }
-        for target in targets {
-            for axis in AXES {
-                arm.free(format!("{target}_{axis}"), Quantity::Length, Role::Target);
-            }
-        }
         for axis in 0..3 {
             arm.push(Motion::Shift(axis), 0.0, &[axis]);
         }
@@ -148,15 +138,22 @@ impl ArmBuilder {
         arm
     }
 
-    /// Adds a parameter of base or targets.
-    fn free(&mut self, name: String, quantity: Quantity, role: Role) {
-        self.parameters.push(Parameter { tolerance: f64::INFINITY, ..Parameter::new(name, quantity, role, 0.0) });
+    /// Adds a parameter and gives its index.
+    pub fn add(&mut self, parameter: Parameter) -> usize {
+        self.parameters.push(parameter);
+        self.parameters.len() - 1
     }
 
-    /// Adds a parameter of the robot with its meaning, and gives its index.
-    pub fn parameter(&mut self, name: String, quantity: Quantity, nominal: f64, meaning: &'static str) -> usize {
-        self.parameters.push(Parameter::new(name, quantity, Role::Robot, nominal).meaning(meaning));
-        self.parameters.len() - 1
+    /// Adds a parameter of an effect that is zero without error.
+    fn error(&mut self, name: String, quantity: Quantity, effect: Effect, joint: usize, by: Option<usize>) -> usize {
+        let meaning = match effect {
+            Effect::Harmonics => HARMONIC,
+            Effect::Backlash => BACKLASH,
+            Effect::Coupling => COUPLING,
+            _ => BENDING,
+        };
+        let own = Parameter::new(name, quantity, Role::Robot, 0.0);
+        self.add(Parameter { effect, joint: Some(joint), by, meaning, ..own })
     }
 
     /// Adds a motion by `constant` + Σ parameters.
@@ -192,6 +189,7 @@ impl ArmBuilder {
             frame: element + 1,
             aligned: Pose::identity(),
             body: Body::default(),
+            gain: None,
         });
         self.moved.push(Vec::new());
     }
@@ -220,7 +218,9 @@ impl ArmBuilder {
     pub fn gains(&mut self) {
         for k in 0..self.axes.len() {
             let Drive { ref label, joint, factor, offset, .. } = self.axes[k].drive;
-            let parameter = self.parameter(format!("gain_{label}"), Quantity::Ratio, 1.0, GAIN);
+            let gain = Parameter::new(format!("gain_{label}"), Quantity::Ratio, Role::Robot, 1.0);
+            let parameter = self.add(gain.meaning(GAIN).of_joint(joint));
+            self.axes[k].gain = Some(parameter);
             self.moved[k].push(Term { parameter, coefficient: Coefficient::Joint { joint, factor, offset } });
         }
     }
@@ -232,7 +232,8 @@ impl ArmBuilder {
             for (order, name, sine) in
                 [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)]
             {
-                let parameter = self.parameter(format!("harmonic_{label}_{name}"), Quantity::Angle, 0.0, HARMONIC);
+                let name = format!("harmonic_{label}_{name}");
+                let parameter = self.error(name, Quantity::Angle, Effect::Harmonics, joint, None);
                 let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
                 self.moved[k].push(Term { parameter, coefficient });
             }
@@ -247,7 +248,7 @@ impl ArmBuilder {
             let at = joints + known.unwrap_or(self.approached.len());
             self.approached.extend(known.is_none().then_some(joint));
             let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
-            let parameter = self.parameter(format!("backlash_{label}"), quantity, 0.0, BACKLASH);
+            let parameter = self.error(format!("backlash_{label}"), quantity, Effect::Backlash, joint, None);
             let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
             self.moved[k].push(Term { parameter, coefficient });
         }
@@ -258,7 +259,8 @@ impl ArmBuilder {
         for &axis in bending {
             for &link in bending.iter().filter(|&&link| link >= axis) {
                 let name = format!("compliance_{}_{}", self.axes[axis].drive.label, self.axes[link].drive.label);
-                let term = self.load(name, Load::Link { axis, link });
+                let by = self.axes[link].drive.joint;
+                let term = self.load(name, Load::Link { axis, link }, axis, Some(by));
                 self.moved[axis].push(term);
             }
         }
@@ -277,19 +279,22 @@ impl ArmBuilder {
         let largest_kg_mm = (axis..self.axes.len()).map(|k| self.axes[k].body.mass_kg * stretched(k)).sum();
         if !prismatic {
             let about = self.axes[axis].aligned.axis(2);
-            let term = self.load(format!("compliance_{label}"), Load::Moment { axis, about, largest_kg_mm });
+            let load = Load::Moment { axis, about, largest_kg_mm };
+            let term = self.load(format!("compliance_{label}"), load, axis, None);
             return self.moved[axis].push(term);
         }
         for error in errors {
             let Motion::Turn(k) = error.motion else { continue };
             let name = format!("compliance_{label}_r{}", AXES[k]);
-            let term = self.load(name, Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm });
+            let load = Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm };
+            let term = self.load(name, load, axis, None);
             self.elements[error.element].terms.push(term);
         }
     }
 
-    fn load(&mut self, name: String, load: Load) -> Term {
-        let parameter = self.parameter(name, Quantity::Angle, 0.0, BENDING);
+    fn load(&mut self, name: String, load: Load, axis: usize, by: Option<usize>) -> Term {
+        let joint = self.axes[axis].drive.joint;
+        let parameter = self.error(name, Quantity::Angle, Effect::Bending, joint, by);
         self.loads.push(load);
         Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
     }
@@ -298,8 +303,8 @@ impl ArmBuilder {
     pub fn coupling(&mut self, pairs: &[(usize, usize)]) {
         for &(axis, by) in pairs {
             let name = format!("coupling_{}_{}", self.axes[axis].drive.label, self.axes[by].drive.label);
-            let parameter = self.parameter(name, Quantity::Ratio, 0.0, COUPLING);
-            let joint = self.axes[by].drive.joint;
+            let [moved, joint] = [axis, by].map(|k| self.axes[k].drive.joint);
+            let parameter = self.error(name, Quantity::Ratio, Effect::Coupling, moved, Some(joint));
             let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
             let moved = &mut self.moved[axis];
             let before = moved.iter().take_while(|t| !matches!(t.coefficient, Coefficient::Load(_))).count();
@@ -320,8 +325,8 @@ impl ArmBuilder {
         for (turn, quantity) in [(false, Quantity::Length), (true, Quantity::Angle)] {
             for &k in across.iter().filter(|_| turn || !drive.prismatic) {
                 let name = format!("{}_{}{}", drive.name, if turn { "r" } else { "" }, AXES[k]);
-                let parameter =
-                    (!follows).then(|| self.parameter(name, quantity, 0.0, if turn { TILT } else { ASIDE }));
+                let error = Parameter::new(name, quantity, Role::Robot, 0.0).of_joint(drive.joint);
+                let parameter = (!follows).then(|| self.add(error.meaning(if turn { TILT } else { ASIDE })));
                 let motion = if turn { Motion::Turn(k) } else { Motion::Shift(k) };
                 self.push(motion, 0.0, parameter.as_slice());
                 errors.push(SmallError { motion, parameter, element: self.elements.len() - 1 });
@@ -370,6 +375,7 @@ impl ArmBuilder {
             approached: self.approached,
             gravity,
             of_base: Vec::new(),
+            link: None,
             other: None,
         }
     }
@@ -389,7 +395,7 @@ fn z_to(direction: Vector) -> Pose {
 }
 
 /// A link between two joints with its Denavit-Hartenberg parameters, of sizes that show them all.
-fn drawn_link(modified: bool, parallel: bool) -> Sketch {
+pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
     const TWIST: f64 = 0.9;
     const OFFSET: f64 = 0.7;
     let (a, d, arc) = (160.0, 90.0, 45.0);
@@ -458,6 +464,8 @@ pub struct Serial {
     limits: Vec<Option<[f64; 2]>>,
     /// Joints that move the base.
     of_base: Vec<String>,
+    /// Drawing of a link with its Denavit-Hartenberg parameters.
+    link: Option<Sketch>,
     /// What the same numbers are in another convention.
     other: Option<(String, Box<Self>)>,
 }
@@ -471,6 +479,11 @@ impl Serial {
     /// The same on a base that these joints move.
     pub(super) fn on_moving_base(self, of_base: Vec<String>) -> Self {
         Self { of_base, ..self }
+    }
+
+    /// The same with a drawing of one of its links.
+    pub(super) fn with_link(self, link: Sketch) -> Self {
+        Self { link: Some(link), ..self }
     }
 
     /// The same, with what its numbers are in another convention.
@@ -629,12 +642,7 @@ impl Robot for Serial {
     }
     fn sketches(&self) -> Vec<Sketch> {
         let mut all = vec![self.drawn()];
-        if self.index("alpha_1").is_some() {
-            // a link begins with its twist in modified parameters
-            let modified = matches!(self.elements[self.based].motion, Motion::Turn(0));
-            let parallel = self.parameters().iter().any(|p| p.name.starts_with("beta_"));
-            all.push(drawn_link(modified, parallel));
-        }
+        all.extend(self.link.clone());
         all
     }
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
@@ -683,19 +691,6 @@ impl Robot for Serial {
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<String> {
         limit_violation(self.joints(), &self.limits, joints)
     }
-    fn effect(&self, parameter: usize) -> Effect {
-        let mut terms = self.elements.iter().flat_map(|e| &e.terms);
-        let p = &self.parameters()[parameter];
-        match (terms.find(|t| t.parameter == parameter).map(|t| t.coefficient), p.quantity) {
-            (Some(Coefficient::Load(_)), _) => Effect::Bending,
-            (Some(Coefficient::Harmonic { .. }), _) => Effect::Harmonics,
-            (Some(Coefficient::Approach { .. }), _) => Effect::Backlash,
-            // a gain is 1 without error, a coupling 0
-            (_, Quantity::Ratio) if p.nominal == 0.0 => Effect::Coupling,
-            (_, Quantity::Ratio) => Effect::Gains,
-            _ => Effect::Geometry,
-        }
-    }
     fn free_base(&self) -> Option<&dyn FreeBase> {
         Some(self)
     }
@@ -706,10 +701,7 @@ impl Robot for Serial {
         let zero = vec![0.0; self.joints().len()];
         let (mut frames, flange) = self.frames(parameters, State { joints: &zero, loads: &[] });
         frames.insert(0, Pose::identity());
-        let gain = |axis: &Axis| {
-            let gain = self.index(&format!("gain_{}", axis.drive.label)).map_or(1.0, |i| parameters[i]);
-            gain * axis.drive.factor
-        };
+        let gain = |axis: &Axis| axis.gain.map_or(1.0, |i| parameters[i]) * axis.drive.factor;
         let joint = |(axis, pair): (&Axis, &[Pose])| ChainJoint {
             origin: pair[0].inverse().then(&pair[1]),
             prismatic: axis.drive.prismatic,

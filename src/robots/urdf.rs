@@ -3,29 +3,15 @@
 //! Each moving joint of the chain has small errors before it, in the frame of its origin: two rotations, and two translations where it
 //! turns. They are complete and minimal whatever the axes are, so that parallel axes need no parameters of their own.
 
-use super::conventions::{JointRef, down};
-use super::serial::{ArmBuilder, Body, Drive, Effects};
-use super::{Description, Joint, Model, Quantity, Robot, Source, wrong_targets};
-use etalon_base::message::{Message, Place, Problems, Result};
+use super::conventions::EffectKeys;
+use super::keys::{Description, Reader};
+use super::serial::{ArmBuilder, Body, Drive};
+use super::{At, Fault, FaultKind, Faults, Joint, Key, Model, Quantity, Robot, TreeFault, wrong_targets};
 use etalon_base::pose::{Pose, Vector, cross, norm, unit};
-use schemars::JsonSchema;
-use serde::Deserialize;
+use std::sync::Arc;
 
-/// Robot of a URDF file.
-pub(super) const MODEL: Model = Model::new::<Keys>(
-    "urdf",
-    &[
-        &["file"],
-        &["base_link"],
-        &["tool_link"],
-        &["gravity"],
-        &["bending"],
-        &["coupling"],
-        &["harmonics"],
-        &["backlash"],
-    ],
-    &["file", "base_link", "tool_link"],
-);
+/// Robot of a tree of links and joints.
+pub(super) const MODEL: Model = Model::new::<Keys>("urdf");
 
 /// Origins further from each other than this are not in metres, mm.
 const FURTHEST_MM: f64 = 20_000.0;
@@ -33,32 +19,12 @@ const FURTHEST_MM: f64 = 20_000.0;
 /// Sine of the angle below which two axes are parallel as drawn.
 const PARALLEL: f64 = 1e-6;
 
-/// Keys of a robot that a URDF file describes.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+/// Description of a robot that is a chain of a tree.
 struct Keys {
-    /// URDF file of the robot, beside this one.
-    file: String,
-    /// Link of the URDF that is the base: one that does not move, or, where nothing is measured from outside, the flange of another arm
-    /// or a part on a positioner.
+    tree: Arc<Tree>,
     base_link: String,
-    /// Link of the URDF that carries the targets: their coordinates are in its frame.
     tool_link: String,
-    /// Direction of gravity in the base of an arm.
-    #[serde(default = "down")]
-    gravity: Vector,
-    /// Joints of an arm that bend under gravity: their numbers, from 1, or names.
-    #[serde(default)]
-    bending: Vec<JointRef>,
-    /// Coupled joints of an arm: pairs of a joint and the joint that moves it, by their numbers, from 1, or names.
-    #[serde(default)]
-    coupling: Vec<(JointRef, JointRef)>,
-    /// Joints of an arm whose transmission deviates once and twice a turn: their numbers, from 1, or names.
-    #[serde(default)]
-    harmonics: Vec<JointRef>,
-    /// Joints of an arm with backlash: their numbers, from 1, or names. The direction from which each came is needed: `NAME_direction`.
-    #[serde(default)]
-    backlash: Vec<JointRef>,
+    effects: EffectKeys,
 }
 
 /// Links and joints of a URDF, in mm and rad.
@@ -86,8 +52,6 @@ pub struct Link {
 pub struct TreeJoint {
     /// Its name.
     pub name: String,
-    /// Where the file states it.
-    pub place: Place,
     /// `fixed`, `revolute`, `continuous`, `prismatic` or another.
     pub kind: String,
     /// Link that carries it.
@@ -125,28 +89,25 @@ impl TreeJoint {
         if self.kind == "prismatic" { 1000.0 } else { 1.0 }
     }
 
-    fn error(&self, what: impl Into<String>) -> Message {
-        Message::error(what).at(self.place.clone())
+    fn fault(&self, fault: TreeFault) -> Fault {
+        Fault::tree(At::TreeJoint(self.name.clone()), fault)
     }
 
     /// What no joint of a chain can have.
-    fn check(&self) -> Problems {
-        let mut problems = Problems::default();
-        let name = &self.name;
+    fn faults(&self) -> Vec<Fault> {
+        let joint = self.name.clone();
+        let mut faults = Vec::new();
         if !["fixed", "revolute", "continuous", "prismatic"].contains(&self.kind.as_str()) {
-            let message = self.error(format!("joint `{name}` is {}, which is not a joint of a chain", self.kind));
-            problems.0.push(message.expected("fixed, revolute, continuous or prismatic"));
+            faults.push(self.fault(TreeFault::Kind { joint: joint.clone(), kind: self.kind.clone() }));
         }
         if self.kind != "fixed" && unit(self.axis).is_none() {
-            let message = self.error(format!("the axis of joint `{name}` has no direction"));
-            problems.0.push(message.expected("<axis xyz=\"0 0 1\"/> or another direction"));
+            faults.push(self.fault(TreeFault::NoDirection(joint.clone())));
         }
         let away_mm = norm(self.origin.translation_mm);
         if away_mm > FURTHEST_MM {
-            let what = format!("the origin of joint `{name}` is {:.0} m from its parent", away_mm / 1000.0);
-            problems.0.push(self.error(what).hint("lengths of a URDF are metres: divide those of this file by 1000"));
+            faults.push(self.fault(TreeFault::FarOrigin { joint, away_mm }));
         }
-        problems
+        faults
     }
 }
 
@@ -170,13 +131,12 @@ pub struct LongestChain {
 
 impl Tree {
     /// The chain with the most moving joints, the first of the file where several have as many.
-    pub fn longest_chain(&self, file: &str) -> Result<LongestChain> {
-        let place = &|_: &[&str]| Place::file(file);
+    pub fn longest_chain(&self) -> Result<LongestChain, Faults> {
         let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
         let mut longest: Option<(usize, LongestChain)> = None;
         for leaf in self.links.iter().filter(|link| !is_parent(link)) {
             let base = self.upward(&leaf.name)?.last().map_or(leaf.name.as_str(), |joint| joint.parent.as_str());
-            let chain = self.chain(file, [base, &leaf.name], place)?;
+            let chain = self.chain([base, &leaf.name])?;
             let mut joints: Vec<Joint> = Vec::new();
             let moving = chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
             for joint in moving.clone() {
@@ -195,8 +155,8 @@ impl Tree {
             // no link ends a chain
             self.links.iter().try_for_each(|link| self.upward(&link.name).map(drop))?;
         }
-        let none = || Message::error("no joint of the file moves").at(Place::file(file));
-        Ok(longest.filter(|(count, _)| *count > 0).ok_or_else(none)?.1)
+        let moving = longest.filter(|(count, _)| *count > 0);
+        Ok(moving.ok_or_else(|| Fault::tree(At::Tree, TreeFault::NoMovingJoint))?.1)
     }
 
     fn joint(&self, name: &str) -> Option<&TreeJoint> {
@@ -204,25 +164,24 @@ impl Tree {
     }
 
     /// The joint that moves a link; an error where there are two.
-    fn above(&self, link: &str) -> Result<Option<&TreeJoint>> {
+    fn above(&self, link: &str) -> Result<Option<&TreeJoint>, Faults> {
         let mut all = self.joints.iter().filter(|joint| joint.child == link);
         let first = all.next();
         match (first, all.next()) {
             (Some(first), Some(second)) => {
-                let what = format!("link `{link}` has two parents: `{}` and `{}`", first.parent, second.parent);
-                Err(second.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into())
+                let parents = [first, second].map(|joint| joint.parent.clone());
+                Err(second.fault(TreeFault::TwoParents { link: link.to_owned(), parents }).into())
             }
             _ => Ok(first),
         }
     }
 
     /// Joints from a link to the root of the tree.
-    fn upward<'a>(&'a self, mut link: &'a str) -> Result<Vec<&'a TreeJoint>> {
+    fn upward<'a>(&'a self, mut link: &'a str) -> Result<Vec<&'a TreeJoint>, Faults> {
         let mut chain = Vec::new();
         while let Some(joint) = self.above(link)? {
             if chain.len() > self.joints.len() {
-                let what = format!("the joints from `{}` on form a loop", joint.child);
-                return Err(joint.error(what).hint("a URDF is a tree: loops are closed by `mimic`").into());
+                return Err(joint.fault(TreeFault::Loop(joint.child.clone())).into());
             }
             chain.push(joint);
             link = &joint.parent;
@@ -230,14 +189,14 @@ impl Tree {
         Ok(chain)
     }
 
-    /// Joints of a file from one link to another, by way of the link that carries both: up from a link that moves itself, the flange of
+    /// Joints from one link to another, by way of the link that carries both: up from a link that moves itself, the flange of
     /// another arm or the table of a positioner, and down to the other.
-    fn chain<'a>(&'a self, file: &str, ends: [&'a str; 2], place: &dyn Fn(&[&str]) -> Place) -> Result<Vec<Step<'a>>> {
+    fn chain<'a>(&'a self, ends: [&'a str; 2]) -> Result<Vec<Step<'a>>, Faults> {
         let [base_link, tool_link] = ends;
         for (key, link) in [("base_link", base_link), ("tool_link", tool_link)] {
             if self.links.iter().all(|l| l.name != *link) {
-                let message = Message::error(format!("`{file}` has no link `{link}`")).at(place(&[key]));
-                return Err(message.hint_names(link, self.links.iter().map(|l| l.name.as_str())).into());
+                let links = self.links.iter().map(|l| l.name.clone()).collect();
+                return Err(Fault::tree(At::Key(key), TreeFault::NoLink { link: link.to_owned(), links }).into());
             }
         }
         let (mut up, mut down) = (self.upward(base_link)?, self.upward(tool_link)?);
@@ -250,32 +209,31 @@ impl Tree {
             down.pop();
         }
         if carries_base != carries_tool || (down.is_empty() && !up.is_empty()) {
-            let what = format!("no joints lead from `{base_link}` to `{tool_link}`");
-            let message = Message::error(what).at(place(&["tool_link"]));
-            return Err(message.hint(format!("no joint carries `{carries_tool}`")).into());
+            let (from, to) = (base_link.to_owned(), tool_link.to_owned());
+            let fault = TreeFault::NoPath { from, to, root: carries_tool };
+            return Err(Fault::tree(At::Key("tool_link"), fault).into());
         }
         let upward = up.into_iter().map(|joint| Step { joint, upward: true });
         let chain: Vec<Step> =
             upward.chain(down.into_iter().rev().map(|joint| Step { joint, upward: false })).collect();
-        let mut problems = Problems::default();
-        chain.iter().for_each(|step| problems.0.extend(step.joint.check().0));
-        problems.check().map(|_| chain)
+        Faults(chain.iter().flat_map(|step| step.joint.faults()).collect()).or(chain)
     }
 
     /// The joint whose value a joint has, and by which factor and offset (mm, rad).
-    fn driven_by<'a>(&'a self, joint: &'a TreeJoint) -> Result<(&'a TreeJoint, f64, f64)> {
+    fn driven_by<'a>(&'a self, joint: &'a TreeJoint) -> Result<(&'a TreeJoint, f64, f64), Faults> {
         let (mut at, mut factor, mut offset) = (joint, 1.0, 0.0);
         for _ in 0..=self.joints.len() {
             let Some(mimic) = &at.mimic else { return Ok((at, factor, offset)) };
             let other = self.joint(&mimic.joint).ok_or_else(|| {
-                let what = format!("joint `{}` mimics `{}`, which the file does not have", at.name, mimic.joint);
-                at.error(what).hint_names(&mimic.joint, self.joints.iter().map(|j| j.name.as_str()))
+                let joints = self.joints.iter().map(|j| j.name.clone()).collect();
+                let (joint, mimics) = (at.name.clone(), mimic.joint.clone());
+                at.fault(TreeFault::MimicsUnknown { joint, mimics, joints })
             })?;
             offset += factor * mimic.offset * at.scale();
             factor *= mimic.multiplier * at.scale() / other.scale();
             at = other;
         }
-        Err(joint.error(format!("joint `{}` mimics itself", joint.name)).hint("name another joint in <mimic>").into())
+        Err(joint.fault(TreeFault::MimicsItself(joint.name.clone())).into())
     }
 
     /// What a link carries with fixed joints, itself included: mass and centre in the frame of the link.
@@ -308,40 +266,40 @@ fn of_base(chain: &[Step]) -> Vec<String> {
 }
 
 impl Description for Keys {
-    fn states_geometry(&self) -> bool {
-        true
+    fn read(keys: &mut Reader) -> Self {
+        Self {
+            tree: keys.required(Key::plain("file", "URDF file of the robot, beside this one.")),
+            base_link: keys.required(Key::plain(
+                "base_link",
+                "Link of the URDF that is the base: one that does not move, or, where nothing is measured from outside, the flange of another arm\n\
+                 or a part on a positioner.",
+            )),
+            tool_link: keys.required(Key::plain(
+                "tool_link",
+                "Link of the URDF that carries the targets: their coordinates are in its frame.",
+            )),
+            effects: EffectKeys::read(keys),
+        }
     }
 
-    fn file(&self) -> Option<&str> {
-        Some(&self.file)
-    }
-
-    fn build(&self, targets: &[String], source: &dyn Source) -> Result<Box<dyn Robot>> {
-        let place = &|path: &[&str]| source.place(path);
-        let tree = source.tree()?;
-        let chain = tree.chain(&self.file, [&self.base_link, &self.tool_link], place)?;
-        let mut problems = wrong_targets(targets);
+    fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
+        let tree = &self.tree;
+        let chain = tree.chain([&self.base_link, &self.tool_link])?;
+        let mut faults = wrong_targets(targets);
         let moving = || chain.iter().map(|step| step.joint).filter(|joint| joint.kind != "fixed");
         let axes: Vec<Joint> =
             moving().map(|joint| Joint { name: joint.name.clone(), quantity: joint.quantity() }).collect();
         if axes.is_empty() {
-            let what = format!("no joint moves between `{}` and `{}`", self.base_link, self.tool_link);
-            problems.0.push(Message::error(what).at(place(&["tool_link"])));
+            let (from, to) = (self.base_link.clone(), self.tool_link.clone());
+            faults.add(At::Key("tool_link"), FaultKind::Tree(TreeFault::NothingMoves { from, to }));
         }
-        let effects = problems.keep(Effects::new(
-            self.gravity,
-            [&self.bending, &self.harmonics, &self.backlash],
-            &self.coupling,
-            &axes,
-            place,
-        ));
+        let effects = faults.keep(self.effects.among(&axes));
         let of_base = of_base(&chain);
-        if !self.bending.is_empty() && !of_base.is_empty() {
-            let what = format!("`bending` needs a fixed direction of gravity, and joints move `{}`", self.base_link);
-            let message = Message::error(what).at(place(&["bending"]));
-            problems.0.push(message.hint("remove it, or let `base_link` be a link that does not move"));
+        if !self.effects.bending.is_empty() && !of_base.is_empty() {
+            let fault = TreeFault::BendsOnMovingBase(self.base_link.clone());
+            faults.add(At::Key("bending"), FaultKind::Tree(fault));
         }
-        let Some(effects) = effects.filter(|_| problems.0.is_empty()) else { return Err(problems) };
+        let Some(effects) = effects.filter(|_| faults.0.is_empty()) else { return Err(faults) };
         let mut arm = ArmBuilder::new(targets);
         let (mut joints, mut limits): (Vec<Joint>, Vec<Option<[f64; 2]>>) = Default::default();
         let mut errors = Vec::new();
@@ -387,17 +345,15 @@ impl Description for Keys {
         arm.backlash(&effects.backlash, joints.len());
         for &k in &effects.bending {
             if !arm.is_loaded(k) {
-                let what = format!("no mass is stated beyond joint `{}`: nothing bends it", axes[k].name);
-                problems.0.push(Message::error(what).at(place(&["bending"])).hint("add <inertial> to its links"));
+                faults.add(At::Key("bending"), FaultKind::Tree(TreeFault::NoMass(axes[k].name.clone())));
             }
             arm.bending_by_masses(k, &errors[k]);
         }
         arm.coupling(&effects.coupling);
         if let Some(name) = arm.doubled() {
-            let message = Message::error(format!("two parameters would be called `{name}`"));
-            problems.0.push(message.hint("no target can bear the name of a joint: rename the target"));
+            faults.add(At::Nowhere, FaultKind::Tree(TreeFault::DoubledName(name.to_owned())));
         }
-        problems.check()?;
+        faults.or(())?;
         Ok(Box::new(arm.build("urdf", joints, effects.gravity).with_limits(limits).on_moving_base(of_base)))
     }
 }

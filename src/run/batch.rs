@@ -8,12 +8,12 @@ use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
 use etalon_base::folder::{self, Durability};
 use etalon_base::message::{Message, Problems, Result};
-use etalon_base::table::RowGroups;
 use etalon_campaign::Campaign;
 use etalon_documents::{
     AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
     ParametersDocument,
 };
+use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io::Write;
@@ -213,7 +213,7 @@ fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
         number("limit", |row| row.limit),
         Column::new("met".into(), all().map(|(_, row)| row.met).collect::<Vec<_>>()),
     ];
-    Ok(DataFrame::new(all().count(), columns)?)
+    frame(all().count(), columns)
 }
 
 /// The campaigns that arguments name: folders, their `campaign.toml`, and lists of them, one a line, `#` before a remark.

@@ -91,8 +91,7 @@ pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
                     found.gathered.document.messages.extend(warnings);
                     found.gathered.document.messages.extend(joined.messages);
                     let first = joined.observations.first();
-                    let first = first.and_then(|(_, table)| kinds::poses(table).ok());
-                    poses = first.unwrap_or_default();
+                    poses = first.and_then(|(_, first)| first.poses().ok()).unwrap_or_default();
                 }
             }
         }

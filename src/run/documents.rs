@@ -1,15 +1,16 @@
 //! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
 
 use crate::stages::evaluate;
+use etalon_base::files;
 use etalon_base::folder::{self, Durability};
 use etalon_base::message::{Message, Place, Result};
-use etalon_base::{files, table};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
     ImportDocument, ManifestDocument, ParametersDocument, PointError,
 };
+use etalon_formats::table;
 use etalon_report::Report;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;

@@ -8,9 +8,9 @@ use crate::stages::join::Joined;
 use etalon_base::files;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Message, Result};
-use etalon_base::table;
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
+use etalon_formats::table;
 use polars::prelude::DataFrame;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -69,10 +69,11 @@ impl Output {
 
     /// Adds the observations of each log, as Parquet and as CSV.
     pub fn observations(&mut self, campaign: &Campaign, joined: Option<Joined>) -> Result<()> {
-        for (name, mut observations) in joined.into_iter().flat_map(|joined| joined.observations) {
+        for (name, observations) in joined.into_iter().flat_map(|joined| joined.observations) {
             let stem = Self::numbered("observations", &name, campaign);
-            self.table(&stem, &mut observations)?;
-            let bytes = table::to_csv(&observations)?;
+            let mut table = observations.into_table()?;
+            self.table(&stem, &mut table)?;
+            let bytes = table::to_csv(&table)?;
             self.bytes(&format!("{stem}.csv"), bytes);
         }
         Ok(())

@@ -2,11 +2,11 @@
 
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems};
-use etalon_base::table::LABEL;
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
 use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::Role;
+use etalon_formats::table::LABEL;
 use etalon_robots::Quantity;
 use std::path::{Path, PathBuf};
 use toml::Spanned;

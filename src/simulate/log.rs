@@ -4,8 +4,8 @@ use super::Scene;
 use crate::stages::gather;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
-use etalon_base::table::ASSEMBLY;
 use etalon_campaign::JoinBy;
+use etalon_formats::table::ASSEMBLY;
 use etalon_formats::{JointLog, Log, LogRow};
 
 /// Stream of the noise of the contact: no file has it.

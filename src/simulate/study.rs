@@ -1,6 +1,7 @@
 //! Studies: how near parameters and tool of a robot with a known truth come to it, by what is measured (thesis 3.7 and 4.6).
 
 use super::truth::{Circle, stated_joints, true_values};
+use crate::stages::candidates::configurations;
 use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
 use etalon_base::files;
@@ -10,7 +11,6 @@ use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::parse;
 use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
-use etalon_identify::plan::candidates;
 use etalon_identify::{Observation, Settings, identify_from};
 use etalon_math::statistics::rms;
 use etalon_robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
@@ -285,7 +285,7 @@ impl Places {
         let nominal = robot.nominal();
         if let Some(file) = &self.file {
             let table = TableFile::read(&folder.join(file))?;
-            let found = candidates::configurations(robot, &table.table).map_err(|problems| table.place(problems))?;
+            let found = configurations(robot, &table.table).map_err(|problems| table.place(problems))?;
             all.extend(found.observations.into_iter().map(|o| (o.pose, o.joints)));
         }
         let mut next = all.len() as i64;

@@ -1,15 +1,16 @@
 //! Errors before and after: measured against predicted, on calibration and validation poses apart.
 
+use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::{self, TIME, XYZ};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
     ReadingReliability, Statistics,
 };
+use etalon_formats::table::{self, XYZ};
 use etalon_identify::{self as identify, Condition, Contributions, Kind, Observation, Settings};
 use etalon_math::statistics::{mean, quantile, rms};
 use etalon_robots::Robot;
@@ -95,29 +96,24 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
     all
 }
 
-/// Adds the time of each observation in s from the first, as the last of what errors are drawn against; whether the table has one.
-///
-/// # Errors
-/// If the table of observations is not one.
-pub fn with_times(errors: &mut [PointError], table: &DataFrame) -> Result<bool> {
-    if table.column(TIME).is_err() {
-        return Ok(false);
+/// Adds the time of each observation (s) from the first, as the last of what errors are drawn against; `true` if there are times.
+pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool {
+    if times.is_empty() {
+        return false;
     }
-    let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
-    let (targets, times) = (table::texts(table, "target")?, table::numbers(table, TIME)?);
-    let first = times.iter().copied().filter(|t| t.is_finite()).fold(f64::INFINITY, f64::min);
+    let first = times.iter().map(|t| t.time_s).filter(|t| t.is_finite()).fold(f64::INFINITY, f64::min);
     // the centre of a platform has the time of its first target
     let mut of_pose = BTreeMap::new();
     let mut of_target = BTreeMap::new();
-    for (i, time_s) in times.iter().enumerate() {
-        of_pose.entry((poses[i], cycles[i])).or_insert(time_s - first);
-        of_target.entry((poses[i], cycles[i], targets[i].as_str())).or_insert(time_s - first);
+    for t in times {
+        of_pose.entry((t.pose, t.cycle)).or_insert(t.time_s - first);
+        of_target.entry((t.pose, t.cycle, t.target.as_str())).or_insert(t.time_s - first);
     }
     for e in errors {
         let own = of_target.get(&(e.pose, e.cycle, e.target.as_str()));
         e.joints.push(own.or(of_pose.get(&(e.pose, e.cycle))).copied().unwrap_or(f64::NAN));
     }
-    Ok(true)
+    true
 }
 
 /// Values of the joints in mm or deg.
@@ -136,7 +132,7 @@ fn condition_error(
 ) {
     let target = &robot.targets()[condition.target];
     let (b, a) = (condition.error(robot, before), condition.error(robot, after));
-    if matches!(condition.kind, Kind::Joint { .. }) {
+    if matches!(condition.kind, Kind::Joint(_)) {
         // the value of a joint is not an error of a target
         return;
     }
@@ -397,7 +393,7 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     for (name, of) in RELIABILITY {
         columns.push(Column::new(name.into(), errors.iter().map(|e| e.reliability.map(of)).collect::<Vec<_>>()));
     }
-    Ok(DataFrame::new(errors.len(), columns)?)
+    table::frame(errors.len(), columns)
 }
 
 /// Name of a column, and the number in it.
@@ -462,9 +458,13 @@ mod tests {
 
     #[test]
     fn each_error_has_the_time_of_its_target_and_a_platform_that_of_the_pose() {
-        let frame = polars::df!(
-            "pose" => [1i64, 1, 2], "cycle" => [1i64, 1, 1], "target" => ["a", "b", "a"], TIME => [1e9, 1e9 + 2.0, 1e9 + 60.0],
-        );
+        let time = |pose: i64, target: &str, time_s| ObservationTime {
+            pose: pose.into(),
+            cycle: 1,
+            target: target.to_owned(),
+            time_s,
+        };
+        let times = [time(1, "a", 1e9), time(1, "b", 1e9 + 2.0), time(2, "a", 1e9 + 60.0)];
         let error = |pose: i64, target: &str| PointError {
             set: "calibration".to_owned(),
             pose: pose.into(),
@@ -479,9 +479,9 @@ mod tests {
             reliability: None,
         };
         let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
-        assert!(with_times(&mut errors, &frame.unwrap()).unwrap());
+        assert!(with_times(&mut errors, &times));
         assert_eq!((&errors[0].joints[..], &errors[1].joints[..]), (&[7.0, 2.0][..], &[7.0, 60.0][..]));
         assert!(errors[2].joints[1].is_nan(), "a pose that was not observed has no time");
-        assert!(!with_times(&mut errors, &DataFrame::empty()).unwrap() && errors[0].joints.len() == 2);
+        assert!(!with_times(&mut errors, &[]) && errors[0].joints.len() == 2);
     }
 }

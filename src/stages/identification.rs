@@ -4,8 +4,8 @@ use crate::stages::checks::{reliability_summary, robust_message, robust_summary,
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
-use crate::stages::join::Joined;
-use crate::stages::kinds::{self, Observed, Stated};
+use crate::stages::join::{Joined, Observations};
+use crate::stages::kinds::{Observed, Stated};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::remedied;
@@ -13,13 +13,12 @@ use crate::stages::repeats::stale;
 use crate::stages::tool::Expected;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table;
 use etalon_campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
 use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
+use etalon_formats::table;
 use etalon_identify::{FrameError, Identification, Observation, RobustFit, Settings};
 use etalon_robots::Robot;
-use polars::prelude::DataFrame;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a campaign identifies.
@@ -63,8 +62,8 @@ pub fn identify(
                 .map_err(remedied)?;
         }
     }
-    for (name, table) in joined.observations.iter().skip(1) {
-        let observations = Observation::from_table(robot, table, &mut messages)?;
+    for (name, log) in joined.observations.iter().skip(1) {
+        let observations = log.positions(robot, &mut messages)?;
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
         leave_out(campaign, stated, robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
@@ -82,7 +81,7 @@ pub fn identify(
     let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
-    if evaluate::with_times(&mut errors, &joined.observations[0].1)? {
+    if evaluate::with_times(&mut errors, &joined.observations[0].1.times()?) {
         accuracy.joints.push(table::TIME.to_owned());
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
@@ -138,7 +137,7 @@ pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joi
     let sets = evaluate::split(&observed, &poses, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
-    messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
+    messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
     Ok(Selected { sets, settings, poses, selections, messages })
 }
 
@@ -155,12 +154,12 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
-/// What was observed, and what is identified from it: what the rows of `table` refer to is added to the parameters of `robot`.
+/// What was observed, and what is identified from it: what the rows of a table refer to is added to the parameters of `robot`.
 pub(crate) fn observed(
     campaign: &Campaign,
     stated: &Identify,
     robot: &mut dyn Robot,
-    table: &DataFrame,
+    observations: &Observations,
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
     let settings = campaign.settings(stated);
@@ -169,7 +168,7 @@ pub(crate) fn observed(
         rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
         order: angle_order(campaign)?,
     };
-    let found = kinds::observed(robot, table, without, settings, messages);
+    let found = observations.observed(robot, without, settings, messages);
     let place = |problems: Problems| match &campaign.file.observations {
         Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
         None => problems,
@@ -187,10 +186,10 @@ fn angle_order(campaign: &Campaign) -> Result<Option<AngleOrder>> {
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
 /// nowhere near the measurements.
 pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
-    let (Some(stated), Some((_, table))) = (&campaign.file.identify, joined.observations.first()) else {
+    let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Vec::new());
     };
-    let mut observed = observed(campaign, stated, robot, table, &mut Vec::new())?;
+    let mut observed = observed(campaign, stated, robot, observations, &mut Vec::new())?;
     let robot: &dyn Robot = robot;
     leave_out(campaign, stated, robot, &mut observed)?;
     let mut messages = stale(robot, &observed.observations);

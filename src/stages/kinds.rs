@@ -3,11 +3,16 @@
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
 use crate::stages::orientations::{AngleOrder, Orientations, unstated};
+use crate::stages::positions;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::table;
-use etalon_identify::{Condition, Fixture, Kind, Known, Observation, Settings, Surface, joint_values};
+use etalon_formats::table;
+use etalon_formats::tables::joints::joint_values;
+use etalon_identify::{
+    Condition, Contact, Coordinate, Distance, Fixture, JointValue, Kind, Known, Measured, Observation, On, Orientation,
+    Seen, Settings, Surface,
+};
 use etalon_robots::{Joint, Quantity, Robot};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::collections::{BTreeMap, BTreeSet};
@@ -127,33 +132,44 @@ const MEANT_ROWS: usize = 6;
 fn misspelt(observations: &DataFrame) -> Result<Problems> {
     let mut problems = Problems::default();
     let lines = observations.column("line").is_ok().then(|| table::integers(observations, "line")).transpose()?;
-    let place = |row: usize| Place { line: lines.as_ref().map(|lines| lines[row] as usize), ..Place::default() };
+    let line = |row: usize| lines.as_ref().map(|lines| lines[row] as usize);
     let fixed = fixed_rows(observations)?;
     for (column, most) in SHARED.into_iter().filter(|(name, _)| observations.column(name).is_ok()) {
         let names = table::texts(observations, column)?;
-        let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
-        named.for_each(|(row, name)| rows.entry(name).or_default().push(row));
-        // a place that is stated needs no more rows
-        let stated = |name: &&str| rows[name].iter().any(|&row| fixed[row]);
-        let few = rows.iter().filter(|(name, rows)| rows.len() <= most && !stated(name));
-        for (name, own) in few {
-            let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
-            let alike = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant)));
-            if let Some((_, meant)) = alike.min() {
-                let what = format!(
-                    "`{name}` is named in {} only, and `{meant}` in {}",
-                    count(own.len(), "row"),
-                    rows[meant].len()
-                );
-                let message = Message::error(what).at(place(own[0]));
-                problems.0.push(message.hint(format!(
-                    "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
-                )));
-            }
-        }
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], line));
     }
     Ok(problems)
+}
+
+/// An error where a target of measured positions is misspelt, as of a table.
+pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Result<()> {
+    let names: Vec<&str> = measured.iter().map(|m| targets[m.target].as_str()).collect();
+    Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
+}
+
+/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a place, and need no more rows.
+fn misspelt_names(
+    names: &[&str],
+    most: usize,
+    fixed: impl Fn(usize) -> bool,
+    line: impl Fn(usize) -> Option<usize>,
+) -> Vec<Message> {
+    let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
+    named.for_each(|(row, name)| rows.entry(name).or_default().push(row));
+    let few = rows.iter().filter(|(_, rows)| rows.len() <= most && !rows.iter().any(|&row| fixed(row)));
+    let error = |(name, own): (&&str, &Vec<usize>)| {
+        let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
+        let (_, meant) = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant))).min()?;
+        let (alone, others) = (count(own.len(), "row"), rows[meant].len());
+        let what = format!("`{name}` is named in {alone} only, and `{meant}` in {others}");
+        let message = Message::error(what).at(Place { line: line(own[0]), ..Place::default() });
+        Some(message.hint(format!(
+            "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
+        )))
+    };
+    few.filter_map(error).collect()
 }
 
 /// How many letters are wrong in a name that is another one but for these, a few that are no counter.
@@ -169,7 +185,7 @@ fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
 }
 
 /// A warning where an instrument measured positions, and joints move the base of the chain.
-fn moving_base(robot: &dyn Robot) -> Option<Message> {
+pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     let names = robot.joints_of_base().join(", ");
     let what = format!(
         "`base_link` is moved by the joints {names}: positions are taken as measured in a frame that moves with it"
@@ -196,7 +212,7 @@ pub fn observed(
         && !fixed_rows(observations)?.contains(&true)
     {
         messages.extend(moving_base(robot));
-        return Ok(Observed { observations: Observation::from_table(robot, observations, messages)?, settings });
+        return Ok(Observed { observations: positions::observations(robot, observations, messages)?, settings });
     }
     let rows = Rows::new(robot, observations, without)?;
     let mut problems = Problems::default();
@@ -231,7 +247,7 @@ pub fn observed(
     let observations = match has_position.any() {
         true => {
             messages.extend(moving_base(robot));
-            Observation::from_table(robot, &observations.filter(&has_position)?, messages)?
+            positions::observations(robot, &observations.filter(&has_position).map_err(table::failed)?, messages)?
         }
         false => Vec::new(),
     };
@@ -390,13 +406,16 @@ impl Rows {
         let kind = match kind {
             "pose" => {
                 let mounting = Fixture::Mounting(&self.targets[row]).add_to(robot);
-                Kind::Orientation { world_T_body: self.orientations.pose(row, self.without.order)?, mounting }
+                Kind::Orientation(Orientation {
+                    world_T_body: self.orientations.pose(row, self.without.order)?,
+                    mounting,
+                })
             }
             "distance" => {
                 let to = self.fixture(row, "other", &self.others, robot)?;
-                Kind::Distance { to, distance_mm: self.distance(row)? }
+                Kind::Distance(Distance { to, distance_mm: self.distance(row)? })
             }
-            "contact" => Kind::Contact { socket: self.fixture(row, "socket", &self.sockets, robot)? },
+            "contact" => Kind::Contact(Contact { socket: self.fixture(row, "socket", &self.sockets, robot)? }),
             "plane" | "line" | "sphere" => {
                 let (surface, unknowns) = self.surface(row, kind, robot)?;
                 let offset_mm = match self.offsets_mm[row] {
@@ -411,18 +430,18 @@ impl Rows {
                     }
                     offset => offset,
                 };
-                Kind::On { surface, unknowns, offset_mm }
+                Kind::On(On { surface, unknowns, offset_mm })
             }
             "joints" => self.joint(row, robot)?,
             "point" if self.partial[row] => {
                 for axis in (0..3).filter(|&axis| !self.xyz[row][axis].is_nan()) {
-                    let kind = Kind::Coordinate { axis, at_mm: self.xyz[row][axis] };
+                    let kind = Kind::Coordinate(Coordinate { axis, at_mm: self.xyz[row][axis] });
                     self.add(row, kind, self.u_axes_mm[axis][row], settings)?;
                 }
                 return Ok(());
             }
             _ => match &self.stations[row] {
-                Some(name) => Kind::Seen { station: self.station(name, robot)?, at_mm: self.xyz[row] },
+                Some(name) => Kind::Seen(Seen { station: self.station(name, robot)?, at_mm: self.xyz[row] }),
                 None => return Ok(()),
             },
         };
@@ -444,7 +463,7 @@ impl Rows {
             cycle: self.cycles[row],
             joints,
             target: match kind {
-                Kind::Joint { .. } if self.targets[row].is_empty() => 0,
+                Kind::Joint(_) if self.targets[row].is_empty() => 0,
                 _ => self.target(row)?,
             },
             standard_uncertainty: positive(standard_uncertainty, kind.is_angle())?,
@@ -579,7 +598,7 @@ impl Rows {
                 .expected("the value of the joint by the switch or second encoder")
                 .into());
         }
-        Ok(Kind::Joint { joint, value, is_angle })
+        Ok(Kind::Joint(JointValue { joint, value, is_angle }))
     }
 
     fn distance(&self, row: usize) -> Result<f64> {

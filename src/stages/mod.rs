@@ -1,5 +1,6 @@
 //! The stages of a run, each from documents to the next document.
 
+pub mod candidates;
 mod checks;
 pub mod distance;
 pub mod evaluate;
@@ -16,6 +17,7 @@ pub(crate) mod labelled_points;
 pub mod monte_carlo;
 pub mod orientations;
 pub mod plausible;
+pub mod positions;
 pub mod qif_fit;
 pub mod recommendation;
 pub mod remedies;

@@ -2,8 +2,8 @@
 
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::pose::Pose;
-use etalon_base::table::{self, QUATERNION};
-use etalon_identify::{Condition, Kind, Observation, Settings, fit_frames, mounted_misfit_rad};
+use etalon_formats::table::{self, QUATERNION};
+use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 use std::fmt;
@@ -208,9 +208,10 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     let Ok(values) = fit_frames(robot, observations, &positions) else { return message.hint(state) };
     let misfit = |order: AngleOrder| {
         let turned = conditions.iter().zip(angles).map(|(c, angles)| match c.kind {
-            Kind::Orientation { mounting, .. } => {
-                Condition { kind: Kind::Orientation { world_T_body: order.pose(*angles), mounting }, ..(*c).clone() }
-            }
+            Kind::Orientation(Orientation { mounting, .. }) => Condition {
+                kind: Kind::Orientation(Orientation { world_T_body: order.pose(*angles), mounting }),
+                ..(*c).clone()
+            },
             _ => (*c).clone(),
         });
         (mounted_misfit_rad(robot, &turned.collect::<Vec<_>>(), &values).to_degrees(), order)

@@ -9,7 +9,7 @@ use etalon_identify::{
     far_from_nominal, moved_between,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
-use etalon_robots::{Parameter, Quantity, Robot, Role};
+use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::collections::BTreeSet;
 
@@ -172,12 +172,7 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
 
 /// A warning where a joint bends against its own torque, which no material does: gravity or an axis points the other way.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
-    let of_one_joint = |p: &Parameter| {
-        p.name
-            .strip_prefix("compliance_")
-            .and_then(|pair| pair.split_once('_'))
-            .is_some_and(|(joint, link)| joint == link)
-    };
+    let of_one_joint = |p: &Parameter| p.effect == Effect::Bending && p.by.is_some() && p.by == p.joint;
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
         of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
@@ -191,7 +186,7 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
 fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
-        robot.parameters()[i].name.starts_with("backlash_") && found.values[i] < -SIGNIFICANT * u
+        robot.parameters()[i].effect == Effect::Backlash && found.values[i] < -SIGNIFICANT * u
     };
     let &i = found.free.iter().find(negative)?;
     let what = format!(

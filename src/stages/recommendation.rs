@@ -333,7 +333,7 @@ impl<'a> Study<'a> {
             Some(ParameterVerdict {
                 name: p.name.clone(),
                 unit: p.quantity.unit().to_owned(),
-                effect,
+                effect: effect.into(),
                 change: p.quantity.outward(judged.change),
                 change_over_u: (judged.change / judged.u).abs(),
                 p_value: judged.p_value,
@@ -399,7 +399,7 @@ impl Tried {
         let test = before.and_then(|before| self.f_test(before));
         let gain = before.map(|before| self.gain(before));
         EffectStep {
-            effect,
+            effect: effect.map(Into::into),
             identified: self.found.free.len(),
             rms_mm: self.found.rms,
             f: test.map(|t| t[0]),

@@ -17,6 +17,8 @@ pub fn remedied(error: Error) -> Problems {
         }
         Error::NotAnArm { .. } => Some("give positions of its targets: rows of kind `point`"),
         Error::KindsWithoutUncertainty => Some("state it (--standard-uncertainty-um)"),
+        Error::OwnUncertainties => Some("compare targets, or leave the columns of uncertainties out"),
+        Error::ReadingsWithoutUncertainty { .. } => Some("state it in every row, or with --standard-uncertainty-um"),
         Error::NotPlanar { model } => {
             let what = format!("`residuals = \"pose\"` is for planar robots, not for `{model}`");
             return Message::error(what).hint("use `residuals = \"targets\"`").into();

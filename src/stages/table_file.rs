@@ -2,10 +2,10 @@
 
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Problems, Result};
-use etalon_base::table;
 use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::Source;
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
+use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::{Format, Layout};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
@@ -63,7 +63,7 @@ impl TableFile {
     pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
         if left_out.contains(&true) {
             let kept: Vec<bool> = left_out.iter().map(|out| !out).collect();
-            self.table = self.table.filter(&BooleanChunked::from_slice("kept".into(), &kept))?;
+            self.table = self.table.filter(&BooleanChunked::from_slice("kept".into(), &kept)).map_err(table::failed)?;
         }
         Ok(())
     }

@@ -3,9 +3,9 @@
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::pose::Pose;
-use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::formats::Format;
+use etalon::formats::table;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
 use etalon::stages::gather::gather;
 use std::collections::BTreeMap;

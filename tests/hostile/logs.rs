@@ -1,8 +1,8 @@
 //! Damaged and ambiguous logs of controllers: every problem with its place. All texts are synthetic.
 
 use crate::support::scratch::{Scratch, copy_sample};
-use etalon::base::table;
 use etalon::campaign::Campaign;
+use etalon::formats::table;
 use etalon::stages::gather::{Gathered, gather};
 
 /// A campaign whose log is this text.

@@ -5,7 +5,7 @@ use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::identify::{Condition, Fixture, Kind, Known, Observation, Settings, identify};
+use etalon::identify::{Condition, Distance, Fixture, Kind, Known, Observation, Seen, Settings, identify};
 use etalon::robots::{Effect, Quantity, Robot, Role};
 use std::fmt::Write;
 use std::process::Command;
@@ -121,7 +121,7 @@ fn comes_back(keys: &str, effect: Effect, count: usize, first: &str) {
     let robot = robot.as_ref();
     let mut noise = Noise::new(18, 41);
     derivatives_hold(robot, &mut noise);
-    let own: Vec<usize> = (0..robot.parameters().len()).filter(|&i| robot.effect(i) == effect).collect();
+    let own: Vec<usize> = (0..robot.parameters().len()).filter(|&i| robot.parameters()[i].effect == effect).collect();
     assert_eq!(own.len(), count);
     assert_eq!(robot.parameters()[own[0]].name, first);
     let truth = truth(robot, &mut noise);
@@ -270,7 +270,7 @@ fn two_arms_that_hold_ball_bars_come_back() {
     for i in 0..400 {
         let q = joints(robot.as_ref(), &mut noise);
         let distance_mm = norm(minus(robot.position(&truth, &q, 0), sockets[i % 4]));
-        let kind = Kind::Distance { to: firsts[i % 4], distance_mm };
+        let kind = Kind::Distance(Distance { to: firsts[i % 4], distance_mm });
         settings.conditions.push(Condition {
             pose: (i as i64).into(),
             cycle: 1,
@@ -367,7 +367,7 @@ impl Stations {
         for (i, o) in observe(self.robot.as_ref(), &self.truth, &mut noise, poses, 0.0).into_iter().enumerate() {
             let station = self.stations[usize::from(i % 4 == 3)];
             for (target, place) in o.targets.iter().enumerate() {
-                let kind = Kind::Seen { station, at_mm: self.from(station, place.unwrap(), sd_mm) };
+                let kind = Kind::Seen(Seen { station, at_mm: self.from(station, place.unwrap(), sd_mm) });
                 settings.conditions.push(Condition {
                     pose: (1000 + i as i64).into(),
                     cycle: 1,
@@ -437,7 +437,7 @@ fn a_table_with_stations_identifies_and_slips_are_named() {
         }
     }
     for c in &settings.conditions {
-        let Kind::Seen { station, at_mm } = c.kind else { panic!() };
+        let Kind::Seen(Seen { station, at_mm }) = c.kind else { panic!() };
         let (target, station) = (&site.robot.targets()[c.target], name(station));
         let _ = writeln!(table, "point,{station},{},1,{target},{},{}", c.pose, degrees(&c.joints), cells(&at_mm));
     }

@@ -6,7 +6,8 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::base::pose_name::PoseName;
 use etalon::identify::{
-    Condition, Fixture, Identification, Kind, Known, Observation, Settings, Status, Surface, fit_frames, identify_from,
+    Condition, Contact, Coordinate, Distance, Fixture, Identification, JointValue, Kind, Known, Observation, On,
+    Orientation, Settings, Status, Surface, fit_frames, identify_from,
 };
 use etalon::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
@@ -130,7 +131,7 @@ impl Campaign {
                 targets: vec![Some(seen)],
                 ..Observation::default()
             });
-            self.observe(joints, Kind::Orientation { world_T_body: pose_of(&body), mounting }, U_RAD);
+            self.observe(joints, Kind::Orientation(Orientation { world_T_body: pose_of(&body), mounting }), U_RAD);
         }
         self
     }
@@ -142,7 +143,7 @@ impl Campaign {
             for _ in 0..count {
                 let there = place.map(|v| v + self.error(U_MM));
                 let joints = self.joints_where(|p| minus(p, there).to_vec());
-                self.observe(joints, Kind::Contact { socket }, U_MM);
+                self.observe(joints, Kind::Contact(Contact { socket }), U_MM);
             }
         }
         self
@@ -186,7 +187,7 @@ impl Campaign {
         for axis in (0..count).map(|i| i % 3) {
             let joints = self.joints();
             let at_mm = self.at(&joints)[axis] + self.error(U_MM);
-            self.observe(joints, Kind::Coordinate { axis, at_mm }, U_MM);
+            self.observe(joints, Kind::Coordinate(Coordinate { axis, at_mm }), U_MM);
         }
         self
     }
@@ -197,7 +198,7 @@ impl Campaign {
             for _ in 0..count {
                 let joints = self.joints();
                 let distance_mm = norm(minus(self.at(&joints), *end)) + self.error(U_MM);
-                self.observe(joints, Kind::Distance { to, distance_mm }, U_MM);
+                self.observe(joints, Kind::Distance(Distance { to, distance_mm }), U_MM);
             }
         }
         self
@@ -218,7 +219,7 @@ impl Campaign {
                     vec![(p[axis] - values[2] - traces) / length - 12.7 - error]
                 });
                 let (surface, unknowns) = (Surface::Plane { axis }, [plane, plane + 1, plane + 2, plane + 2]);
-                self.observe(joints, Kind::On { surface, unknowns, offset_mm: 12.7 }, U_MM);
+                self.observe(joints, Kind::On(On { surface, unknowns, offset_mm: 12.7 }), U_MM);
             }
         }
         self
@@ -247,7 +248,7 @@ impl Campaign {
                     vec![one.dot(&lever) - errors[0], other.dot(&lever) - errors[1]]
                 });
                 let (surface, unknowns) = (Surface::Line { axis }, [first, first + 1, first + 2, first + 3]);
-                self.observe(joints, Kind::On { surface, unknowns, offset_mm: 0.0 }, U_MM);
+                self.observe(joints, Kind::On(On { surface, unknowns, offset_mm: 0.0 }), U_MM);
             }
         }
         self
@@ -261,7 +262,7 @@ impl Campaign {
             for _ in 0..count {
                 let out = radius + 12.7 + self.error(U_MM);
                 let joints = self.joints_where(|p| vec![norm(minus(p, centre)) - out]);
-                self.observe(joints, Kind::On { surface: Surface::Sphere, unknowns, offset_mm: 12.7 }, U_MM);
+                self.observe(joints, Kind::On(On { surface: Surface::Sphere, unknowns, offset_mm: 12.7 }), U_MM);
             }
         }
         self
@@ -274,7 +275,7 @@ impl Campaign {
             let of = |name: &str| self.truth[self.robot.index(&format!("{name}_{}", joint + 1)).unwrap()];
             let theta = of("theta") - SIX_AXES[joint][2].to_radians();
             let value = of("gain") * joints[joint] + theta + self.error(U_RAD);
-            self.observe(joints, Kind::Joint { joint, value, is_angle: true }, U_RAD);
+            self.observe(joints, Kind::Joint(JointValue { joint, value, is_angle: true }), U_RAD);
         }
         self
     }
@@ -430,7 +431,7 @@ impl Campaign {
     fn cells(&self, c: &Condition) -> Vec<(&'static str, String)> {
         let fixture = |first: usize| self.fixture_name(first);
         match c.kind {
-            Kind::Orientation { world_T_body, .. } => {
+            Kind::Orientation(Orientation { world_T_body, .. }) => {
                 let at = self.observations.iter().find(|o| o.pose == c.pose).unwrap().targets[0].unwrap();
                 let q = world_T_body.quaternion();
                 let place = ["x_mm", "y_mm", "z_mm"].into_iter().zip(at.map(|v| v.to_string()));
@@ -438,17 +439,17 @@ impl Campaign {
                 let u = ("urot_deg", c.standard_uncertainty.to_degrees().to_string());
                 [("kind", "pose".to_owned()), u].into_iter().chain(place).chain(turn).collect()
             }
-            Kind::Coordinate { axis, at_mm } => vec![(["x_mm", "y_mm", "z_mm"][axis], at_mm.to_string())],
-            Kind::Distance { to, distance_mm } => vec![
+            Kind::Coordinate(Coordinate { axis, at_mm }) => vec![(["x_mm", "y_mm", "z_mm"][axis], at_mm.to_string())],
+            Kind::Distance(Distance { to, distance_mm }) => vec![
                 ("kind", "distance".to_owned()),
                 ("other", fixture(to).to_owned()),
                 ("distance_mm", distance_mm.to_string()),
             ],
-            Kind::Contact { socket } => {
+            Kind::Contact(Contact { socket }) => {
                 vec![("kind", "contact".to_owned()), ("socket", fixture(socket).to_owned())]
             }
-            Kind::Seen { .. } => panic!("{c:?}"),
-            Kind::On { surface, unknowns, offset_mm } => {
+            Kind::Seen(_) => panic!("{c:?}"),
+            Kind::On(On { surface, unknowns, offset_mm }) => {
                 let (kind, axis) = match surface {
                     Surface::Plane { axis } => ("plane", ["x", "y", "z"][axis]),
                     Surface::Line { axis } => ("line", ["x", "y", "z"][axis]),
@@ -461,7 +462,7 @@ impl Campaign {
                     ("offset_mm", if kind == "line" { String::new() } else { offset_mm.to_string() }),
                 ]
             }
-            Kind::Joint { joint, value, .. } => vec![
+            Kind::Joint(JointValue { joint, value, .. }) => vec![
                 ("kind", "joints".to_owned()),
                 ("joint", format!("q{}", joint + 1)),
                 ("value_deg", value.to_degrees().to_string()),
@@ -474,8 +475,8 @@ impl Campaign {
     fn table(&self) -> String {
         let fixture = |first: usize| self.fixture_name(first);
         let more = |c: &Condition| match c.kind {
-            Kind::On { surface, .. } => !matches!(surface, Surface::Plane { .. }),
-            Kind::Joint { .. } => true,
+            Kind::On(On { surface, .. }) => !matches!(surface, Surface::Plane { .. }),
+            Kind::Joint(_) => true,
             _ => false,
         };
         let header = match self.settings.conditions.iter().any(more) {

@@ -6,7 +6,7 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, centroid, cross, minus, norm, unit};
 use etalon::campaign::{Campaign, read_robot};
-use etalon::identify::{Condition, Fixture, Kind, Observation, Settings, identify};
+use etalon::identify::{Condition, Fixture, Kind, Observation, Orientation, Settings, identify};
 use etalon::robots::{Robot, Role};
 use etalon::run::pipeline;
 use std::fmt::Write;
@@ -279,7 +279,8 @@ fn three_reflectors_as_one_pose() {
     for (o, pose, _) in &whole {
         let targets = vec![Some(pose.translation_mm)];
         observations.push(Observation { targets, covariances_mm2: Vec::new(), ..(*o).clone() });
-        let kind = Kind::Orientation { world_T_body: Pose { translation_mm: [0.0; 3], ..*pose }, mounting };
+        let kind =
+            Kind::Orientation(Orientation { world_T_body: Pose { translation_mm: [0.0; 3], ..*pose }, mounting });
         let (pose, cycle, joints) = (o.pose, o.cycle, o.joints.clone());
         settings.conditions.push(Condition { pose, cycle, joints, target: 0, kind, standard_uncertainty: u_rad });
     }

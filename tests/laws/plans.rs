@@ -4,12 +4,13 @@ use crate::support::five_bar::{SEVEN, holes, measure, robot, settings, truth};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
 use etalon::identify::plan::bound::branch_and_bound;
-use etalon::identify::plan::candidates::{self, Candidates};
+use etalon::identify::plan::candidates::Candidates;
 use etalon::identify::plan::search::{exchange_from_many, greedy};
 use etalon::identify::plan::{Choice, Criterion, Plan, Pool, Request, plan, pool_of};
 use etalon::identify::{Observation, identify_from};
 use etalon::math::{Factor, Svd, svd};
 use etalon::robots::{FiveBar, Robot, WORKING_MODES};
+use etalon::stages::candidates::configurations;
 
 pub const ALL: [Criterion; 9] = [
     Criterion::O1,
@@ -380,7 +381,7 @@ fn positions_alone_become_all_working_modes() {
         .enumerate()
         .fold("pose,x_mm,y_mm\n".to_owned(), |t, (k, p)| t + &format!("{k},{},{}\n", p[0], p[1]));
     let table = etalon::formats::tables::observations::observations("c.csv", &csv).unwrap();
-    let Candidates { observations: all, beyond } = candidates::configurations(&robot, &table).unwrap();
+    let Candidates { observations: all, beyond } = configurations(&robot, &table).unwrap();
     assert_eq!(beyond, None);
     let expected = measure(&robot, &robot.nominal(), &SEVEN, &mut || 0.0);
     assert_eq!(all.len(), expected.len());

@@ -4,7 +4,9 @@ use crate::robots::{jacobian_is_the_numeric_derivative, joint_jacobian_is_the_nu
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::identify::{Condition, Fixture, Identification, Kind, Observation, Settings, Status, identify};
+use etalon::identify::{
+    Condition, Fixture, Identification, Kind, Observation, Orientation, Settings, Status, identify,
+};
 use etalon::robots::{Robot, Role};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
@@ -225,7 +227,8 @@ fn campaign(model: &Model, kind: &str, count: usize, seed: [u64; 2], errors: f64
         let flange = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| flange[i][j]));
         let body = turn([0; 3].map(|_| errors * noise.gaussian(U_RAD))) * flange * turn([0.3; 3]);
         let rotation = std::array::from_fn(|i| std::array::from_fn(|j| body[(i, j)]));
-        let kind = Kind::Orientation { world_T_body: Pose { rotation, translation_mm: [0.0; 3] }, mounting };
+        let kind =
+            Kind::Orientation(Orientation { world_T_body: Pose { rotation, translation_mm: [0.0; 3] }, mounting });
         conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty: U_RAD });
     }
     let settings = Settings { standard_uncertainty_mm: Some(U_MM), conditions, ..Settings::default() };

@@ -2,8 +2,7 @@
 
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
-use etalon::documents::LoadVerdict;
-use etalon::robots::Effect;
+use etalon::documents::{Effect, LoadVerdict};
 use etalon::run::validation::recommend;
 use std::path::Path;
 

@@ -102,8 +102,8 @@ fn irb120() -> Option<Bench> {
     let features = frames::fit_features(&campaign, &prepared.gathered.points).expect("features");
     let placed = frames::make_frames(&campaign, &prepared.gathered.points, &features, false).expect("frames");
     let joined = join::join(&campaign, &prepared.gathered, &placed, prepared.robot.as_ref()).expect("joined");
-    let table = &joined.observations[0].1;
-    let observations = Observation::from_table(prepared.robot.as_ref(), table, &mut Vec::new()).expect("observations");
+    let joined = &joined.observations[0].1;
+    let observations = joined.positions(prepared.robot.as_ref(), &mut Vec::new()).expect("observations");
     let observations = observations.into_iter().step_by(12).collect();
     let u_mm = campaign.file.instrument.standard_uncertainty_mm();
     Some(Bench { name: "IRB 120 (measured)", robot: prepared.robot, observations, u_mm })

@@ -1,9 +1,9 @@
 //! Real logs of five controllers: counts, clocks and units as their READMEs state them.
 
 use crate::support::scratch::copy_sample;
-use etalon::base::table;
 use etalon::campaign::Campaign;
 use etalon::documents::ImportDocument;
+use etalon::formats::table;
 use etalon::stages::gather::gather;
 use polars::prelude::DataFrame;
 

@@ -3,9 +3,9 @@
 use super::super::{Verdict, print, print_written, say};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
-use etalon_base::table::{ANGLES, XYZ};
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
+use etalon_formats::table::{ANGLES, XYZ};
 use etalon_standards::iso9283::plan::{Request, plan, reach};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,8 @@
 //! Joint values as the stages use them, and what the columns of a log become in them.
 
+use crate::table::{ASSEMBLY, LABEL, frame, pose_column};
 use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::pose_column;
-use etalon_base::table::{ASSEMBLY, LABEL};
 use etalon_robots::{Joint, Quantity};
 use polars::prelude::{Column, DataFrame};
 
@@ -115,6 +114,6 @@ impl JointLog {
                 }
             }
         };
-        Ok(DataFrame::new(self.rows.len(), self.columns.iter().map(column).collect())?)
+        frame(self.rows.len(), self.columns.iter().map(column).collect())
     }
 }

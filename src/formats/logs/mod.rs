@@ -17,9 +17,9 @@ pub use write::write;
 
 use super::dialect::{Column, Decimal, Delimiter, Encoding, FromRow};
 use super::exports::Recognised;
+use crate::table::ASSEMBLY;
 use etalon_base::message::{Message, Problems, Result, Stated};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::ASSEMBLY;
 use etalon_documents::{Refused, Source};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};

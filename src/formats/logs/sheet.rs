@@ -4,8 +4,8 @@ use super::{About, Columns, Log, LogFormat, Values, Wanted, unit_agrees};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
 use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, number, pose_name, rows};
+use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Problems, Result, Stated};
-use etalon_base::table::{ASSEMBLY, LABEL};
 use etalon_documents::Source;
 use std::borrow::Cow;
 

@@ -6,8 +6,8 @@
 
 use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, Standstill};
+use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Result, Stated};
-use etalon_base::table::{ASSEMBLY, LABEL};
 use etalon_documents::{Source, StandingInterval, StandingJoint};
 use etalon_standards::iso9283::statistics::sample::{self, Spread};
 use std::collections::VecDeque;

@@ -3,8 +3,8 @@
 use super::{JointLog, Log, LogRow, meaning};
 use crate::dialect::{Column, ColumnAt};
 use crate::lexer::{line, written};
+use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Result, Stated};
-use etalon_base::table::{ASSEMBLY, LABEL};
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;

@@ -1,9 +1,9 @@
 //! Positions and angles of a table `x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, checked.
 
+use crate::table::{self, ANGLES};
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::{PoseName, two_spellings};
-use etalon_base::table::{self, ANGLES};
 use polars::prelude::DataFrame;
 
 /// A table with the name of its file, for messages.

@@ -1,6 +1,7 @@
 //! Tables whose columns are known: observations, tests of poses, recordings, reference targets.
 
 pub mod coordinates;
+pub mod joints;
 pub mod observations;
 pub mod pose_test;
 pub mod recording;

@@ -4,9 +4,9 @@ use crate::dialect::{Decimal, Delimiter, Dialect, FromRow, two_commas};
 use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, number, pose_name, rows};
 use crate::logs::meaning;
+use crate::table::{COVARIANCES, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
-use etalon_base::table::{COVARIANCES, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, pose_column};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -82,7 +82,7 @@ impl Layout {
         if !has("cycle") {
             added.push(Series::new("cycle".into(), vec![1i64; height]).into());
         }
-        table.hstack_mut(&added)?;
+        table.hstack_mut(&added).map_err(failed)?;
         Ok(table)
     }
 }
@@ -175,7 +175,7 @@ fn read(file: &str, text: &str, layout: &Layout) -> Result<DataFrame> {
     }
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     problems.check()?;
-    Ok(DataFrame::new(all.len(), columns)?)
+    frame(all.len(), columns)
 }
 
 /// Gives a column of coordinates or of their uncertainties its name in millimetres (`x_m` is `x_mm`), and what takes its values there.
@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn a_pose_has_one_spelling() {
         let table = observations("o.csv", "pose,x_mm\n07,1\n7,2\nP7,3\nhome,4\n").unwrap();
-        let names: Vec<String> = etalon_base::table::poses(&table).unwrap().iter().map(ToString::to_string).collect();
+        let names: Vec<String> = crate::table::poses(&table).unwrap().iter().map(ToString::to_string).collect();
         assert_eq!(names, ["7", "7", "P7", "home"]);
         let error = observations("o.csv", "pose,x_mm\nP01,1\nA1,2\nP1,2\n").unwrap_err().to_string();
         assert!(error.contains("`P01` and `P1` differ only in") && error.contains("o.csv:4"), "{error}");

@@ -1,8 +1,8 @@
 //! Recorded motions and commanded paths: tables, checked, become what the characteristics are computed of.
 
+use crate::table::numbers;
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
 use etalon_base::message::{Message, Place, Result};
-use etalon_base::table::numbers;
 use etalon_standards::iso9283::motion::stream::{Recording, Stream};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;

@@ -16,7 +16,7 @@ use etalon_identify::geometric::{
 };
 use etalon_identify::{Identification, Observation};
 use etalon_math::statistics::rms;
-use etalon_robots::{Platform, RailTable, Robot};
+use etalon_robots::{self as robots, Parameter, Platform, RailTable, Robot, Role};
 use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
@@ -31,7 +31,7 @@ pub fn calibrate(
 ) -> Result<Option<GeometricDocument>> {
     let (Some(definition), Some(measured)) = (&campaign.file.geometric, measured) else { return Ok(None) };
     // the model before its reduction has no d and delta of which geometry alone gives a value
-    let table = robot.rail_table().filter(|r| r.index("d").is_some()).ok_or_else(|| {
+    let table = robot.rail_table().filter(|_| robot.model() == "prexyt").ok_or_else(|| {
         Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
     })?;
     let Gathered { robot: measured, bars, balls } = measured;
@@ -39,15 +39,13 @@ pub fn calibrate(
     let found = geometric::steps(&measured, u_mm)?;
     let quantities = quantities(&found);
     let value = |name: &str| quantities.iter().find(|q| q.0 == name).map(|q| q.1.value);
-    let with = |set: &dyn Fn(&str) -> Option<f64>| -> Vec<f64> {
-        table.parameters().iter().map(|p| set(&p.name).unwrap_or(p.nominal)).collect()
+    let with = |set: &dyn Fn(&Parameter) -> Option<f64>| -> Vec<f64> {
+        table.parameters().iter().map(|p| set(p).unwrap_or(p.nominal)).collect()
     };
     // all are judged in the base frame that was found first (thesis 2.7)
-    let nominal = with(&|name| value(name).filter(|_| name == "x_o" || name == "y_o"));
-    let geometric = with(&|name| match name {
-        "beta" | "gamma" | "epsilon_theta" => Some(0.0),
-        _ => value(name),
-    });
+    let nominal = with(&|p| value(&p.name).filter(|_| p.role == Role::Base));
+    // beta, gamma and epsilon_theta
+    let geometric = with(&|p| if p.quantity == robots::Quantity::Angle { Some(0.0) } else { value(&p.name) });
     let tables = match identified {
         Some(i) => tables(campaign, definition, table, &i.sets, [&nominal, &geometric, &i.found.values])?,
         None => Vec::new(),

@@ -1,8 +1,8 @@
 //! A table of a loaded robot: read and evaluated.
 
 use etalon_base::message::{Message, Problems, Result};
-use etalon_base::table;
 use etalon_documents::Iso9283ComplianceDocument;
+use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_standards::iso9283::load::{self, DIRECTIONS, Reading};
 

@@ -1,10 +1,13 @@
-//! Measurements meet joint values: one tidy table of observations per log, and every row without a partner reported.
+//! Measurements meet joint values: measured positions per log, and every row without a partner reported.
 
 mod by_key;
 mod by_label;
 mod by_time;
 pub mod clock;
+mod observations;
 mod unmatched;
+
+pub use observations::{JoinedLog, ObservationTime, Observations};
 
 use crate::stages::gather::Gathered;
 use by_key::by_key;
@@ -13,13 +16,12 @@ use by_time::{Clocks, by_time};
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table;
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
 use etalon_documents::{FramesDocument, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
 use etalon_identify::{Covariance, directions, turned};
 use etalon_robots::Robot;
-use polars::prelude::{Column, DataFrame};
+use polars::prelude::DataFrame;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,8 +30,8 @@ use unmatched::At;
 /// Observations by log, and what found no partner.
 #[derive(Clone, Debug)]
 pub struct Joined {
-    /// Name of each log and its observations: `pose cycle target x_mm y_mm [z_mm]` and the joints.
-    pub observations: Vec<(String, DataFrame)>,
+    /// Name of each log and its observations, or those of the table.
+    pub observations: Vec<(String, Observations)>,
     /// What found no partner or two, in short.
     pub messages: Vec<Message>,
     /// The same row by row.
@@ -39,7 +41,8 @@ pub struct Joined {
 impl Joined {
     /// Observations that need no join: those of a table.
     pub fn of_table(table: DataFrame) -> Self {
-        Self { observations: vec![("observations".to_owned(), table)], messages: Vec::new(), unmatched: Vec::new() }
+        let observations = vec![("observations".to_owned(), Observations::Table(table))];
+        Self { observations, messages: Vec::new(), unmatched: Vec::new() }
     }
 }
 
@@ -112,13 +115,13 @@ pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, r
         };
         let joined = joined.map(|rows| leave_out_unknown(rows, log, &mut remarks));
         let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
-        match joined.and_then(|rows| tidy(rows, log, robot)) {
-            Ok(table) => {
+        match joined.and_then(|rows| JoinedLog::new(rows, log, robot)) {
+            Ok(joined) => {
                 if observations.is_empty() {
                     remarks.messages.extend(moved_out);
-                    remarks.messages.extend(incomplete(&table, robot)?);
+                    remarks.messages.extend(joined.incomplete());
                 }
-                observations.push((log.name.clone(), table));
+                observations.push((log.name.clone(), Observations::Log(joined)));
             }
             Err(more) => problems.0.extend(more.at(&campaign.place_of(&["join", "by"])).0),
         }
@@ -366,47 +369,6 @@ fn leave_out_unknown(rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> V
     rows
 }
 
-/// The table of observations, sorted by pose, cycle and the robot's order of targets.
-fn tidy(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<DataFrame> {
-    rows.sort_by_key(|row| (row.pose, row.cycle, row.target));
-    let names: Vec<&str> = rows.iter().map(|row| robot.targets()[row.target].as_str()).collect();
-    let real = |name: &str, of: &dyn Fn(&Row) -> Option<f64>| -> Column {
-        Column::new(name.into(), rows.iter().map(of).collect::<Vec<_>>())
-    };
-    let mut columns = vec![
-        table::pose_column("pose", &rows.iter().map(|row| row.pose).collect::<Vec<_>>()),
-        Column::new("cycle".into(), rows.iter().map(|row| row.cycle).collect::<Vec<_>>()),
-        Column::new("target".into(), names),
-    ];
-    for (axis, name) in table::XYZ[..robot.dimension()].iter().enumerate() {
-        columns.push(real(name, &|row| Some(row.world_mm[axis])));
-    }
-    if rows.iter().any(|row| row.covariance_mm2.is_some()) {
-        let elements = (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(table::COVARIANCES);
-        for ((i, j), name) in elements.filter(|((_, j), _)| *j < robot.dimension()) {
-            columns.push(real(name, &|row| Some(row.covariance_mm2?[i][j])));
-        }
-    }
-    for joint in robot.joints().iter().map(|j| j.column()) {
-        let k = log.joints.iter().position(|name| *name == joint).ok_or_else(|| {
-            Message::error(format!("log `{}` has no column `{joint}`", log.name))
-                .hint_names(&joint, log.joints.iter().map(String::as_str))
-        })?;
-        columns.push(real(&joint, &|row| row.joints.get(k).copied()));
-    }
-    for name in robot.approached().iter().map(|&k| robot.joints()[k].direction_column()) {
-        let k = log.joints.iter().position(|other| *other == name);
-        columns.push(real(&name, &|row| row.joints.get(k?).copied()));
-    }
-    if rows.iter().all(|row| row.time_s.is_some()) {
-        columns.push(real(table::TIME, &|row| row.time_s));
-    }
-    if robot.has_assembly_modes() && log.has(table::ASSEMBLY) {
-        columns.push(real(table::ASSEMBLY, &|row| row.assembly));
-    }
-    Ok(DataFrame::new(rows.len(), columns)?)
-}
-
 /// Targets of a planar robot differ in height by less: more is a tilt against the world's plane that spoils what is projected, mm.
 const OUT_OF_PLANE_MM: f64 = 0.5;
 
@@ -421,20 +383,6 @@ fn out_of_plane(rows: &[Row], robot: &dyn Robot) -> Option<Message> {
         let hint = "check z of the exports (unit, sign, column) and the points that make the plane of the world frame";
         Message::warning(what).hint(hint)
     })
-}
-
-/// A warning where some poses lack a target that others have.
-fn incomplete(observations: &DataFrame, robot: &dyn Robot) -> Result<Option<Message>> {
-    let (poses, cycles) = (table::poses(observations)?, table::integers(observations, "cycle")?);
-    let mut seen: BTreeMap<(PoseName, i64), usize> = BTreeMap::new();
-    for key in poses.into_iter().zip(cycles) {
-        *seen.entry(key).or_default() += 1;
-    }
-    let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < robot.targets().len();
-    let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
-    let what = format!("poses that lack a target: {}", listed(&poses));
-    let hint = "their other targets still count; a pose or an orientation needs all of them";
-    Ok((!poses.is_empty()).then(|| Message::warning(what).hint(hint)))
 }
 
 fn listed(numbers: &BTreeSet<PoseName>) -> String {

@@ -18,7 +18,6 @@ use crate::iso9283::pose::test::CommandedPose;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::table::ANGLES;
 use etalon_documents::{Iso9283Arrival, Iso9283Posing, Iso9283Settling, Iso9283Standstill, Iso9283StreamDocument};
 use etalon_math::statistics::mean;
 pub use stated::Stated;
@@ -138,7 +137,7 @@ fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
         }
     }
     if !recording.angles.is_empty() {
-        let names: Vec<&str> = recording.angles.iter().map(|&k| &ANGLES[k][..1]).collect();
+        let names: Vec<&str> = recording.angles.iter().map(|&k| ["a", "b", "c"][k]).collect();
         conventions.push(format!("angles {} are followed along the motion and treated each alone", names.join(", ")));
     }
     conventions

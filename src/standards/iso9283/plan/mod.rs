@@ -10,7 +10,6 @@ use crate::iso9283::plan::layout::{PLANES, layout};
 use crate::iso9283::plan::programme::{LOADS_PERCENT, programme};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
-use etalon_base::table::{ANGLES, XYZ};
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument};
 use std::collections::BTreeMap;
 
@@ -26,6 +25,12 @@ pub struct Request {
     /// By how much they change along the path with reorientation; none where it is empty.
     pub reorientation_deg: Vec<f64>,
 }
+
+/// Coordinates of a commanded pose in the document.
+const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// Angles of a commanded pose in the document.
+const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 
 /// Chords of a circle.
 const CHORDS: usize = 72;

@@ -1,0 +1,302 @@
+//! Keys of robot.toml that are a model's own: their spelling with units, their schema, and how TOML states them.
+
+use etalon_robots::{Absence, JointRef, Key, Quantity, Shape, Value, Values};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{self, DeserializeSeed, EnumAccess, Error as _, MapAccess, SeqAccess, VariantAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::{Map, Value as Json, json};
+use std::fmt;
+use toml::Spanned;
+use toml::de::DeTable;
+
+/// Spellings of a key: its name with each of its units.
+pub(super) fn spellings(key: &Key) -> Vec<String> {
+    let units: &[&str] = match key.quantity {
+        Quantity::Length => &["mm", "m"],
+        Quantity::Angle => &["deg", "rad"],
+        Quantity::Ratio => return vec![key.name.to_owned()],
+    };
+    let count = if key.two_units { 2 } else { 1 };
+    units.iter().take(count).map(|unit| format!("{}_{unit}", key.name)).collect()
+}
+
+/// Paths of all keys: those of a table by the table's name and their own.
+pub(super) fn paths(keys: &[Key]) -> Vec<Vec<String>> {
+    let of = |key: &Key| match &key.shape {
+        Shape::Table(own) => own.iter().flat_map(spellings).map(|own| vec![key.name.to_owned(), own]).collect(),
+        _ => spellings(key).into_iter().map(|key| vec![key]).collect::<Vec<_>>(),
+    };
+    keys.iter().flat_map(of).collect()
+}
+
+/// Keys without which the robot is meaningless, and those of tables that end up at the top where the head of their table is missing.
+pub(super) fn essential(keys: &[Key]) -> Vec<String> {
+    let of = |key: &Key| {
+        let mut all = if key.essential { spellings(key) } else { Vec::new() };
+        all.extend(essential(own_keys(key)));
+        all
+    };
+    keys.iter().flat_map(of).collect()
+}
+
+/// The key of this name, at the top or in a table.
+pub(super) fn named<'k>(keys: &'k [Key], name: &str) -> Option<&'k Key> {
+    keys.iter().find_map(|key| if key.name == name { Some(key) } else { named(own_keys(key), name) })
+}
+
+/// Keys of a table, or of each of several.
+fn own_keys(key: &Key) -> &[Key] {
+    if let Shape::Table(own) | Shape::Tables(_, own) = &key.shape { own } else { &[] }
+}
+
+/// A joint by its number, from 1, or its name.
+#[derive(Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected the number of a joint, from 1, or its name")]
+enum StatedJoint {
+    /// From 1.
+    Number(usize),
+    /// As its column begins.
+    Name(String),
+}
+
+impl From<StatedJoint> for JointRef {
+    fn from(joint: StatedJoint) -> Self {
+        match joint {
+            StatedJoint::Number(number) => Self::Number(number),
+            StatedJoint::Name(name) => Self::Name(name),
+        }
+    }
+}
+
+/// JSON Schema of a table with these keys.
+pub(super) fn schema(keys: &[Key], generator: &mut SchemaGenerator) -> Schema {
+    let mut properties = Map::new();
+    for key in keys {
+        for (i, spelling) in spellings(key).into_iter().enumerate() {
+            let meaning = match (i, key.quantity) {
+                (0, _) => key.meaning,
+                (_, Quantity::Angle) => "The same in radians.",
+                _ => "The same in metres.",
+            };
+            let mut schema = schema_of(key, generator);
+            schema.insert("description".to_owned(), meaning.into());
+            if let Absence::Default(value) = &key.absence {
+                schema.insert("default".to_owned(), json_of(value, &key.shape));
+            }
+            properties.insert(spelling, schema.to_value());
+        }
+    }
+    let required = keys.iter().filter(|key| matches!(key.absence, Absence::Error)).flat_map(spellings);
+    let required: Vec<String> = required.collect();
+    let mut table = json_schema!({ "type": "object", "properties": properties, "additionalProperties": false });
+    if !required.is_empty() {
+        table.insert("required".to_owned(), required.into());
+    }
+    table
+}
+
+fn schema_of(key: &Key, generator: &mut SchemaGenerator) -> Schema {
+    fn of<T: JsonSchema>(key: &Key, generator: &mut SchemaGenerator) -> Schema {
+        match key.absence {
+            Absence::Nothing => Option::<T>::json_schema(generator),
+            _ => T::json_schema(generator),
+        }
+    }
+    match &key.shape {
+        Shape::Number => of::<f64>(key, generator),
+        Shape::Range => of::<[f64; 2]>(key, generator),
+        Shape::Triple => of::<[f64; 3]>(key, generator),
+        Shape::Flag => of::<bool>(key, generator),
+        Shape::Text | Shape::Tree => of::<String>(key, generator),
+        Shape::Joints => of::<Vec<StatedJoint>>(key, generator),
+        Shape::JointPairs => of::<Vec<(StatedJoint, StatedJoint)>>(key, generator),
+        Shape::Choice(choices) => {
+            let one =
+                |(name, meaning): &(&str, &str)| json!({ "description": meaning, "type": "string", "const": name });
+            json_schema!({ "oneOf": choices.iter().map(one).collect::<Vec<_>>() })
+        }
+        Shape::Table(own) => schema(own, generator),
+        Shape::Tables(meaning, own) => {
+            let mut each = schema(own, generator);
+            each.insert("description".to_owned(), (*meaning).into());
+            json_schema!({ "type": "array", "items": each })
+        }
+    }
+}
+
+/// A default value in JSON.
+fn json_of(value: &Value, shape: &Shape) -> Json {
+    match (value, shape) {
+        (Value::Numbers(numbers), Shape::Number) => numbers.first().copied().into(),
+        (Value::Numbers(numbers), _) => numbers.clone().into(),
+        (Value::Flag(flag), _) => (*flag).into(),
+        (Value::Choice(index), Shape::Choice(choices)) => choices.get(*index).map(|(name, _)| *name).into(),
+        _ => json!([]),
+    }
+}
+
+/// Reads a table with these keys.
+pub(super) fn read(keys: &[Key], table: Spanned<DeTable<'_>>) -> Result<Values, toml::de::Error> {
+    TableOf(keys).deserialize(toml::de::Deserializer::from(table))
+}
+
+/// Names as serde lists them.
+fn one_of(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match &quoted[..] {
+        [one] => one.clone(),
+        [one, other] => format!("{one} or {other}"),
+        all => format!("one of {}", all.join(", ")),
+    }
+}
+
+/// A table with these keys.
+#[derive(Clone, Copy)]
+struct TableOf<'k>(&'k [Key]);
+
+impl<'de> DeserializeSeed<'de> for TableOf<'_> {
+    type Value = Values;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Values, D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for TableOf<'_> {
+    type Value = Values;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a table")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Values, A::Error> {
+        let mut values = Values::new();
+        while let Some((key, unit)) = map.next_key_seed(KeyOf(self.0))? {
+            let value = map.next_value_seed(ValueOf(key, unit))?;
+            let stated = values.insert(key.name, value).is_some();
+            if stated {
+                values.insert(key.name, Value::Twice);
+            }
+        }
+        let mut missing =
+            self.0.iter().filter(|key| matches!(key.absence, Absence::Error) && !values.contains_key(key.name));
+        match missing.next().map(|key| spellings(key).concat()) {
+            Some(spelling) => Err(A::Error::custom(format!("missing field `{spelling}`"))),
+            None => Ok(values),
+        }
+    }
+}
+
+/// One of these keys, and which of its units it is spelled with.
+struct KeyOf<'k>(&'k [Key]);
+
+impl<'de, 'k> DeserializeSeed<'de> for KeyOf<'k> {
+    type Value = (&'k Key, usize);
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl<'k> Visitor<'_> for KeyOf<'k> {
+    type Value = (&'k Key, usize);
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a key")
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<Self::Value, E> {
+        let find = |key: &'k Key| Some((key, spellings(key).iter().position(|spelling| spelling == name)?));
+        self.0.iter().find_map(find).ok_or_else(|| {
+            let known: Vec<String> = self.0.iter().flat_map(spellings).collect();
+            E::custom(format!("unknown field `{name}`, expected {}", one_of(&known)))
+        })
+    }
+}
+
+/// The value of a key in one of its units.
+struct ValueOf<'k>(&'k Key, usize);
+
+impl ValueOf<'_> {
+    fn numbers(&self, stated: &[f64]) -> Value {
+        let inward = |&v: &f64| match (self.0.quantity, self.1) {
+            (quantity, 0) => quantity.inward(v),
+            (Quantity::Length, _) => 1000.0 * v,
+            _ => v,
+        };
+        Value::Numbers(stated.iter().map(inward).collect())
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for ValueOf<'_> {
+    type Value = Value;
+
+    fn deserialize<D: Deserializer<'de>>(self, d: D) -> Result<Value, D::Error> {
+        let pair = |(joint, by): (StatedJoint, StatedJoint)| (joint.into(), by.into());
+        Ok(match &self.0.shape {
+            Shape::Number => self.numbers(&[f64::deserialize(d)?]),
+            Shape::Range => self.numbers(&<[f64; 2]>::deserialize(d)?),
+            Shape::Triple => self.numbers(&<[f64; 3]>::deserialize(d)?),
+            Shape::Flag => Value::Flag(bool::deserialize(d)?),
+            Shape::Text | Shape::Tree => Value::Text(String::deserialize(d)?),
+            Shape::Choice(choices) => Value::Choice(d.deserialize_enum("", &[], ChoiceOf(choices))?),
+            Shape::Joints => Value::Joints(Vec::<StatedJoint>::deserialize(d)?.into_iter().map(Into::into).collect()),
+            Shape::JointPairs => {
+                Value::JointPairs(Vec::<(StatedJoint, StatedJoint)>::deserialize(d)?.into_iter().map(pair).collect())
+            }
+            Shape::Table(own) => Value::Table(TableOf(own).deserialize(d)?),
+            Shape::Tables(_, own) => Value::Tables(d.deserialize_seq(TablesOf(own))?),
+        })
+    }
+}
+
+/// One of these words, by its index.
+#[derive(Clone, Copy)]
+struct ChoiceOf<'k>(&'k [(&'static str, &'static str)]);
+
+impl<'de> DeserializeSeed<'de> for ChoiceOf<'_> {
+    type Value = usize;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<usize, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl<'de> Visitor<'de> for ChoiceOf<'_> {
+    type Value = usize;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a word")
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<usize, A::Error> {
+        let (index, variant) = data.variant_seed(self)?;
+        variant.unit_variant().map(|()| index)
+    }
+
+    fn visit_str<E: de::Error>(self, word: &str) -> Result<usize, E> {
+        self.0.iter().position(|(name, _)| *name == word).ok_or_else(|| {
+            let known: Vec<String> = self.0.iter().map(|(name, _)| (*name).to_owned()).collect();
+            E::custom(format!("unknown variant `{word}`, expected {}", one_of(&known)))
+        })
+    }
+}
+
+/// Tables with these keys.
+struct TablesOf<'k>(&'k [Key]);
+
+impl<'de> Visitor<'de> for TablesOf<'_> {
+    type Value = Vec<Values>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a sequence")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut tables: A) -> Result<Vec<Values>, A::Error> {
+        let mut all = Vec::new();
+        while let Some(values) = tables.next_element_seed(TableOf(self.0))? {
+            all.push(values);
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,226 @@
+//! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
+
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use polars::prelude::*;
+use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
+use serde::Serialize;
+use std::io::{Cursor, Write};
+
+/// Columns of the coordinates, in millimetres.
+pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// Columns of their standard uncertainties.
+pub const UNCERTAINTIES: [&str; 3] = ["ux_mm", "uy_mm", "uz_mm"];
+
+/// Columns of their covariance, in square millimetres: the upper triangle row by row.
+pub const COVARIANCES: [&str; 6] = ["cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2"];
+
+/// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
+pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
+
+/// Columns of a quaternion, scalar first: a body in the world.
+pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+
+/// Column of a point's label; in a log, of the point that the robot touches.
+pub const LABEL: &str = "label";
+
+/// Column of the time of a measurement in s.
+pub const TIME: &str = "time_s";
+/// Columns of text in a table of observations.
+pub const TEXTS: [&str; 10] =
+    ["kind", "target", "station", "socket", "other", "plane", "line_name", "sphere", "axis", "joint"];
+/// Column of the assembly mode, +1 or -1, of robots that have several.
+pub const ASSEMBLY: &str = "assembly";
+
+/// The problem that a table cannot be made.
+pub fn failed(error: impl std::fmt::Display) -> Problems {
+    Message::error(format!("table: {error}")).into()
+}
+
+/// A table of `height` rows.
+pub fn frame(height: usize, columns: Vec<Column>) -> Result<DataFrame> {
+    DataFrame::new(height, columns).map_err(failed)
+}
+
+/// A column as numbers; missing values are NaN.
+pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
+    let column = column(table, name)?.cast(&DataType::Float64).map_err(failed)?;
+    Ok(column.f64().map_err(failed)?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
+}
+
+/// A column of whole numbers without gaps.
+pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
+    let wrong = || Message::error(format!("column `{name}` holds a value that is not a whole number"));
+    let column = column(table, name)?;
+    // a cast would cut 1.5 and 1e300
+    let cut = |v: f64| v.is_finite() && v.fract() != 0.0 || v.abs() > 9e15;
+    if column.dtype().is_float() && numbers(table, name)?.into_iter().any(cut) {
+        return Err(wrong().into());
+    }
+    let column = column.strict_cast(&DataType::Int64).map_err(|_| wrong())?;
+    let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
+    column.i64().map_err(failed)?.iter().map(whole).collect()
+}
+
+/// The names of poses in the column `pose`, without gaps.
+pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
+    if !column(table, "pose")?.dtype().is_string() {
+        return Ok(integers(table, "pose")?.into_iter().map(PoseName::from).collect());
+    }
+    let name = |name: String| PoseName::new(&name).map_err(Problems::from);
+    texts(table, "pose")?.into_iter().map(name).collect()
+}
+
+/// A column of names of poses: whole numbers, or texts where one of them is a text.
+pub fn pose_column(name: &str, poses: &[Option<PoseName>]) -> Column {
+    pose_column_as(name, poses, !poses.iter().flatten().any(|pose| pose.number().is_none()))
+}
+
+/// A column of names of poses that are whole numbers all, or of texts.
+pub fn pose_column_as(name: &str, poses: &[Option<PoseName>], numbers: bool) -> Column {
+    match numbers {
+        true => Column::new(name.into(), poses.iter().map(|pose| (*pose)?.number()).collect::<Vec<_>>()),
+        false => {
+            Column::new(name.into(), poses.iter().map(|pose| Some(pose.as_ref()?.to_string())).collect::<Vec<_>>())
+        }
+    }
+}
+
+/// A column of whole numbers; empty where missing.
+pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64>>> {
+    let column = column(table, name)?.cast(&DataType::Int64).map_err(failed)?;
+    Ok(column.i64().map_err(failed)?.iter().collect())
+}
+
+/// A column as text; empty where missing.
+pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
+    let column = column(table, name)?.cast(&DataType::String).map_err(failed)?;
+    Ok(column.str().map_err(failed)?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
+}
+
+/// The three coordinates in millimetres; a table without `z_mm`, or with an empty one, has z = 0.
+pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
+    let (x, y) = (numbers(table, XYZ[0])?, numbers(table, XYZ[1])?);
+    let mut z = if table.column(XYZ[2]).is_ok() { numbers(table, XYZ[2])? } else { vec![0.0; x.len()] };
+    if z.iter().all(|z| z.is_nan()) {
+        z.fill(0.0);
+    }
+    Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
+}
+
+/// Errors about every one of these columns that the table does not have; they point at its header, line 1 of whatever file.
+pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
+    let header = Place { line: Some(1), ..Place::default() };
+    let missing = names.iter().filter_map(|name| column(table, name).err());
+    Problems(missing.flat_map(|problems| problems.at(&header).0).collect()).check().map(|_| ())
+}
+
+fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
+    table.column(name).map_err(|_| {
+        // `line` is where a row was read, no user wrote it
+        let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
+        let names: Vec<&str> = names.collect();
+        Message::error(format!("the table has no column `{name}`")).hint_names(name, names).into()
+    })
+}
+
+/// A cell of a table as CSV.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Cell {
+    Text(String),
+    Whole(i64),
+    Real(f64),
+    Missing(()),
+}
+
+impl From<AnyValue<'_>> for Cell {
+    fn from(value: AnyValue) -> Self {
+        match value {
+            AnyValue::Null => Self::Missing(()),
+            AnyValue::Int64(number) => Self::Whole(number),
+            AnyValue::Float64(number) => Self::Real(number),
+            AnyValue::String(text) => Self::Text(text.to_owned()),
+            other => Self::Text(other.to_string()),
+        }
+    }
+}
+
+/// The table as CSV text; missing values are empty.
+pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
+    let mut writer = ::csv::Writer::from_writer(Vec::new());
+    writer.write_record(table.get_column_names().iter().map(|name| name.as_str())).map_err(failed)?;
+    for row in 0..table.height() {
+        let cells = table.columns().iter().map(|column| column.get(row).map(Cell::from).map_err(failed));
+        writer.serialize(cells.collect::<Result<Vec<Cell>>>()?).map_err(failed)?;
+    }
+    writer.into_inner().map_err(failed)
+}
+
+/// A writer of so many rows: for fewer than that, waking other threads and setting up zstd take longer than the rows.
+fn writer<W: Write>(into: W, rows: usize) -> ParquetWriter<W> {
+    ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(rows > 100_000)
+}
+
+/// The table as Parquet.
+pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    writer(&mut bytes, table.height()).finish(table).map_err(failed)?;
+    Ok(bytes)
+}
+
+/// A table that is written as Parquet piece by piece, so that its length takes no memory.
+pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
+
+impl<W: Write + Send> RowGroups<W> {
+    /// A table with the columns of `like`.
+    pub fn new(into: W, like: &DataFrame) -> Result<Self> {
+        writer(into, 0).batched(like.schema()).map(Self).map_err(failed)
+    }
+
+    /// Adds the rows of a table.
+    pub fn add(&mut self, rows: &DataFrame) -> Result<()> {
+        if rows.height() > 0 {
+            self.0.write_batch(rows).map_err(failed)?;
+        }
+        Ok(())
+    }
+
+    /// Ends the file.
+    pub fn finish(self) -> Result<()> {
+        self.0.finish().map(drop).map_err(failed)
+    }
+}
+
+/// The table of a Parquet file that a stage wrote.
+pub fn from_parquet(bytes: Vec<u8>) -> Result<DataFrame> {
+    let unreadable = |e| Message::error(format!("it is not a table: {e}")).into();
+    ParquetReader::new(Cursor::new(bytes)).finish().map_err(unreadable)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use polars::prelude::{IntoColumn, NamedFrom, Series};
+
+    #[test]
+    fn hostile_texts_stay_in_their_cells() {
+        let texts = [
+            "<script>alert(1)</script>".to_owned(),
+            "=HYPERLINK(\"http://x.invalid\",\"y\")".to_owned(),
+            "a,b;c\td\"e".to_owned(),
+            "two\nlines\r\nand a\rthird".to_owned(),
+            "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}".to_owned(),
+            "n".repeat(200),
+            String::new(),
+        ];
+        let numbers = Series::new("pose".into(), (0..7i64).collect::<Vec<_>>()).into_column();
+        let table = DataFrame::new(7, vec![numbers, Series::new("target".into(), &texts[..]).into_column()]).unwrap();
+        let written = to_csv(&table).unwrap();
+        let mut reader = ::csv::Reader::from_reader(&written[..]);
+        let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
+        assert_eq!(read, (0..).zip(texts).collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,444 @@
+//! The uncertainty budget of an identification: what each source contributes to the variance of a parameter, or of a figure that
+//! depends on parameters and readings (GUM 5.1.2, 5.2.2; a table as in GUM H.1).
+
+use crate::Result;
+use crate::judgement::significance::Variance;
+use crate::model::frame_error::{FrameError, carry, response};
+use crate::model::residuals::Residuals;
+use crate::model::rigid_part::Shape;
+use crate::{Covariance, Identification, Observation, ResidualKind, Settings};
+use UncertaintySource as Source;
+use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::{mean, rms};
+use etalon_math::{Problem, Solution};
+use etalon_robots::Robot;
+use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A source of uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum UncertaintySource {
+    /// The instrument: its stated uncertainty, or that which readings state of themselves.
+    Instrument,
+    /// How well the robot finds a measured point again, as stated.
+    Contact,
+    /// Stated shapes of rigid parts.
+    RigidParts,
+    /// Stated places and lengths of sockets and other fixed points.
+    KnownPoints,
+    /// What repeats of a pose scatter beyond the instrument.
+    Repeatability,
+    /// What residuals exceed all this by: errors of the robot that the model does not describe.
+    Model,
+    /// Residuals, where no uncertainty is stated.
+    Residuals,
+    /// The world frame, common to all poses.
+    Frame,
+    /// The frame that was measured again at each pose.
+    FrameOfPoses,
+    /// The scale of the measuring system, common to all lengths.
+    Scale,
+    /// The temperature, by the expansion of robot and part.
+    Temperature,
+    /// The joint values that homing sets, common to the campaign.
+    Homing,
+}
+
+/// What sources contribute to a variance, in its unit.
+pub type Contributions = Vec<(UncertaintySource, f64)>;
+
+/// Errors that all readings of a campaign have in common, by their standard uncertainties (GUM 5.2.4, F.1.2.3).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Systematic {
+    /// Frames that place the observations.
+    pub frames: Vec<FrameError>,
+    /// Of all measured lengths by the scale of the measuring system, relative.
+    pub scale: f64,
+    /// Of all measured lengths by the temperature, relative.
+    pub expansion: f64,
+    /// Of the joint values that homing sets, in the order of the joints, mm or rad; empty where none is stated.
+    pub homing: Vec<f64>,
+}
+
+impl Systematic {
+    /// Whether an error that is common to all readings is stated, beside those of frames.
+    pub fn is_stated(&self) -> bool {
+        self.scale > 0.0 || self.expansion > 0.0 || self.homing.iter().any(|u| *u > 0.0)
+    }
+}
+
+/// What an identification's uncertainty is made of.
+#[derive(Clone, Debug, Default)]
+pub struct Budget {
+    /// Covariances of the identified parameters by the sources that are stated for single readings; empty where none is.
+    stated: Vec<(Source, Vec<f64>)>,
+    /// Their covariance by all that single readings and poses show.
+    readings: Vec<f64>,
+    /// Variance of repeats beyond the instrument's, over the instrument's.
+    repeats: f64,
+    /// Standard uncertainty of a coordinate, mm; `None` where none is stated.
+    stated_mm: Option<f64>,
+    /// The frames of single poses, where `readings` do not contain them.
+    of_poses: Vec<f64>,
+    /// How the parameters respond to one standard uncertainty of each common error.
+    common: Vec<(Source, Vec<f64>)>,
+}
+
+/// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Replicates {
+    /// Standard deviation of a coordinate among repeats of a pose, mm.
+    pub repeats_mm: f64,
+    /// Its degrees of freedom.
+    pub degrees_of_freedom: usize,
+    /// Standard deviation of a coordinate that the model leaves at a pose, without the scatter of repeats, mm.
+    pub lack_of_fit_mm: f64,
+    /// Probability of residuals as large as these if the model were right (F test of lack of fit).
+    pub p_value: f64,
+}
+
+/// Joint values of repeats differ by less than this, mm or rad.
+const SAME_JOINTS: f64 = 0.005;
+
+impl Systematic {
+    /// How residuals (whitened) change by one standard uncertainty of each independent error that is common to all.
+    pub(crate) fn errors(&self, observed: &Observed) -> Result<Vec<(Source, Vec<f64>)>> {
+        let (problem, x) = (&observed.problem()?, &observed.x());
+        let mut errors = Vec::new();
+        for frame in self.frames.iter().filter(|f| f.pose.is_none()) {
+            let by_frame = problem.frame_jacobian(x, None);
+            let covariance = Matrix6::from_fn(|i, j| frame.covariance[i][j]);
+            let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(covariance);
+            for (k, value) in eigenvalues.iter().enumerate().filter(|(_, value)| **value > 0.0) {
+                let along = eigenvectors.column(k) * value.sqrt();
+                let change = by_frame.chunks_exact(6).map(|row| row.iter().zip(&along).map(|(r, a)| r * a).sum());
+                errors.push((Source::Frame, change.collect()));
+            }
+        }
+        let scales = [(Source::Scale, self.scale), (Source::Temperature, self.expansion)];
+        for (source, relative) in scales.into_iter().filter(|(_, relative)| *relative > 0.0) {
+            let by_scale = problem.scale_jacobian(x);
+            errors.push((source, by_scale.iter().map(|r| r * relative).collect()));
+        }
+        for (joint, &u) in self.homing.iter().enumerate().filter(|(_, u)| **u > 0.0) {
+            // Z = (f(x + u) − f(x − u)) / 2, GUM 5.1.3 note 2
+            let (up, down) = (observed.with_joint(joint, u)?, observed.with_joint(joint, -u)?);
+            errors.push((Source::Homing, up.iter().zip(&down).map(|(up, down)| 0.5 * (up - down)).collect()));
+        }
+        Ok(errors)
+    }
+}
+
+/// Observations with the parameters that are identified from them.
+pub(crate) struct Observed<'a> {
+    pub robot: &'a dyn Robot,
+    pub observations: &'a [Observation],
+    pub settings: &'a Settings,
+    pub free: &'a [usize],
+    pub values: &'a [f64],
+}
+
+impl<'a> Observed<'a> {
+    fn problem(&self) -> Result<Residuals<'a>> {
+        Residuals::new(self.robot, self.observations, self.settings, self.free, self.values)
+    }
+
+    fn x(&self) -> Vec<f64> {
+        self.free.iter().map(|&i| self.values[i]).collect()
+    }
+
+    /// Residuals with a joint's values shifted.
+    fn with_joint(&self, joint: usize, by: f64) -> Result<Vec<f64>> {
+        let (mut observations, mut settings) = (self.observations.to_vec(), self.settings.clone());
+        let shifted = observations.iter_mut().map(|o| &mut o.joints);
+        shifted.chain(settings.conditions.iter_mut().map(|c| &mut c.joints)).for_each(|joints| joints[joint] += by);
+        let problem = Residuals::new(self.robot, &observations, &settings, self.free, self.values)?;
+        let mut residuals = vec![0.0; problem.residual_count()];
+        problem.residuals(&self.x(), &mut residuals);
+        Ok(residuals)
+    }
+}
+
+impl Budget {
+    /// Of readings whose covariance `readings` was found, `instrument` being that by what is stated; `None` where nothing is.
+    pub(crate) fn new(
+        (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+        instrument: Option<&[f64]>,
+        readings: &[f64],
+        settings: &Settings,
+        replicates: Option<&Replicates>,
+    ) -> Self {
+        // of points that are many the covariance is too large to keep it source by source
+        if problem.layout.is_some() {
+            return Self::default();
+        }
+        let stated = instrument.map(|all| by_rows((problem, solution, jacobian), all)).unwrap_or_default();
+        let beyond = |r: &Replicates| settings.standard_uncertainty_mm.map(|u| (r.repeats_mm / u).powi(2) - 1.0);
+        Self {
+            stated_mm: settings.standard_uncertainty_mm.map(|_| settings.coordinate_uncertainty_mm()),
+            stated,
+            readings: readings.to_vec(),
+            repeats: replicates.and_then(beyond).unwrap_or(0.0).max(0.0),
+            ..Self::default()
+        }
+    }
+
+    /// Adds to `covariance` what frames and common errors make of it, frames of single poses where they are `unseen` in the residuals.
+    pub(crate) fn carry_all(
+        &mut self,
+        systematic: &Systematic,
+        observed: &Observed,
+        all: (&Residuals, &Solution, &[f64]),
+        unseen: bool,
+        covariance: &mut [f64],
+    ) -> Result<()> {
+        let (common, of_poses): (Vec<_>, Vec<_>) = systematic.frames.iter().partition(|f| f.pose.is_none());
+        carry(common.into_iter(), all, covariance);
+        if unseen && !of_poses.is_empty() {
+            self.of_poses = vec![0.0; covariance.len()];
+            carry(of_poses.into_iter(), all, &mut self.of_poses);
+            covariance.iter_mut().zip(&self.of_poses).for_each(|(total, more)| *total += more);
+        }
+        self.carry(systematic.errors(observed)?, all, covariance);
+        Ok(())
+    }
+
+    /// Adds the errors that all readings have in common, each by the change of the residuals, and to `covariance` what they make of it;
+    /// that of frames is in it.
+    fn carry(
+        &mut self,
+        errors: Vec<(Source, Vec<f64>)>,
+        (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+        covariance: &mut [f64],
+    ) {
+        let n = solution.x.len();
+        let Some(inverse) = solution.covariance() else { return };
+        for (source, change) in errors {
+            // S = -(JᵀJ)⁻¹ Jᵀ D
+            let answers = response::<1>(&inverse, problem.rows_of(jacobian), &change);
+            let answers: Vec<f64> = answers.iter().map(|[s]| -s).collect();
+            let rows = covariance.chunks_exact_mut(n).zip(&answers).filter(|_| source != Source::Frame);
+            rows.for_each(|(row, a)| row.iter_mut().zip(&answers).for_each(|(c, b)| *c += a * b));
+            self.common.push((source, answers));
+        }
+    }
+
+    /// What each source contributes to the variance of an identified parameter, by its place among these; nothing where points were
+    /// eliminated.
+    pub fn of_parameter(&self, k: usize) -> Contributions {
+        if self.readings.is_empty() {
+            return Vec::new();
+        }
+        let n = self.readings.len().isqrt();
+        self.contributions(|covariance| covariance[k * n + k], 0.0, |e| self.common[e].1[k])
+    }
+
+    /// By the variance that a covariance of the parameters gives, what the instrument adds to it, and the response to each common error.
+    fn contributions(
+        &self,
+        form: impl Fn(&[f64]) -> f64,
+        instrument: f64,
+        response: impl Fn(usize) -> f64,
+    ) -> Contributions {
+        let mut all: BTreeMap<Source, f64> = BTreeMap::new();
+        let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
+        let mut rest = form(&self.readings);
+        let mut of_instrument = 0.0;
+        for (source, covariance) in &self.stated {
+            let variance = form(covariance).min(rest.max(0.0));
+            rest -= variance;
+            of_instrument += variance;
+            add(*source, variance);
+        }
+        // what is left of small differences of equal numbers is nothing
+        let rest = if rest > 1e-9 * of_instrument { rest } else { 0.0 };
+        let repeats = (of_instrument * self.repeats).min(rest);
+        if self.stated.is_empty() {
+            add(Source::Residuals, rest);
+        } else {
+            add(Source::Repeatability, repeats);
+            add(Source::Model, rest - repeats);
+        }
+        add(Source::Instrument, instrument);
+        if !self.of_poses.is_empty() {
+            add(Source::FrameOfPoses, form(&self.of_poses));
+        }
+        self.common.iter().enumerate().for_each(|(e, (source, _))| add(*source, response(e).powi(2)));
+        // what cancels leaves the noise of its differences
+        let least = 1e-16 * all.values().sum::<f64>();
+        all.into_iter().filter(|(_, variance)| *variance > least).collect()
+    }
+}
+
+/// The covariance by what is stated, split into what the rows of each source contribute.
+fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: &[f64]) -> Vec<(Source, Vec<f64>)> {
+    let whole = || vec![(Source::Instrument, all.to_vec())];
+    let priors = problem.shapes().next().is_some() || problem.known().next().is_some();
+    if !priors && !problem.is_whitened() {
+        return whole();
+    }
+    let n = solution.x.len();
+    let Some(inverse) = solution.covariance() else { return whole() };
+    let measured = problem.measured_count();
+    let spread = |rows: &[f64], weight: f64| {
+        let step =
+            DMatrix::from_row_slice(n, n, &inverse) * DMatrix::from_row_slice(rows.len() / n, n, rows).transpose();
+        (&step * step.transpose() * weight).as_slice().to_vec()
+    };
+    let of = |row: usize, count: usize, weight: f64| spread(&jacobian[row * n..(row + count) * n], weight);
+    let sum = |a: Vec<f64>, b: Vec<f64>| if a.is_empty() { b } else { a.iter().zip(b).map(|(a, b)| a + b).collect() };
+    let shapes = problem.shapes().map(|(row, shape): (usize, &Shape)| of(row, shape.rows(), shape.variance()));
+    let known = problem.known().map(|(row, known)| of(row, known.rows(), 1.0));
+    let (shapes, known) = (shapes.fold(Vec::new(), sum), known.fold(Vec::new(), sum));
+    let readings: Vec<f64> = of(0, measured, 1.0);
+    let mut parts = Vec::new();
+    if problem.is_whitened() {
+        // what whitens u² I + c² 11ᵀ is symmetric: once more it gives the response to each reading's own error
+        let mut own = jacobian[..measured * n].to_vec();
+        problem.whiten(&mut own, n);
+        let own: Vec<f64> = spread(&own, 1.0);
+        let common = readings.iter().zip(&own).map(|(all, own)| all - own).collect();
+        parts.extend([(Source::Instrument, common), (Source::Contact, own)]);
+    } else {
+        parts.push((Source::Instrument, readings));
+    }
+    parts.extend([(Source::RigidParts, shapes), (Source::KnownPoints, known)]);
+    parts.retain(|(_, covariance)| !covariance.is_empty());
+    parts
+}
+
+/// A figure made of the position errors of an identification: its derivatives by each of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figure {
+    /// Their mean size.
+    Mean,
+    /// Their root mean square.
+    Rms,
+    /// The largest.
+    Max,
+}
+
+/// What each source contributes to the variance (mm²) of figures of the position errors of `observations`, which are not those of
+/// the identification. `None` without a covariance, and where points were eliminated.
+pub fn figure_budgets(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+    systematic: &Systematic,
+) -> Result<Option<Vec<(Figure, Contributions)>>> {
+    if observations.is_empty() || found.budget.readings.is_empty() {
+        return Ok(None);
+    }
+    let covariance = |o: &Observation, k: usize| o.covariances_mm2.get(k).copied().flatten();
+    let measured = |o: &Observation| (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect::<Vec<_>>();
+    let covariances: Vec<Option<Covariance>> =
+        observations.iter().flat_map(|o| measured(o).into_iter().map(|k| covariance(o, k))).collect();
+    let plain = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
+    let observations: Vec<Observation> = observations.iter().map(plain).collect();
+    // of a platform the errors are those of its centre
+    let kind = if robot.platform().is_some() { ResidualKind::Pose } else { ResidualKind::Targets };
+    let settings =
+        Settings { kind, standard_uncertainty_mm: Some(1.0), hold: settings.hold.clone(), ..Settings::default() };
+    let (free, values) = (&found.free[..], &found.values[..]);
+    let observed = Observed { robot, observations: &observations, settings: &settings, free, values };
+    let (problem, x) = (observed.problem()?, observed.x());
+    let mut residuals = vec![0.0; problem.residual_count()];
+    problem.residuals(&x, &mut residuals);
+    let jacobian = problem.jacobian_at(&x);
+    let rows = problem.rows_of(&jacobian);
+    let errors = systematic.errors(&observed)?;
+    let sensitivities = problem.target_sensitivities(&x);
+    // of a platform the third residual is an angle
+    let (width, used) = if sensitivities.is_some() { (3, 2) } else { (robot.dimension(), robot.dimension()) };
+    let size = |e: &[f64]| e[..used].iter().map(|v| v * v).sum::<f64>().sqrt();
+    let sizes: Vec<f64> = residuals.chunks_exact(width).map(size).collect();
+    let count = sizes.len() as f64;
+    let rms = rms(sizes.iter().copied());
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let u_mm = found.budget.stated_mm.unwrap_or(0.0);
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let of = |figure: Figure| {
+        let weight = |s: f64| match figure {
+            _ if s == 0.0 => 0.0,
+            Figure::Mean => 1.0 / (s * count),
+            Figure::Rms => 1.0 / (rms * count),
+            Figure::Max => f64::from(u8::from(s == largest)) / s,
+        };
+        let by: Vec<f64> = (0..residuals.len())
+            .map(|row| if row % width < used { residuals[row] * weight(sizes[row / width]) } else { 0.0 })
+            .collect();
+        let gradient: Vec<f64> = rows.transposed_times::<1>(&by).into_iter().map(|[g]| g).collect();
+        let noise: f64 = match &sensitivities {
+            Some(all) => {
+                let of_pose = |(s, by): (&[[f64; 4]; 3], &[f64])| -> f64 {
+                    (0..4).map(|c| (0..2).map(|i| s[i][c] * by[i]).sum::<f64>().powi(2)).sum()
+                };
+                u_mm * u_mm * all.iter().zip(by.chunks_exact(3)).map(of_pose).sum::<f64>()
+            }
+            None => {
+                let readings = by.chunks_exact(width).zip(&covariances);
+                let of_reading = |(by, covariance): (&[f64], &Option<Covariance>)| -> f64 {
+                    let own = |c: &Covariance| (0..width).map(|i| by[i] * dot(&c[i][..width], by)).sum();
+                    covariance.as_ref().map_or_else(|| u_mm * u_mm * dot(by, by), own)
+                };
+                readings.map(of_reading).sum()
+            }
+        };
+        let n = gradient.len();
+        let form = |c: &[f64]| c.chunks_exact(n).zip(&gradient).map(|(row, g)| g * dot(row, &gradient)).sum();
+        let budget = &found.budget;
+        let moved = |e: usize| {
+            let direct = errors.get(e).map_or(0.0, |(_, change)| dot(&by, change));
+            direct + dot(&gradient, &budget.common[e].1)
+        };
+        (figure, budget.contributions(form, noise, moved))
+    };
+    Ok(Some([Figure::Mean, Figure::Rms, Figure::Max].map(of).to_vec()))
+}
+
+/// Scatter of repeats of a pose against the rest of the residuals; `None` where no pose was repeated.
+pub(crate) fn replicates(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    values: &[f64],
+    degrees_of_freedom: usize,
+) -> Option<Replicates> {
+    type Missed<'a> = (&'a [f64], [f64; 3]);
+    let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
+    if poses.len() == observations.len() {
+        return None;
+    }
+    let mut groups: BTreeMap<(PoseName, usize), Vec<Missed>> = BTreeMap::new();
+    for o in observations {
+        for (target, miss) in o.misses(robot, values) {
+            groups.entry((o.pose, target)).or_default().push((&o.joints, miss));
+        }
+    }
+    let (mut squares, mut within, mut degrees, mut repeated) = (0.0, 0.0, 0usize, 0usize);
+    let dimension = robot.dimension();
+    for of_pose in groups.values() {
+        squares += of_pose.iter().flat_map(|(_, miss)| &miss[..dimension]).map(|v| v * v).sum::<f64>();
+        let first = of_pose[0].0;
+        let same = |q: &[f64]| q.iter().zip(first).all(|(a, b)| (a - b).abs() < SAME_JOINTS);
+        if of_pose.len() < 2 || !of_pose.iter().all(|(q, _)| same(q)) {
+            continue;
+        }
+        for axis in 0..dimension {
+            let mean = mean(of_pose.iter().map(|(_, miss)| miss[axis]));
+            within += of_pose.iter().map(|(_, miss)| (miss[axis] - mean).powi(2)).sum::<f64>();
+        }
+        degrees += dimension * (of_pose.len() - 1);
+        repeated += of_pose.len();
+    }
+    let rest = degrees_of_freedom.checked_sub(degrees).filter(|rest| *rest > 0 && degrees > 0)?;
+    let (pure, lack) = (within / degrees as f64, (squares - within) / rest as f64);
+    // readings of a pose and target, in the mean
+    let each = repeated as f64 / (repeated - degrees / dimension).max(1) as f64;
+    Some(Replicates {
+        repeats_mm: pure.sqrt(),
+        degrees_of_freedom: degrees,
+        lack_of_fit_mm: ((lack - pure).max(0.0) / each).sqrt(),
+        p_value: Variance::Estimated(degrees as f64).exceedance(lack / pure * rest as f64, rest),
+    })
+}

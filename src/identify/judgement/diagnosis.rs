@@ -1,0 +1,269 @@
+//! Diagnosis: why an identification ended without a result, and outliers, the largest residuals of a robust fit.
+
+use crate::judgement::robust::CAUCHY;
+use crate::model::observation::misplaced;
+use crate::model::residuals::{OF_MEDIAN, Residuals};
+use crate::solution::identifiability::Analysis;
+use crate::solution::set_up::set_up_hint;
+use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
+use etalon_base::message::Message;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::median;
+use etalon_math::{Loss, Options, Problem, Termination};
+use etalon_robots::{Robot, Role};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Measured and predicted positions whose extents differ by more than this are not in the same unit.
+const SAME_UNIT: f64 = 3.0;
+/// The error when the solver ended with `termination` on its way from `start` (all parameters of the robot).
+pub(crate) fn diagnose_failure(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: &[f64],
+    termination: Termination,
+) -> Error {
+    if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
+        && let Ok(all) = Residuals::new(robot, observations, settings, wanted, start)
+    {
+        return too_little(robot, observations, &all, start);
+    }
+    let (cause, set_up) = (cause(robot, observations, start), set_up_hint(robot, observations));
+    Error::Failed { termination, cause, set_up }
+}
+
+/// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
+pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Error {
+    let cause = cause(robot, observations, start);
+    let set_up = cause.as_ref().and_then(|_| set_up_hint(robot, observations));
+    Error::NothingLeft { cause, set_up }
+}
+
+/// The parameters that too few poses do not determine, group by group.
+fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, start: &[f64]) -> Error {
+    let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
+    let groups = Analysis::at(all, start, 0.0).groups;
+    let name = |i: usize| robot.parameters()[i].name.clone();
+    Error::Undetermined {
+        counts: [all.residual_count(), poses.len(), all.free.len() - groups.len(), all.free.len()],
+        groups: groups.iter().map(|g| (name(g.held), g.with.iter().map(|&i| name(i)).collect())).collect(),
+    }
+}
+
+/// The cause that the observations show beside the robot at `start`.
+fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Option<Cause> {
+    let (mut measured, mut predicted) = (Vec::<Vector>::new(), Vec::<Vector>::new());
+    let mut unreachable = BTreeSet::new();
+    for o in observations {
+        for (k, target) in o.targets.iter().enumerate() {
+            let Some(target) = target else { continue };
+            let place = robot.position(start, &o.joints, k);
+            measured.push(*target);
+            match place.iter().all(|v| v.is_finite()) {
+                true => predicted.push(place),
+                false => drop(unreachable.insert(o.pose)),
+            }
+        }
+    }
+    if !unreachable.is_empty() {
+        return Some(Cause::Unreachable(unreachable));
+    }
+    let (measured_mm, model_mm) = (extent(&measured), extent(&predicted));
+    if measured_mm > SAME_UNIT * model_mm || model_mm > SAME_UNIT * measured_mm {
+        return Some(Cause::Extent { measured_mm, model_mm });
+    }
+    let wrong = misplaced(robot, observations, start);
+    let (worst, left) = wrong.first()?;
+    Some(Cause::AssemblyMode {
+        poses: wrong.iter().map(|(o, _)| o.pose).collect(),
+        worst: worst.pose,
+        mode: *worst.joints.last()?,
+        left_mm: [left.0, left.1],
+    })
+}
+
+/// Diagonal of the smallest box around points, mm.
+fn extent(points: &[Vector]) -> f64 {
+    let end = |pick: fn(f64, f64) -> f64| {
+        points.iter().copied().reduce(|a, b| [0, 1, 2].map(|i| pick(a[i], b[i]))).unwrap_or_default()
+    };
+    norm(minus(end(f64::max), end(f64::min)))
+}
+
+/// Measurements that are named where none lies beyond the rest.
+const NAMED: usize = 3;
+/// Measurements that are named at most.
+const NAMED_OUTLIERS: usize = 40;
+/// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three coordinates and normal errors
+/// fewer than one of ten million is.
+pub const OUTLIER: f64 = 6.0;
+/// Fits, each with the scale that the one before it shows.
+const FITS: usize = 12;
+/// A median residual below this share of another one belongs to a better fit.
+const BELOW: f64 = 0.9;
+/// Observations, at least, of the part that the fit from the nominal parameters begins with.
+const PART: usize = 60;
+/// Least scale of residuals in mm: below it nothing is measured.
+const LEAST_MM: f64 = 1e-6;
+
+/// What to do about readings that others contradict.
+pub const WRONG_READINGS: &str = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
+
+/// What a robust fit leaves of every reading.
+#[derive(Clone, Debug)]
+pub struct RobustFit {
+    /// The largest first.
+    pub readings: Vec<Reading>,
+    /// Standard deviation of a coordinate as the bulk of the residuals shows it, or as it is stated where that is more, mm.
+    pub scale_mm: f64,
+}
+
+/// A measured target, and how far from it a model is.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Index of its observation.
+    pub observation: usize,
+    /// Index of its target.
+    pub target: usize,
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Distance, mm.
+    pub left_mm: f64,
+    /// Standard uncertainty of a coordinate that the reading states of itself, mm; 0 where it does not.
+    own_mm: f64,
+}
+
+impl RobustFit {
+    /// A robust fit of what least squares `found`; `None` where there is none.
+    pub fn new(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        found: &Identification,
+    ) -> Option<Self> {
+        let mut free = found.free.clone();
+        free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
+        let values = robust(robot, observations, settings, &free, &found.values)?;
+        let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
+        let scale_mm = scale_mm.max(settings.coordinate_uncertainty_mm()).max(LEAST_MM);
+        let mut readings = Vec::new();
+        for (observation, o) in observations.iter().enumerate() {
+            let own: BTreeMap<usize, f64> = o.uncertainties_mm(robot.dimension()).collect();
+            readings.extend(o.misses(robot, &values).map(|(target, miss)| Reading {
+                observation,
+                target,
+                pose: o.pose,
+                cycle: o.cycle,
+                left_mm: norm(miss),
+                own_mm: own.get(&target).copied().unwrap_or(0.0),
+            }));
+        }
+        let beyond = |r: &Reading| r.left_mm / r.own_mm.max(scale_mm);
+        readings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
+        Some(Self { readings, scale_mm })
+    }
+
+    /// Readings beyond the rest, the largest first.
+    pub fn outliers(&self) -> &[Reading] {
+        let beyond = self.readings.iter().take_while(|r| r.left_mm > OUTLIER * r.own_mm.max(self.scale_mm));
+        &self.readings[..beyond.count()]
+    }
+
+    /// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
+    pub fn message(&self, robot: &dyn Robot) -> Message {
+        let named = |readings: &[Reading]| -> String {
+            let target = |r: &Reading| robot.targets()[r.target].as_str();
+            let text = |r: &Reading| format!("{:.4} mm ({}, pose {}, cycle {})", r.left_mm, target(r), r.pose, r.cycle);
+            readings.iter().map(text).collect::<Vec<_>>().join(", ")
+        };
+        let outliers = self.outliers();
+        if outliers.is_empty() {
+            let largest = &self.readings[..self.readings.len().min(NAMED)];
+            let hint = "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
+            return Message::warning(format!("largest residuals of a robust fit: {}", named(largest))).hint(hint);
+        }
+        let more = if outliers.len() > NAMED_OUTLIERS { ", ..." } else { "" };
+        let what = format!(
+            "{} of {} readings {}, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
+             fit: {}{more}",
+            outliers.len(),
+            self.readings.len(),
+            if outliers.len() == 1 { "is an outlier" } else { "are outliers" },
+            self.scale_mm,
+            named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
+        );
+        Message::warning(what).to_decide().hint(WRONG_READINGS)
+    }
+}
+
+/// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the scale of which follows
+/// the median residual down, from the identified and from the nominal parameters. Those from the nominal ones use part of
+/// many observations, and all of them only where that leads below.
+fn robust(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    free: &[usize],
+    found: &[f64],
+) -> Option<Vec<f64>> {
+    let unweighted = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
+    let all = &observations.iter().map(unweighted).collect::<Vec<_>>()[..];
+    let start = |observations: &[Observation], values: Vec<f64>| {
+        let mut best = (median_mm(robot, observations, &values)?, values);
+        for _ in 0..FITS {
+            let scaled = Settings {
+                kind: ResidualKind::Targets,
+                standard_uncertainty_mm: Some((OF_MEDIAN * best.0).max(LEAST_MM)),
+                common_uncertainty_mm: None,
+                hold: Vec::new(),
+                ..settings.clone()
+            };
+            let problem = Residuals::new(robot, observations, &scaled, free, &best.1).ok()?;
+            let x: Vec<f64> = free.iter().map(|&i| best.1[i]).collect();
+            let options = Options { iterations: 50, step: 1e-6, loss: Loss::Cauchy(CAUCHY), ..Options::default() };
+            let values = problem.all(&etalon_math::solve(&problem, &x, options).x);
+            let median = median_mm(robot, observations, &values)?;
+            let settled = median > BELOW * best.0;
+            if median < best.0 {
+                best = (median, values);
+            }
+            if settled {
+                break;
+            }
+        }
+        Some(best)
+    };
+    let mut nominal = found.to_vec();
+    for &i in free.iter().filter(|&&i| robot.parameters()[i].role == Role::Robot) {
+        nominal[i] = robot.parameters()[i].nominal;
+    }
+    let best = start(all, found.to_vec());
+    let below = |median_mm: f64| best.as_ref().is_none_or(|best| median_mm < BELOW * best.0);
+    let every = all.len() / PART;
+    let other = if every > 1 {
+        let part: Vec<Observation> = all.iter().step_by(every).cloned().collect();
+        start(&part, nominal)
+            .filter(|(_, values)| median_mm(robot, all, values).is_some_and(below))
+            .and_then(|(_, values)| start(all, values))
+    } else {
+        start(all, nominal)
+    };
+    [best, other].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
+}
+
+/// Median size of the differences of coordinates, mm; `None` where one is not a number.
+fn median_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+    let mut sizes = Vec::new();
+    for o in observations {
+        for (k, measured) in o.targets.iter().enumerate() {
+            let Some(measured) = measured else { continue };
+            let predicted = robot.position(values, &o.joints, k);
+            sizes.extend((0..robot.dimension()).map(|i| (measured[i] - predicted[i]).abs()));
+        }
+    }
+    sizes.iter().all(|s| s.is_finite()).then(|| median(sizes))?
+}

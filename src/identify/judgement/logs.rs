@@ -1,0 +1,64 @@
+//! Two logs of the same poses: does what one says differently show in the residuals of the other?
+
+use crate::Observation;
+use etalon_robots::Robot;
+
+/// How the residuals of one log relate to its difference from another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LogComparison {
+    /// Correlation, over all measured coordinates, of the residuals (measured − predicted with the first log) with the
+    /// displacement that the second log predicts.
+    pub correlation: f64,
+    /// Coordinates compared.
+    pub count: usize,
+}
+
+/// Compares the residuals of `observations` with the displacement that the joints of `others` predict.
+///
+/// Observations are matched by pose and cycle; both lists must have been made for the same robot.
+pub fn compare_logs(
+    robot: &dyn Robot,
+    values: &[f64],
+    observations: &[Observation],
+    others: &[Observation],
+) -> Option<LogComparison> {
+    let by_key: std::collections::BTreeMap<_, _> = others.iter().map(|o| ((o.pose, o.cycle), o)).collect();
+    let dimension = robot.dimension();
+    let (mut here, mut there) =
+        (vec![0.0; dimension * robot.targets().len()], vec![0.0; dimension * robot.targets().len()]);
+    let mut pairs = Vec::new();
+    for o in observations {
+        let Some(other) = by_key.get(&(o.pose, o.cycle)) else { continue };
+        robot.positions(values, &o.joints, &mut here);
+        robot.positions(values, &other.joints, &mut there);
+        for (k, measured) in o.targets.iter().enumerate() {
+            let Some(measured) = measured else { continue };
+            let both = here[k * dimension..].iter().zip(&there[k * dimension..]).take(dimension);
+            pairs.extend(measured.iter().zip(both).map(|(m, (here, there))| (m - here, there - here)));
+        }
+    }
+    Some(LogComparison { correlation: pearson(&pairs)?, count: pairs.len() })
+}
+
+/// Correlation coefficient of pairs; `None` where one side does not vary.
+fn pearson(pairs: &[(f64, f64)]) -> Option<f64> {
+    let n = pairs.len() as f64;
+    let (mx, my) = pairs.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
+    let (mut xx, mut yy, mut xy) = (0.0, 0.0, 0.0);
+    for (x, y) in pairs {
+        xx += (x - mx) * (x - mx);
+        yy += (y - my) * (y - my);
+        xy += (x - mx) * (y - my);
+    }
+    let r: f64 = xy / (xx * yy).sqrt();
+    r.is_finite().then_some(r)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn pearson_of_a_line_and_of_a_constant() {
+        assert!((super::pearson(&[(1.0, 2.0), (2.0, 4.0), (3.0, 6.0)]).unwrap() - 1.0).abs() < 1e-15);
+        assert!(super::pearson(&[(1.0, 2.0), (2.0, 2.0)]).is_none());
+    }
+}

@@ -1,0 +1,15 @@
+//! Judgement: how well the parameters are known, which observations contradict them, and what explains the contradiction.
+
+pub(crate) mod budget;
+pub(crate) mod chi_square;
+pub(crate) mod clusters;
+pub(crate) mod diagnosis;
+pub(crate) mod logs;
+pub(crate) mod predict;
+pub(crate) mod reliability;
+pub(crate) mod robust;
+pub(crate) mod significance;
+pub(crate) mod stability;
+pub(crate) mod tool;
+pub(crate) mod uncertainty;
+pub(crate) mod verification;

@@ -1,0 +1,91 @@
+//! The uncertainty of an identification from planned observations, before anything is measured.
+
+use crate::judgement::uncertainty::held_messages;
+use crate::model::residuals::Residuals;
+use crate::solution::identifiability::{Analysis, Group, RANK_TOLERANCE};
+use crate::solution::observability::{Observability, WeakGroup, observe, weak_message};
+use crate::{Error, Result};
+use crate::{Observation, Settings, wanted_parameters};
+use etalon_base::message::Message;
+use etalon_base::pose_name::PoseName;
+use etalon_math::{Factor, Problem, column_norms, covariance, svd};
+use etalon_robots::Robot;
+use std::collections::BTreeSet;
+
+/// Parameters that can be identified, and how the targets move with them, at nominal values.
+#[derive(Clone, Debug)]
+pub struct Sensitivity {
+    /// Indices of the parameters that are separately identifiable.
+    pub free: Vec<usize>,
+    /// Sets of parameters that are not.
+    pub groups: Vec<Group>,
+    /// d positions / d free parameters (mm per mm, rad and 1), row by row.
+    pub jacobian: Vec<f64>,
+    /// Rows of each observation.
+    pub rows: Vec<usize>,
+    /// The groups in words.
+    pub messages: Vec<Message>,
+}
+
+/// What is known after an identification.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// O1 to O5 and the condition number; `None` where they are not numbers.
+    pub observability: Option<Observability>,
+    /// Sets of parameters that are weakly identifiable.
+    pub weak: Vec<WeakGroup>,
+    /// Covariance of the free parameters, row by row (mm, rad, 1).
+    pub covariance: Vec<f64>,
+    /// The weak groups in words.
+    pub messages: Vec<Message>,
+}
+
+/// How `observations` depend on the parameters that are separately identifiable; where the targets are does not matter.
+pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Sensitivity> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let nominal = robot.nominal();
+    let all = Residuals::new(robot, observations, settings, &wanted, &nominal)?;
+    let groups = Analysis::at(&all, &nominal, all.noise(None)).groups;
+    let free: Vec<usize> = wanted.into_iter().filter(|i| groups.iter().all(|g| g.held != *i)).collect();
+    let problem = Residuals::new(robot, observations, settings, &free, &nominal)?;
+    let mut jacobian = jacobian_at_nominal(&problem, &nominal);
+    if jacobian.iter().any(|j| !j.is_finite()) {
+        return Err(Message::error("with nominal parameters the robot cannot be where these joint values put it")
+            .hint("check unit, sign and offset of the joints, and the nominal parameters")
+            .into());
+    }
+    jacobian.iter_mut().for_each(|j| *j *= problem.unit);
+    let rows = observations.iter().map(|o| robot.dimension() * o.targets.iter().flatten().count()).collect();
+    let messages = held_messages(robot, &groups);
+    Ok(Sensitivity { free, groups, jacobian, rows, messages })
+}
+
+/// What an identification of the parameters `free` from `observations` would determine; an error where they do not suffice.
+pub fn predict(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    free: &[usize],
+) -> Result<Prediction> {
+    let nominal = robot.nominal();
+    let problem = Residuals::new(robot, observations, settings, free, &nominal)?;
+    let jacobian = jacobian_at_nominal(&problem, &nominal);
+    let scale = column_norms(&jacobian, free.len());
+    let x: Vec<f64> = free.iter().map(|&i| nominal[i]).collect();
+    let factor = Factor::new(&jacobian, &vec![0.0; problem.residual_count()], &scale);
+    let regular = svd(&factor).rank(RANK_TOLERANCE) == free.len() && problem.residual_count() >= free.len();
+    let covariance = covariance(&factor, &scale).filter(|_| regular);
+    let covariance = covariance.ok_or_else(|| {
+        let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
+        Error::TooFewPoses { poses: poses.len(), parameters: free.len() }
+    })?;
+    let observed = observe(&problem, &x, &factor, &scale, Some(&covariance));
+    let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    let messages = weak_message(robot, &weak).into_iter().collect();
+    Ok(Prediction { observability, weak, covariance, messages })
+}
+
+fn jacobian_at_nominal(problem: &Residuals, nominal: &[f64]) -> Vec<f64> {
+    let x: Vec<f64> = problem.free.iter().map(|&i| nominal[i]).collect();
+    problem.rows_of(&problem.jacobian_at(&x)).dense()
+}

@@ -1,0 +1,229 @@
+//! A robust fit beside the plain one: what identified parameters would be if readings far from the others weighed little, and which
+//! poses disagree with the rest.
+
+use crate::Result;
+use crate::model::residuals::{OF_MEDIAN, ResidualKind, Residuals};
+use crate::{Identification, Observation, Settings};
+use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::{mean, median};
+use etalon_math::{Loss, Options, Problem, covariance, factor_at, solve};
+use etalon_robots::Robot;
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
+use std::collections::BTreeMap;
+
+/// Constant of the Cauchy loss with which the estimate of normal residuals has [`EFFICIENCY`] (Holland & Welsch 1977, Robust regression
+/// using iteratively reweighted least-squares).
+pub(crate) const CAUCHY: f64 = 2.385;
+/// Variance of the plain estimate to that of the robust one, of normal residuals.
+const EFFICIENCY: f64 = 0.95;
+/// Probability with which a parameter of a right model, or a pose, is said to disagree.
+const SIGNIFICANCE: f64 = 0.01;
+/// Fits, each with the scale that the one before it shows.
+const FITS: usize = 3;
+/// Residuals count up to here, over their standard deviation, in the scatter of the poses: gross errors must not make the difference
+/// that they cause look probable.
+const CLIPPED: f64 = 2.5;
+/// Regions of the joints per parameter, where poses are many.
+const REGIONS_PER_PARAMETER: usize = 3;
+
+/// A parameter in both fits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RobustChange {
+    /// Index of the parameter.
+    pub parameter: usize,
+    /// Robust minus plain value (mm, rad, 1).
+    pub difference: f64,
+    /// Standard uncertainty of this difference where no reading is wrong (mm, rad, 1).
+    pub u: f64,
+}
+
+impl RobustChange {
+    /// The difference over its standard uncertainty, without sign.
+    pub fn over_u(&self) -> f64 {
+        (self.difference / self.u).abs()
+    }
+}
+
+/// What a robust fit makes of a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseWeight {
+    /// The pose.
+    pub pose: PoseName,
+    /// Least weight of its residuals, from 0 to 1: 1 / (1 + (r / c σ)²).
+    pub weight: f64,
+    /// The residual that has it, over σ.
+    pub residual_over_sigma: f64,
+}
+
+/// A robust fit beside the plain one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RobustComparison {
+    /// All parameters of the robot by the robust fit (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// The identified parameters, in their order.
+    pub changes: Vec<RobustChange>,
+    /// A difference over its standard uncertainty that no parameter of a right model exceeds with a probability of 99 %.
+    pub critical: f64,
+    /// The poses, of the least weight first.
+    pub poses: Vec<PoseWeight>,
+    /// A residual over σ that no residual of a right model exceeds with a probability of 99 %.
+    pub critical_residual: f64,
+    /// Standard deviation σ of a coordinate by most residuals, or the stated one where that is more, mm.
+    pub sigma_mm: f64,
+}
+
+impl RobustComparison {
+    /// The constant c of the Cauchy loss.
+    pub const CONSTANT: f64 = CAUCHY;
+
+    /// The parameter that differs most, if it does beyond chance.
+    pub fn significant(&self) -> Option<&RobustChange> {
+        let largest = self.changes.iter().max_by(|a, b| a.over_u().total_cmp(&b.over_u()))?;
+        (largest.over_u() > self.critical).then_some(largest)
+    }
+
+    /// Poses that disagree with the others, the worst first.
+    pub fn disagreeing(&self) -> &[PoseWeight] {
+        let beyond = self.poses.iter().take_while(|p| p.residual_over_sigma > self.critical_residual);
+        &self.poses[..beyond.count()]
+    }
+}
+
+/// A fit with the Cauchy loss (M-estimator) from the plain optimum, whose residuals are those of `found`, weighted alike and divided by
+/// their scale. `None` where readings have errors in common, are poses instead of positions, unknown points are many, nothing is
+/// left over, or the fit has no result.
+///
+/// Of normal residuals the plain fit is efficient, so that the difference has the variance (1 / 0.95 − 1) u² (Hausman 1978), u that of
+/// the plain fit by σ. Where the scatter of the poses shows a larger one (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), it is that.
+///
+/// # Errors
+/// Settings and observations that do not go together.
+pub fn robust_comparison(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) -> Result<Option<RobustComparison>> {
+    let settings = &settings.with_shape_weight(found.shape_weight);
+    let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+    let apart = settings.kind == ResidualKind::Targets && !problem.is_whitened() && problem.layout.is_none();
+    let dof = found.degrees_of_freedom;
+    if !apart || dof == 0 {
+        return Ok(None);
+    }
+    let plain: Vec<f64> = found.free.iter().map(|&i| found.values[i]).collect();
+    Ok(compare(&problem, &plain, dof))
+}
+
+fn compare(problem: &Residuals, plain: &[f64], dof: usize) -> Option<RobustComparison> {
+    let (m, n) = (problem.residual_count(), plain.len());
+    let measured = problem.measured_count();
+    let mut residuals = vec![0.0; m];
+    let stated = problem.noise(None);
+    let mut scale_at = |x: &[f64]| -> Option<(f64, Vec<f64>)> {
+        problem.residuals(x, &mut residuals);
+        let size = median(residuals[..measured].iter().map(|r| r.abs()))?;
+        let shown = OF_MEDIAN * size * (m as f64 / dof as f64).sqrt();
+        Some((shown.max(stated), residuals[..measured].to_vec())).filter(|s| s.0.is_finite() && s.0 > 0.0)
+    };
+    let (mut x, (mut scale, mut r)) = (plain.to_vec(), scale_at(plain)?);
+    for _ in 0..FITS {
+        let options = Options { iterations: 50, step: 1e-9, loss: Loss::Cauchy(CAUCHY * scale), ..Options::default() };
+        let solution = solve(problem, &x, options);
+        if !solution.termination.is_success() {
+            return None;
+        }
+        x = solution.x;
+        let before = scale;
+        (scale, r) = scale_at(&x)?;
+        if (scale / before - 1.0).abs() < 0.01 {
+            break;
+        }
+    }
+    let degrees = (scale > stated).then_some(dof as f64);
+    let r: Vec<f64> = r.iter().map(|r| r / scale).collect();
+    let u = differences(problem, plain, &r, n)?;
+    let change = |k: usize| RobustChange { parameter: problem.free[k], difference: x[k] - plain[k], u: scale * u[k] };
+    let mut weights: BTreeMap<PoseName, f64> = BTreeMap::new();
+    for (pose, r) in problem.poses().into_iter().zip(&r) {
+        let largest = weights.entry(pose).or_default();
+        *largest = largest.max(r.abs());
+    }
+    let weight = |(pose, r): (PoseName, f64)| PoseWeight {
+        pose,
+        weight: 1.0 / (1.0 + (r / CAUCHY).powi(2)),
+        residual_over_sigma: r,
+    };
+    let mut poses: Vec<PoseWeight> = weights.into_iter().map(weight).collect();
+    poses.sort_by(|a, b| b.residual_over_sigma.total_cmp(&a.residual_over_sigma).then(a.pose.cmp(&b.pose)));
+    Some(RobustComparison {
+        values: problem.all(&x),
+        changes: (0..n).map(change).collect(),
+        critical: quantile(SIGNIFICANCE, n, degrees),
+        poses,
+        critical_residual: quantile(SIGNIFICANCE, measured, degrees),
+        sigma_mm: scale * problem.unit,
+    })
+}
+
+/// What `count` quantities of mean zero and unit variance do not exceed, without their signs, but with this probability (Šidák 1967).
+pub(crate) fn quantile(probability: f64, count: usize, degrees: Option<f64>) -> f64 {
+    let tail = -0.5 * ((-probability).ln_1p() / count as f64).exp_m1();
+    match degrees.map(|nu| StudentsT::new(0.0, 1.0, nu)) {
+        Some(Ok(student)) => -student.inverse_cdf(tail),
+        _ => -Normal::standard().inverse_cdf(tail),
+    }
+}
+
+/// Standard uncertainties of robust minus plain parameters, of residuals `r` over their standard deviation, which is taken as 1.
+fn differences(problem: &Residuals, x: &[f64], r: &[f64], n: usize) -> Option<Vec<f64>> {
+    let (factor, norms) = factor_at(problem, x);
+    let inverse = DMatrix::from_row_slice(n, n, &covariance(&factor, &norms)?);
+    let jacobian = problem.jacobian_at(x);
+    let loss = Loss::Cauchy(CAUCHY);
+    let curvature = mean(r.iter().map(|&r| loss.curvature(r)));
+    let mut steps: BTreeMap<PoseName, DVector<f64>> = BTreeMap::new();
+    for (row, cluster) in problem.clusters(REGIONS_PER_PARAMETER * n).into_iter().enumerate().take(r.len()) {
+        let j = DVector::from_column_slice(&jacobian[row * n..][..n]);
+        // a residual is smaller than the error, as far as the fit follows it
+        let redundancy = (1.0 - (&inverse * &j).dot(&j)).max(0.1);
+        let r = (r[row] / redundancy.sqrt()).clamp(-CLIPPED, CLIPPED);
+        let step = loss.influence(r) / curvature.max(0.5) - r;
+        *steps.entry(cluster).or_insert_with(|| DVector::zeros(n)) += j * step;
+    }
+    let count = steps.len() as f64;
+    let mut scatter = vec![0.0; n];
+    for step in steps.values() {
+        let step = &inverse * step;
+        scatter.iter_mut().zip(step.iter()).for_each(|(sum, step)| *sum += step * step);
+    }
+    let normal = 1.0 / EFFICIENCY - 1.0;
+    let larger = |k: usize| (normal * inverse[(k, k)]).max(scatter[k] * count / (count - 1.0).max(1.0)).sqrt();
+    Some((0..n).map(larger).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The efficiency of the constant, by quadrature: (E ψ')² / E ψ² of a normal residual; and quantiles of tables.
+    #[test]
+    fn the_constant_costs_five_percent() {
+        let loss = Loss::Cauchy(CAUCHY);
+        let (mut bend, mut square) = (0.0, 0.0);
+        for i in -8000..8000 {
+            let r = (f64::from(i) + 0.5) * 1e-3;
+            let density = (-0.5 * r * r).exp() / std::f64::consts::TAU.sqrt() * 1e-3;
+            bend += loss.curvature(r) * density;
+            square += loss.influence(r).powi(2) * density;
+        }
+        assert!((bend * bend / square - EFFICIENCY).abs() < 5e-4, "{}", bend * bend / square);
+        // two-sided 5 % and 1 % of the normal distribution and of Student's with 10 degrees of freedom
+        assert!(
+            (quantile(0.05, 1, None) - 1.959_964).abs() < 1e-5 && (quantile(0.01, 1, None) - 2.575_829).abs() < 1e-5
+        );
+        assert!((quantile(0.05, 1, Some(10.0)) - 2.228_139).abs() < 1e-5);
+        assert!((quantile(0.05, 10, None) - 2.799_7).abs() < 1e-3, "{}", quantile(0.05, 10, None));
+    }
+}

@@ -1,0 +1,122 @@
+//! Stability: whether parameters from part of the poses differ from those of all poses by more than chance (Hausman 1978, Specification
+//! tests in econometrics).
+
+use crate::Result;
+use crate::judgement::robust::quantile;
+use crate::model::residuals::Residuals;
+use crate::{Identification, Observation, Settings};
+use etalon_base::pose_name::PoseName;
+use etalon_math::{Problem, covariance, linearised_at};
+use etalon_robots::Robot;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Probability with which a parameter of a right model is called unstable, all parameters and parts together.
+const SIGNIFICANCE: f64 = 0.01;
+/// Ratio of the variance by a part to that by all poses that is different from 1.
+const LEAST_RATIO: f64 = 1.001;
+/// Ratio beyond which the part does not determine the parameter.
+const LARGEST_RATIO: f64 = 100.0;
+
+/// How much a parameter depends on which poses it is identified from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// Index of the parameter.
+    pub parameter: usize,
+    /// Value by a part of the poses minus value by all, over its standard deviation √(u_part² − u_all²), without sign: the largest.
+    pub over_sd: f64,
+    /// What chance explains, with a probability of 99 % for all parameters together.
+    pub limit: f64,
+}
+
+impl Stability {
+    /// Whether chance explains it.
+    pub fn is_stable(&self) -> bool {
+        self.over_sd <= self.limit
+    }
+}
+
+/// The poses of the first and of the second half of the observations, in their order: what drifts differs between these.
+pub fn halves(observations: &[Observation]) -> Vec<BTreeSet<PoseName>> {
+    let mut seen = BTreeSet::new();
+    let order: Vec<PoseName> = observations.iter().map(|o| o.pose).filter(|pose| seen.insert(*pose)).collect();
+    let (first, second) = order.split_at(order.len() / 2);
+    [first, second].into_iter().filter(|half| !half.is_empty()).map(|half| half.iter().copied().collect()).collect()
+}
+
+/// Stability of the parameters `among` those that were identified, each time without one set of poses of `left_out`; parameters that no
+/// part determines are missing.
+///
+/// By all poses they are efficient, so that the variance of the difference is u_part² − u_all². Their ratio is that of the design,
+/// (J_partᵀ J_part)⁻¹ over (JᵀJ)⁻¹, because few poses have no scatter to estimate u_part from.
+///
+/// # Errors
+/// Settings and observations that do not go together.
+pub fn stability(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+    (among, left_out): (&[usize], &[BTreeSet<PoseName>]),
+) -> Result<Vec<Stability>> {
+    let Some(whole) = Linear::new(robot, observations, settings, found)? else { return Ok(Vec::new()) };
+    let of_part = |out: &BTreeSet<PoseName>| -> Result<Vec<(usize, f64)>> {
+        let part: Vec<Observation> = observations.iter().filter(|o| !out.contains(&o.pose)).cloned().collect();
+        let Some(less) = Linear::new(robot, &part, settings, found)? else { return Ok(Vec::new()) };
+        let change = |&i: &usize| {
+            let k = found.free.iter().position(|&free| free == i)?;
+            let ratio = less.variances[k] / whole.variances[k];
+            let sd = found.standard_uncertainty(i)? * (ratio - 1.0).max(0.0).sqrt();
+            let over_sd = ((less.step[k] - whole.step[k]) / sd).abs();
+            ((LEAST_RATIO..LARGEST_RATIO).contains(&ratio) && over_sd.is_finite()).then_some((i, over_sd))
+        };
+        Ok(among.iter().filter_map(change).collect())
+    };
+    let parts = left_out.par_iter().map(of_part).collect::<Result<Vec<_>>>()?;
+    let mut largest: BTreeMap<usize, f64> = BTreeMap::new();
+    for (i, over_sd) in parts.into_iter().flatten() {
+        let kept = largest.entry(i).or_insert(0.0);
+        *kept = kept.max(over_sd);
+    }
+    let tests = largest.len() * left_out.len();
+    let of = |(parameter, over_sd)| Stability {
+        parameter,
+        over_sd,
+        limit: quantile(SIGNIFICANCE, tests, found.degrees_of_freedom(parameter)),
+    };
+    Ok(largest.into_iter().map(of).collect())
+}
+
+/// The parameters by some of the observations, to first order about those by all: identified again by few poses they move far along
+/// what these hardly determine, where no standard deviation describes them.
+struct Linear {
+    /// Step to the parameters by these observations, from those by all.
+    step: Vec<f64>,
+    /// Variances with residuals of unit variance.
+    variances: Vec<f64>,
+}
+
+impl Linear {
+    /// Of the identified parameters; `None` where the observations do not determine all.
+    fn new(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        found: &Identification,
+    ) -> Result<Option<Self>> {
+        let settings = &settings.with_shape_weight(found.shape_weight);
+        let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+        let n = found.free.len();
+        if problem.residual_count() <= n {
+            return Ok(None);
+        }
+        let x: Vec<f64> = found.free.iter().map(|&i| found.values[i]).collect();
+        let mut residuals = vec![0.0; problem.residual_count()];
+        problem.residuals(&x, &mut residuals);
+        residuals.iter_mut().for_each(|r| *r = -*r);
+        let (factor, norms) = linearised_at(&problem, &x, &residuals);
+        let Some(covariance) = covariance(&factor, &norms) else { return Ok(None) };
+        let step = factor.solve().map(|step| step.iter().zip(&norms).map(|(s, norm)| s / norm).collect());
+        Ok(step.map(|step| Self { step, variances: (0..n).map(|k| covariance[k * n + k]).collect() }))
+    }
+}

@@ -1,0 +1,413 @@
+//! Uncertainty of the parameters: covariance and chi-square.
+
+use crate::Result;
+use crate::judgement::budget::{self, Budget, Observed, Systematic};
+use crate::judgement::chi_square::{exceeds, falls_short};
+use crate::judgement::clusters::ByCluster;
+use crate::model::elimination::Remaining;
+use crate::model::frame_error::FrameError;
+use crate::model::residuals::Residuals;
+use crate::model::rigid_part::Shape;
+use crate::solution::observability::{held_singular_values, observe, weak_message};
+use crate::solution::solver::Identifiable;
+use crate::{Group, Identification, Observation, ResidualKind, Settings, Status};
+use etalon_base::message::Message;
+use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::{median, rms};
+use etalon_math::{Factor, Problem, Solution, column_norms};
+use etalon_robots::{Quantity, Robot, Role};
+use nalgebra::{DMatrix, DVector, Matrix3x4};
+use std::collections::BTreeMap;
+
+/// What standard uncertainties rest on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UncertaintyFrom {
+    /// The stated uncertainty of the instrument: chi-square does not reject the model.
+    Instrument,
+    /// The residuals, each taken as independent of the others.
+    Residuals,
+    /// The residuals, those of one pose taken together: errors of the robot are common to all targets and repeats of a
+    /// pose (cluster-robust covariance, Liang & Zeger 1986).
+    ResidualsByPose,
+    /// The residuals, those of one region of the joints taken together: what the model leaves out is common to neighbouring poses
+    /// (Conley 1999 for errors that are correlated in space; clusters as above).
+    ResidualsByRegion,
+    /// Nothing: there are as many equations as parameters, and no uncertainty is stated.
+    Nothing,
+}
+
+/// Parameters of a group that a message names.
+const NAMED: usize = 40;
+/// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for twice as many.
+const REGIONS_PER_PARAMETER: usize = 3;
+
+/// The identification that a solution is, with its uncertainty.
+pub(crate) fn with_uncertainty(
+    robot: &dyn Robot,
+    (observations, systematic): (&[Observation], &Systematic),
+    settings: &Settings,
+    wanted: &[usize],
+    found: Identifiable,
+) -> Result<Identification> {
+    let settings = &settings.with_shape_weight(found.shape_weight);
+    let problem = &Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+    let Identifiable { values, groups, solution, iterations, shape_weight, .. } = found;
+    let solution = &solution;
+    let (m, n) = (problem.residual_count(), problem.free.len());
+    let dof = m - n;
+    let jacobian = problem.jacobian_at(&solution.x);
+
+    let frames = &systematic.frames;
+    let placed: BTreeMap<(PoseName, i64), &FrameError> = frames.iter().filter_map(|f| Some((f.pose?, f))).collect();
+    let stated = from_instrument((problem, solution, &jacobian), settings, &placed);
+    let chi_square = stated.as_ref().map(|s| s.1).filter(|_| dof > 0);
+    let instrument = stated.map(|s| s.0);
+    let rejected = chi_square.filter(|&chi| exceeds(chi, dof));
+    let apart = settings.kind == ResidualKind::Targets && placed.is_empty() && !problem.is_whitened();
+    let found = match &instrument {
+        Some(instrument) if rejected.is_none() => {
+            let clusters = (apart && dof > 0).then(|| shared(problem, solution, &jacobian)).flatten();
+            clusters.unwrap_or_else(|| Found::new(UncertaintyFrom::Instrument, Some(instrument.clone())))
+        }
+        _ => from_residuals((problem, solution, &jacobian), instrument.as_deref(), chi_square),
+    };
+    let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
+    let mut warnings: Vec<Message> = warning.into_iter().collect();
+    let replicates = (apart && settings.conditions.is_empty())
+        .then(|| budget::replicates(robot, observations, &values, dof))
+        .flatten();
+    let mut budget = Budget::default();
+    if let Some(total) = &mut covariance {
+        let all = (problem, solution, &jacobian[..]);
+        budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
+        // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
+        let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
+        let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
+        budget.carry_all(systematic, &observed, all, unseen, total)?;
+    }
+    let inflation_factor = inflation(instrument.as_deref(), covariance.as_deref(), n);
+    warnings.extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)));
+
+    let lengths = lengths(problem, solution);
+    let factor = solution.factor.as_ref();
+    let own = factor.map(|f| f.own()).unwrap_or_default();
+    let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
+    let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    if let Some(o) = &mut observability {
+        let all = problem.of_others(settings, wanted, &values)?;
+        o.held_singular_values = held_singular_values(&all, &values, o);
+    }
+    warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
+    warnings.extend(held_messages(robot, &groups));
+    warnings.extend(weak_message(robot, &weak));
+    let status = |i| match () {
+        () if problem.free.contains(&i) => Status::Identified,
+        () if wanted.contains(&i) => Status::NotIdentifiable,
+        () => Status::Fixed,
+    };
+    Ok(Identification {
+        status: (0..values.len()).map(status).collect(),
+        values,
+        free: problem.free.clone(),
+        eliminated: own.into_iter().map(|j| problem.free[j]).collect(),
+        covariance,
+        uncertainty_from,
+        effective_degrees,
+        inflation_factor,
+        groups,
+        weak,
+        observability,
+        budget,
+        replicates,
+        rms: rms(lengths.iter().copied()) * problem.unit,
+        max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
+        degrees_of_freedom: dof,
+        chi_square,
+        shape_weight,
+        iterations,
+        termination: solution.termination,
+        warnings,
+    })
+}
+
+/// The measured residuals that are lengths, in the unit of the residuals.
+fn lengths(problem: &Residuals, solution: &Solution) -> Vec<f64> {
+    let mut plain = vec![0.0; problem.measured_count()];
+    problem.plain_residuals(&solution.x, &mut plain);
+    plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect()
+}
+
+/// By how much the standard uncertainties of one covariance are larger than those of another (median).
+fn inflation(before: Option<&[f64]>, after: Option<&[f64]>, n: usize) -> f64 {
+    let (Some(before), Some(after)) = (before, after) else { return 1.0 };
+    median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt())).unwrap_or(1.0)
+}
+
+/// What is remarked of chi-square.
+fn of_chi_square(chi: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Option<Message> {
+    match () {
+        () if exceeds(chi, dof) => Some(rejection(chi, dof, inflation_factor, from)),
+        () if falls_short(chi, dof) => Some(shortfall(chi, dof)),
+        () => None,
+    }
+}
+
+/// A covariance, and what it rests on.
+pub(crate) struct Found {
+    from: UncertaintyFrom,
+    covariance: Option<Vec<f64>>,
+    degrees: Vec<f64>,
+    warning: Option<Message>,
+}
+
+impl Found {
+    fn new(from: UncertaintyFrom, covariance: Option<Vec<f64>>) -> Self {
+        Self { from, covariance, degrees: Vec::new(), warning: None }
+    }
+
+    /// Variance of a parameter.
+    #[cfg(test)]
+    pub fn variance(&self, k: usize) -> f64 {
+        self.covariance.as_ref().map_or(f64::NAN, |c| c[k * c.len().isqrt() + k])
+    }
+}
+
+/// Covariance and chi-square by the stated uncertainty of the instrument, and of the frames that place single poses.
+fn from_instrument(
+    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    settings: &Settings,
+    placed: &BTreeMap<(PoseName, i64), &FrameError>,
+) -> Option<(Vec<f64>, f64)> {
+    let u = settings.standard_uncertainty_mm?;
+    if settings.kind == ResidualKind::Targets && (placed.is_empty() || problem.is_whitened()) {
+        // rows of stated shapes count with their own uncertainty
+        let more = |(row, shape): (usize, &Shape)| -> f64 {
+            let squares = solution.residuals[row..][..shape.rows()].iter().map(|r| r * r).sum::<f64>();
+            squares * (1.0 - 1.0 / shape.variance())
+        };
+        return Some((solution.covariance()?, solution.cost - problem.shapes().map(more).sum::<f64>()));
+    }
+    noise_covariance(solution, &problem.rows_of(jacobian).dense(), &noise(problem, solution, u, placed)?)
+}
+
+/// What residuals show where the instrument's uncertainty does not explain them, or none is stated.
+fn from_residuals(
+    (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
+    instrument: Option<&[f64]>,
+    chi_square: Option<f64>,
+) -> Found {
+    let n = solution.x.len();
+    let dof = problem.residual_count() - n;
+    if dof == 0 {
+        let what = "there are as many equations as parameters: their uncertainty cannot be determined";
+        let warning = Message::warning(what).hint("measure more poses, or state the uncertainty of the instrument");
+        return Found { warning: Some(warning), ..Found::new(UncertaintyFrom::Nothing, None) };
+    }
+    if let Some((found, _)) = by_cluster(problem, solution, jacobian) {
+        return found;
+    }
+    let variance = chi_square.unwrap_or(solution.cost) / dof as f64;
+    let covariance = instrument.map(<[f64]>::to_vec).or_else(|| solution.covariance());
+    let scaled = covariance.map(|c| c.into_iter().map(|v| v * variance).collect());
+    Found { degrees: vec![dof as f64; n], ..Found::new(UncertaintyFrom::Residuals, scaled) }
+}
+
+/// What the scatter of poses shows where their readings share errors: these may be too small for chi-square, and yet in every reading.
+fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
+    let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
+    let what = format!(
+        "residuals of one pose have errors in common: leaving out one pose after the other gives standard uncertainties {:.1} times the \
+         instrument's, which are used",
+        clusters.ratio.sqrt()
+    );
+    let hint = "the robot has errors that the model does not describe, or the instrument errors that readings of one pose share";
+    Some(Found { warning: Some(Message::warning(what).hint(hint)), ..found })
+}
+
+/// What the scatter of poses shows, or, where these are many, of regions of the joints; `None` where there are too few.
+///
+/// Of points that are eliminated the readings have the variance of all residuals, and the other parameters' covariance comes on top.
+pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
+    let factor = solution.factor.as_ref()?;
+    let (common, all) = (factor.common(), factor.columns());
+    let n = common.len();
+    let count = REGIONS_PER_PARAMETER * n;
+    let regions = !problem.is_whitened() && problem.pose_count() >= 2 * count;
+    let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
+    let numbers = problem.clusters(count);
+    let Remaining { jacobian, residuals, inverse } = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
+    let clusters = ByCluster::new(&numbers, &inverse, &residuals, &jacobian).filter(ByCluster::is_usable)?;
+    let mut covariance = clusters.covariance.clone();
+    // a stated shape or place is one reading: its rows have the variance that is stated, not the scatter of one
+    let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
+    for (row, count, variance) in shapes.chain(problem.known().map(|(row, known)| (row, known.rows(), 1.0))) {
+        let rows = DMatrix::from_row_slice(count, n, &jacobian[row * n..][..count * n]);
+        let step = DMatrix::from_row_slice(n, n, &inverse) * rows.transpose();
+        let more = &step * step.transpose() * variance;
+        covariance.iter_mut().zip(more.iter()).for_each(|(c, more)| *c += more);
+    }
+    let mut degrees = clusters.degrees_of_freedom.clone();
+    if n < all {
+        let scale = |k: usize| solution.scale[common[k]];
+        covariance.iter_mut().enumerate().for_each(|(k, c)| *c *= scale(k / n) * scale(k % n));
+        let dof = problem.residual_count() - all;
+        covariance = factor.covariance_with(covariance, solution.cost / dof.max(1) as f64)?;
+        covariance.iter_mut().enumerate().for_each(|(k, c)| *c /= solution.scale[k / all] * solution.scale[k % all]);
+        let mut of_all = vec![degrees.iter().copied().fold(f64::INFINITY, f64::min); all];
+        common.iter().zip(&degrees).for_each(|(&j, d)| of_all[j] = *d);
+        degrees = of_all;
+    }
+    Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
+}
+
+/// Messages about stated shapes that the measurements contradict.
+fn contradictions(
+    problem: &Residuals,
+    solution: &Solution,
+    values: &[f64],
+    covariance: Option<&[f64]>,
+) -> Vec<Message> {
+    let (Some(inverse), Some(covariance)) = (solution.covariance(), covariance) else { return Vec::new() };
+    let of = |(_, shape): (_, &Shape)| shape.contradiction(&problem.at(values), &inverse, covariance);
+    problem.shapes().filter_map(of).collect()
+}
+
+fn shortfall(chi_square: f64, dof: usize) -> Message {
+    Message::warning(format!(
+        "residuals are {:.2} times what the instrument's uncertainty explains (chi-square {chi_square:.1} for {dof} degrees \
+         of freedom): the stated uncertainty is larger than the residuals show, and standard uncertainties are too large with it",
+        (chi_square / dof as f64).sqrt()
+    ))
+    .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
+}
+
+fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Message {
+    let rest = match from {
+        UncertaintyFrom::ResidualsByPose => "standard uncertainties are taken from the scatter of the poses",
+        UncertaintyFrom::ResidualsByRegion => {
+            "standard uncertainties are taken from the scatter of regions of the workspace"
+        }
+        _ => "standard uncertainties are enlarged, as if residuals of one pose were independent",
+    };
+    Message::warning(format!(
+        "residuals are {:.1} times what the instrument's uncertainty explains (chi-square {chi_square:.0} for {dof} \
+         degrees of freedom): {rest} ({inflation_factor:.1} times the instrument's, median)",
+        (chi_square / dof as f64).sqrt()
+    ))
+    .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small")
+}
+
+/// Messages of what is held; what only the choice of base and targets fixes is one of them.
+pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Message> {
+    let parameters = robot.parameters();
+    let of_robot = |i: usize| parameters[i].role == Role::Robot;
+    let by_frames =
+        |g: &&Group| g.useless_uncertainty.is_none() && of_robot(g.held) && g.with.iter().any(|&i| !of_robot(i));
+    let (frames, others): (Vec<&Group>, Vec<&Group>) = groups.iter().partition(by_frames);
+    let joined = match &frames[..] {
+        [] => None,
+        [one] => Some(held_message(robot, one)),
+        several => {
+            let names: Vec<&str> = several.iter().map(|g| parameters[g.held].name.as_str()).collect();
+            let what = format!(
+                "{} parameters are fixed by the choice of base and targets, from which they are not separately identifiable: `{}` are \
+                 held at their nominal values",
+                names.len(),
+                names.join("`, `")
+            );
+            Some(Message::warning(what))
+        }
+    };
+    let hint = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
+                that instead";
+    let joined = joined.map(|message| message.hint(hint).routine());
+    joined.into_iter().chain(others.into_iter().map(|g| held_message(robot, g))).collect()
+}
+
+fn held_message(robot: &dyn Robot, group: &Group) -> Message {
+    let held = &robot.parameters()[group.held];
+    let names = group.with.iter().take(NAMED).map(|&i| robot.parameters()[i].name.as_str());
+    let (name, mut names) = (&held.name, names.collect::<Vec<&str>>().join("`, `"));
+    if group.with.len() > NAMED {
+        names += "`, `...";
+    }
+    let quantity = held.quantity;
+    match group.useless_uncertainty {
+        _ if names.is_empty() => {
+            Message::warning(format!("the data do not depend on `{name}`: it is held at its nominal value"))
+        }
+        None => Message::warning(format!(
+            "`{name}` and `{names}` are not separately identifiable: `{name}` is held at its nominal value"
+        )),
+        Some(u) if held.tolerance.is_infinite() => Message::warning(format!(
+            "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2} {}: it stays where base and targets are \
+             placed first",
+            quantity.outward(u),
+            quantity.unit(),
+        ))
+        .hint("measure poses in which these parameters act differently"),
+        Some(u) => Message::warning(format!(
+            "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2}{}, worse than that of its \
+             nominal value: it is held there",
+            quantity.outward(u),
+            if quantity == Quantity::Ratio { String::new() } else { format!(" {}", quantity.unit()) },
+        ))
+        .hint("measure poses in which these parameters act differently"),
+    }
+}
+
+/// Covariance of the residuals of each observation, by its square root from below: the instrument's noise, of pose residuals that of
+/// the balls, and the uncertainty of the frame that places it. `None` where one is not positive definite.
+fn noise(
+    problem: &Residuals,
+    solution: &Solution,
+    u: f64,
+    frames: &BTreeMap<(PoseName, i64), &FrameError>,
+) -> Option<Vec<DMatrix<f64>>> {
+    let sensitivities = problem.target_sensitivities(&solution.x);
+    let by_frame = problem.frame_jacobian(&solution.x, None);
+    let mut rows = by_frame.chunks_exact(6);
+    let root = |(i, (key, count)): (usize, ((PoseName, i64), usize))| {
+        let mut noise = match &sensitivities {
+            Some(all) => {
+                let s = u * Matrix3x4::from_fn(|k, j| all[i][k][j]);
+                DMatrix::from_fn(3, 3, |k, j| (s * s.transpose())[(k, j)])
+            }
+            None => DMatrix::identity(count, count),
+        };
+        let moved: Vec<f64> = rows.by_ref().take(count).flatten().copied().collect();
+        if let Some(frame) = frames.get(&key) {
+            let moved = DMatrix::from_row_slice(count, 6, &moved);
+            let covariance = DMatrix::from_fn(6, 6, |k, j| frame.covariance[k][j]);
+            noise += &moved * covariance * moved.transpose();
+        }
+        Some(noise.cholesky()?.unpack())
+    };
+    let shapes = problem.shapes().map(|(_, s)| Some(DMatrix::identity(s.rows(), s.rows()) * s.variance().sqrt()));
+    let known = problem.known().map(|(_, known)| Some(DMatrix::identity(known.rows(), known.rows())));
+    problem.counts().enumerate().map(root).chain(shapes).chain(known).collect()
+}
+
+/// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that
+/// the linear model reaches with the residuals weighted by V⁻¹.
+fn noise_covariance(solution: &Solution, jacobian: &[f64], noise: &[DMatrix<f64>]) -> Option<(Vec<f64>, f64)> {
+    let n = solution.x.len();
+    let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);
+    let mut middle = DMatrix::zeros(n, n);
+    let (mut white_rows, mut white_residuals) = (Vec::new(), Vec::new());
+    let (mut rows, mut residuals) = (jacobian, &solution.residuals[..]);
+    for lower in noise {
+        let (here, rest) = rows.split_at_checked(lower.nrows() * n)?;
+        let (r, after) = residuals.split_at_checked(lower.nrows())?;
+        (rows, residuals) = (rest, after);
+        let here = DMatrix::from_row_slice(lower.nrows(), n, here);
+        let noisy = lower.tr_mul(&here); // Lᵀ J
+        middle += noisy.tr_mul(&noisy);
+        let white = lower.solve_lower_triangular(&here)?;
+        white_rows.extend(white.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()));
+        white_residuals.extend_from_slice(lower.solve_lower_triangular(&DVector::from_column_slice(r))?.as_slice());
+    }
+    let covariance = &inverse * middle * &inverse;
+    let chi_square = Factor::new(&white_rows, &white_residuals, &column_norms(&white_rows, n)).rest;
+    Some((covariance.as_slice().to_vec(), chi_square))
+}

@@ -1,0 +1,600 @@
+//! Whether given parameters still explain new observations, and if not, what has moved.
+//!
+//! Residuals of the given parameters have the covariance S of the measurement and of the parameters themselves. In the space of the
+//! changes that are looked for (the base, and the zero of each joint) and outside of it, rᵀ S⁻¹ r is of chi-square, or of F where the
+//! variance is estimated: two independent tests that have the significance level together (Šidák 1967). A change adds a noncentrality
+//! δᵀ Aᵀ S⁻¹ A δ, from which follow the power of the test and the least change that it detects (Baarda 1968, reliability).
+
+use crate::Result;
+use crate::judgement::significance::{Variance, bisect};
+use crate::model::residuals::Residuals;
+use crate::{Observation, Settings};
+use etalon_base::message::Message;
+use etalon_base::pose::{Pose, Vector, cross, minus};
+use etalon_math::Problem;
+use etalon_robots::Robot;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
+use statrs::function::erf::erfc;
+
+/// Significance level: a robot that has not changed is called changed this often.
+pub const SIGNIFICANCE: f64 = 0.05;
+/// Power for which the least detectable change is stated.
+pub const POWER: f64 = 0.95;
+/// Power to name the right joint for which the least change is stated.
+pub const NAMING: f64 = 0.9;
+/// A change explains the residuals where what it leaves is more probable than this.
+pub const EXPLAINED: f64 = 0.01;
+/// A step of the most probable values, over their uncertainty, that is the last.
+const SETTLED: f64 = 1e-10;
+/// Steps towards a large motion.
+const ITERATIONS: usize = 20;
+/// A step that explains less than this of the sum of squares is the last.
+const CONVERGED: f64 = 1e-3;
+/// Directions of changes that the observations show less than this, over the best shown, are not shown.
+const RANK: f64 = 1e-10;
+
+/// Parameters as they were identified.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenParameters {
+    /// All parameters of the robot in its order (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// Indices of those that have an uncertainty: the order of `covariance`.
+    pub free: Vec<usize>,
+    /// Their covariance, row by row (mm, rad, 1).
+    pub covariance: Vec<f64>,
+}
+
+/// What may have moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    /// The base, or what the world frame is made of: a shift and a rotation.
+    Base,
+    /// The zero of a joint, by its index.
+    Joint(usize),
+    /// A target on the moving part, by its index.
+    Target(usize),
+}
+
+/// What moved by how much, were it this alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Explanation {
+    /// What.
+    pub moved: Moved,
+    /// By how much: of the base a shift (mm) at its origin and a rotation vector (rad) in the world, x y and z of both, or x, y and the
+    /// angle in the plane; of a joint its value (mm or rad); of a target x y z on the part (mm).
+    pub change: Vec<f64>,
+    /// Standard uncertainties of these; infinite where the observations do not show them.
+    pub standard_uncertainty: Vec<f64>,
+    /// Probability of residuals as large as those that it leaves.
+    pub p_left: f64,
+    /// How much of the sum of squares it explains.
+    pub explained: f64,
+}
+
+/// The least change that is detected with the probability [`POWER`], were it this alone; infinite where the observations do not show it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Detectable {
+    /// What moves.
+    pub moved: Moved,
+    /// Of the base a shift in the direction that shows least (mm) and a rotation about that axis (rad); of a joint its value (mm or rad).
+    pub change: Vec<f64>,
+    /// The least change of a joint that is detected and taken for that of no other joint with the probability [`NAMING`] (separability,
+    /// Förstner 1983); infinite where another joint moves all targets alike.
+    pub named: Option<f64>,
+}
+
+/// One of the two tests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Test {
+    /// Sum of squares over their variance.
+    pub sum: f64,
+    /// Its degrees of freedom.
+    pub degrees_of_freedom: usize,
+    /// Probability of a larger one if nothing has changed.
+    pub p_value: f64,
+}
+
+/// What new observations prove of given parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verification {
+    /// Residuals that changes of base and joints could make.
+    pub of_changes: Test,
+    /// All others.
+    pub of_rest: Test,
+    /// Probability of both, if nothing has changed.
+    pub p_value: f64,
+    /// Root mean square of a coordinate's residual, mm.
+    pub rms_mm: f64,
+    /// What is expected of it if nothing has changed, mm.
+    pub expected_rms_mm: f64,
+    /// What may have moved, the best explanation first: those that suffice, by how few numbers they need.
+    pub explanations: Vec<Explanation>,
+    /// What these observations would have detected.
+    pub detectable: Vec<Detectable>,
+}
+
+impl Verification {
+    /// Whether the observations contradict the parameters.
+    pub fn is_changed(&self) -> bool {
+        self.p_value.is_nan() || self.p_value < SIGNIFICANCE
+    }
+
+    /// What has moved, where something has and one thing explains it.
+    pub fn cause(&self) -> Option<&Explanation> {
+        self.explanations.first().filter(|e| self.is_changed() && e.p_left > EXPLAINED)
+    }
+}
+
+/// Compares `observations` of positions with given parameters; `settings` state the standard uncertainty of a coordinate, `variance` what
+/// that rests on.
+///
+/// # Errors
+/// No standard uncertainty, joint values at which the robot cannot be, or a covariance that is not positive definite.
+pub fn verify(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    variance: Variance,
+) -> Result<Verification> {
+    let space = Space::new(robot, observations, settings, given)?;
+    let all = space.columns();
+    let (whole, n) = (space.sum(), space.r.len());
+    let [of_changes, of_rest] = space.tests(&all, variance);
+    let explain = |(moved, columns): (Moved, DMatrix<f64>)| {
+        let fit = space.fit(&columns);
+        let left = (whole - fit.explained).max(0.0);
+        Explanation {
+            moved,
+            change: fit.change.iter().copied().collect(),
+            standard_uncertainty: fit.standard_uncertainty,
+            p_left: variance.exceedance(left, n - fit.rank),
+            explained: fit.explained,
+        }
+    };
+    let parts = all.parts.iter().map(|&(moved, first, count)| (moved, all.columns.columns(first, count).into_owned()));
+    let targets = space.targets().into_iter().map(|(target, columns)| (Moved::Target(target), columns));
+    let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
+    let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
+    let p_value = Test::together(&of_changes, &of_rest);
+    let suffices = |e: &Explanation| e.p_left > EXPLAINED;
+    if p_value < SIGNIFICANCE && !explanations.iter().any(suffices) {
+        // a large motion is not linear
+        for explanation in &mut explanations {
+            let refined = refine(robot, observations, settings, given, explanation.moved, variance, whole);
+            *explanation = refined.unwrap_or_else(|| explanation.clone());
+        }
+    }
+    explanations.sort_by(|a, b| {
+        let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
+        needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
+    });
+    let [rms_mm, expected_rms_mm] = space.rms_mm();
+    Ok(Verification {
+        p_value,
+        of_changes,
+        of_rest,
+        rms_mm,
+        expected_rms_mm,
+        detectable: space.detectable(&all, &limits),
+        explanations,
+    })
+}
+
+/// The p value of [`verify`] alone.
+///
+/// # Errors
+/// As there.
+pub fn p_value(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    variance: Variance,
+) -> Result<f64> {
+    let space = Space::new(robot, observations, settings, given)?;
+    let [of_changes, of_rest] = space.tests(&space.columns(), variance);
+    Ok(Test::together(&of_changes, &of_rest))
+}
+
+/// The least changes that observations at these poses would detect, wherever their targets are measured; as [`verify`] states them.
+///
+/// # Errors
+/// As there.
+pub fn detectable(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    variance: Variance,
+) -> Result<Vec<Detectable>> {
+    let space = Space::new(robot, observations, settings, given)?;
+    let all = space.columns();
+    let [of_changes, of_rest] = space.tests(&all, variance);
+    Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
+}
+
+/// The most probable values of all parameters by `observations` and by the covariance that they were given with: x = x₀ + L z with
+/// z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's method.
+///
+/// # Errors
+/// As [`verify`].
+pub fn most_probable(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+) -> Result<Vec<f64>> {
+    let mut place = given.clone();
+    let mut z = DVector::zeros(given.free.len());
+    for _ in 0..ITERATIONS {
+        let space = Space::new(robot, observations, settings, &place)?;
+        let Some(inner) = &space.inner else { break };
+        let next = inner.solve(&space.b.tr_mul(&(&space.r + &space.b * &z)));
+        let step = (&next - &z).norm();
+        z = next;
+        let moved = &space.root * &z;
+        given.free.iter().zip(moved.iter()).for_each(|(&i, by)| place.values[i] = given.values[i] + by);
+        if step < SETTLED {
+            break;
+        }
+    }
+    Ok(place.values)
+}
+
+/// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
+fn refine(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    given: &GivenParameters,
+    moved: Moved,
+    variance: Variance,
+    whole: f64,
+) -> Option<Explanation> {
+    let mut change = vec![0.0; 3];
+    let mut motion = Pose::identity();
+    for _ in 0..ITERATIONS {
+        let (mut back, mut place) = (observations.to_vec(), given.clone());
+        let origin = robot.base_origin(&given.values);
+        match moved {
+            Moved::Joint(j) => back.iter_mut().for_each(|o| o.joints[j] += change[0]),
+            Moved::Target(k) => {
+                let first = robot.free_base()?.target_place(k);
+                place.values[first..first + 3].iter_mut().zip(&change).for_each(|(v, c)| *v += c);
+            }
+            Moved::Base => back.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| {
+                let placed = motion.inverse().apply(minus(*p, origin));
+                *p = std::array::from_fn(|i| origin[i] + placed[i]);
+            }),
+        }
+        let space = Space::new(robot, &back, settings, &place).ok()?;
+        let fit = space.fit(&space.columns_of(moved)?);
+        let left = space.sum() - fit.explained;
+        change.iter_mut().zip(fit.change.iter()).for_each(|(sum, step)| *sum += step);
+        if moved == Moved::Base {
+            let small = |i: usize| fit.change[i];
+            let (shift, turn) = match fit.change.len() {
+                3 => ([small(0), small(1), 0.0], [0.0, 0.0, small(2)]),
+                _ => ([small(0), small(1), small(2)], [small(3), small(4), small(5)]),
+            };
+            motion = motion.then(&Pose { translation_mm: shift, ..Pose::from_rotation_vector(turn) });
+        }
+        if fit.explained < CONVERGED {
+            let ([x, y, z], [rx, ry, rz]) = (motion.translation_mm, motion.rotation_vector_rad());
+            let change = match (moved, robot.dimension()) {
+                (Moved::Base, 2) => vec![x, y, rz],
+                (Moved::Base, _) => vec![x, y, z, rx, ry, rz],
+                (Moved::Joint(_), _) => vec![change[0]],
+                (Moved::Target(_), _) => change,
+            };
+            let (p_left, explained) = (variance.exceedance(left.max(0.0), space.r.len() - fit.rank), whole - left);
+            return Some(Explanation {
+                moved,
+                change,
+                standard_uncertainty: fit.standard_uncertainty,
+                p_left,
+                explained,
+            });
+        }
+    }
+    None
+}
+
+/// Both tests together.
+struct Limits {
+    variance: Variance,
+    dof: usize,
+    bound: f64,
+    /// probability that the rest, which no change reaches, is within its bound
+    quiet: f64,
+    /// noncentrality that is detected with [`POWER`]; infinite where the observations show no change
+    detected: f64,
+}
+
+impl Limits {
+    fn new(variance: Variance, dof: usize, rest: usize) -> Self {
+        let two = rest > 0 && dof > 0;
+        let level = if two { 1.0 - (1.0 - SIGNIFICANCE).sqrt() } else { SIGNIFICANCE };
+        let quiet = if two { 1.0 - level } else { 1.0 };
+        let bound = variance.bound(level, dof.max(1));
+        let mut limits = Self { variance, dof, bound, quiet, detected: f64::INFINITY };
+        if dof > 0 {
+            limits.detected = bisect(|noncentrality| limits.power(noncentrality) >= POWER);
+        }
+        limits
+    }
+
+    /// The probability to call a robot changed whose change adds this noncentrality.
+    fn power(&self, noncentrality: f64) -> f64 {
+        1.0 - self.quiet * (1.0 - self.variance.power(self.bound, self.dof, noncentrality))
+    }
+
+    /// The least change along the direction of these columns that shows least.
+    fn detectable(&self, information: &DMatrix<f64>, first: usize, count: usize) -> f64 {
+        let own = information.view((first, first), (count, count)).into_owned();
+        let (shown, least) = (own.trace(), SymmetricEigen::new(own).eigenvalues.min());
+        if least <= RANK * shown {
+            return f64::INFINITY;
+        }
+        (self.detected / least).sqrt()
+    }
+
+    /// The least change of one column that is detected and that no other one explains better.
+    fn named(&self, information: &DMatrix<f64>, column: usize, others: &[usize]) -> f64 {
+        let own = information[(column, column)];
+        // two estimates that are correlated by ρ change places with the probability Φ(−√(λ (1 − |ρ|) / 2))
+        let apart = |&other: &usize| {
+            let alike = information[(column, other)].abs() / (own * information[(other, other)]).sqrt();
+            if alike.is_finite() { (0.5 * (1.0 - alike)).max(0.0) } else { 0.5 }
+        };
+        let apart: Vec<f64> = others.iter().map(apart).collect();
+        let mistaken = |noncentrality: f64| {
+            let one = |apart: &f64| 0.5 * erfc((0.5 * apart * noncentrality).sqrt());
+            EXPLAINED + apart.iter().map(one).sum::<f64>()
+        };
+        if own <= 0.0 || self.dof == 0 || apart.iter().any(|apart| *apart < RANK) {
+            return f64::INFINITY;
+        }
+        let suffices = |noncentrality: f64| {
+            let power = self.power(noncentrality);
+            power >= POWER && power - mistaken(noncentrality) >= NAMING
+        };
+        (bisect(suffices) / own).sqrt()
+    }
+}
+
+/// Whitened residuals of the given parameters, and their covariance S = I + B Bᵀ with B = J L, L Lᵀ the covariance of the parameters.
+struct Space<'a> {
+    robot: &'a dyn Robot,
+    observations: &'a [Observation],
+    settings: &'a Settings,
+    given: &'a GivenParameters,
+    problem: Residuals<'a>,
+    x: Vec<f64>,
+    /// measured minus predicted
+    r: DVector<f64>,
+    /// L, a row for each of `x`
+    root: DMatrix<f64>,
+    b: DMatrix<f64>,
+    inner: Option<Cholesky<f64, Dyn>>,
+}
+
+/// Columns of all changes, and the first of each with their number.
+struct Columns {
+    columns: DMatrix<f64>,
+    parts: Vec<(Moved, usize, usize)>,
+}
+
+/// The change that explains most, by generalised least squares.
+struct Fit {
+    change: DVector<f64>,
+    standard_uncertainty: Vec<f64>,
+    explained: f64,
+    rank: usize,
+}
+
+impl Test {
+    /// Probability of two tests, of which one may have no degrees of freedom.
+    fn together(changes: &Self, rest: &Self) -> f64 {
+        let least = changes.p_value.min(rest.p_value);
+        let two = changes.degrees_of_freedom > 0 && rest.degrees_of_freedom > 0;
+        if two { 1.0 - (1.0 - least).powi(2) } else { least }
+    }
+}
+
+impl<'a> Space<'a> {
+    fn new(
+        robot: &'a dyn Robot,
+        observations: &'a [Observation],
+        settings: &'a Settings,
+        given: &'a GivenParameters,
+    ) -> Result<Self> {
+        if settings.standard_uncertainty_mm.is_none() {
+            return Err(Message::error(
+                "a comparison with given parameters needs the standard uncertainty of a coordinate",
+            )
+            .into());
+        }
+        // all that has an uncertainty; of parameters that have none, one to stand for the columns
+        let free = if given.free.is_empty() { vec![0] } else { given.free.clone() };
+        let problem = Residuals::new(robot, observations, settings, &free, &given.values)?;
+        let x: Vec<f64> = free.iter().map(|&i| given.values[i]).collect();
+        let (m, n) = (problem.residual_count(), free.len());
+        let (mut r, mut jacobian) = (vec![0.0; m], vec![0.0; m * n]);
+        problem.residuals(&x, &mut r);
+        problem.jacobian(&x, &mut jacobian);
+        if r.iter().chain(&jacobian).any(|v| !v.is_finite()) {
+            return Err(Message::error("with these parameters the robot cannot be where these joint values put it")
+                .hint("check unit, sign and offset of the joints, and that the parameters are those of this robot")
+                .into());
+        }
+        let count = given.free.len();
+        let root = match count {
+            0 => DMatrix::zeros(n, 0),
+            _ => root(DMatrix::from_row_slice(count, count, &given.covariance))?,
+        };
+        let b = DMatrix::from_row_slice(m, n, &jacobian) * &root;
+        let inner = Cholesky::new(DMatrix::identity(b.ncols(), b.ncols()) + b.transpose() * &b);
+        Ok(Self { robot, observations, settings, given, problem, x, r: -DVector::from_vec(r), root, b, inner })
+    }
+
+    /// S⁻¹ X (Woodbury).
+    fn solve(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        match &self.inner {
+            Some(inner) => columns - &self.b * inner.solve(&(self.b.transpose() * columns)),
+            None => columns.clone(),
+        }
+    }
+
+    /// The least of these changes that are detected.
+    fn detectable(&self, all: &Columns, limits: &Limits) -> Vec<Detectable> {
+        let information = all.columns.transpose() * self.solve(&all.columns);
+        let of = |&(moved, first, count): &(Moved, usize, usize)| {
+            let shifts = if moved == Moved::Base { count - count / 2 } else { 0 };
+            let halves = [(first, shifts), (first + shifts, count - shifts)].into_iter().filter(|half| half.1 > 0);
+            let change = halves.map(|(first, count)| limits.detectable(&information, first, count)).collect();
+            let others = all.parts.iter().filter(|(other, ..)| matches!(other, Moved::Joint(_)) && *other != moved);
+            let others: Vec<usize> = others.map(|other| other.1).collect();
+            let named = matches!(moved, Moved::Joint(_)).then(|| limits.named(&information, first, &others));
+            Detectable { moved, change, named }
+        };
+        all.parts.iter().map(of).collect()
+    }
+
+    /// rᵀ S⁻¹ r
+    fn sum(&self) -> f64 {
+        let r = DMatrix::from_column_slice(self.r.len(), 1, self.r.as_slice());
+        r.dot(&self.solve(&r))
+    }
+
+    /// The tests of what these changes can make, and of the rest.
+    fn tests(&self, all: &Columns, variance: Variance) -> [Test; 2] {
+        let fit = self.fit(&all.columns);
+        let rest = (self.sum() - fit.explained).max(0.0);
+        [(fit.explained, fit.rank), (rest, self.r.len() - fit.rank)].map(|(sum, degrees_of_freedom)| Test {
+            sum,
+            degrees_of_freedom,
+            p_value: variance.exceedance(sum, degrees_of_freedom),
+        })
+    }
+
+    /// Root mean square of a coordinate's residual, and what is expected of it, mm.
+    fn rms_mm(&self) -> [f64; 2] {
+        let (n, d) = (self.r.len(), self.robot.dimension());
+        let mut r = vec![0.0; n];
+        self.problem.plain_residuals(&self.x, &mut r);
+        let mut jacobian = vec![0.0; n * self.x.len()];
+        self.problem.plain_jacobian(&self.x, &mut jacobian);
+        let ours = DMatrix::from_row_slice(n, self.x.len(), &jacobian) * &self.root;
+        let unit2 = self.problem.unit.powi(2);
+        let stated2 = self.settings.standard_uncertainty_mm.unwrap_or(0.0).powi(2);
+        let of_reading = |o: &Observation, k: usize| match o.covariances_mm2.get(k).copied().flatten() {
+            Some(covariance) => (0..d).map(|i| covariance[i][i]).sum::<f64>(),
+            None => d as f64 * stated2,
+        };
+        let seen = self.observations.iter().flat_map(|o| (0..o.targets.len()).map(move |k| (o, k)));
+        let measured: f64 = seen.filter(|(o, k)| o.targets[*k].is_some()).map(|(o, k)| of_reading(o, k)).sum();
+        let squares: f64 = r.iter().map(|r| r * r).sum();
+        [unit2 * squares, measured + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
+    }
+
+    /// How measured minus predicted changes with base and joints.
+    fn columns(&self) -> Columns {
+        let m = self.r.len();
+        let frame = DMatrix::from_row_slice(m, 6, &self.problem.frame_jacobian(&self.x, None));
+        let planar = self.robot.dimension() == 2;
+        let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
+        let mut columns = DMatrix::zeros(m, axes.len());
+        // a rotation about the origin of the base: p moves by ω × (p − o)
+        let origin = self.robot.base_origin(&self.given.values);
+        for (k, &axis) in axes.iter().enumerate() {
+            let mut column = frame.column(axis).into_owned();
+            if axis > 2 {
+                let turn: Vector = std::array::from_fn(|i| f64::from(u8::from(i == axis - 3)));
+                let lever = cross(turn, origin);
+                (0..3).for_each(|i| column -= frame.column(i) * lever[i]);
+            }
+            columns.set_column(k, &column);
+        }
+        let joints = self.robot.joints().len();
+        let rows = DMatrix::from_row_slice(m, joints, &self.problem.joint_jacobian(&self.x));
+        let base = (Moved::Base, 0, axes.len());
+        let parts = std::iter::once(base).chain((0..joints).map(|j| (Moved::Joint(j), axes.len() + j, 1)));
+        let mut all = DMatrix::zeros(m, axes.len() + joints);
+        all.columns_mut(0, axes.len()).copy_from(&columns);
+        all.columns_mut(axes.len(), joints).copy_from(&rows);
+        Columns { columns: all, parts: parts.collect() }
+    }
+
+    /// How measured minus predicted changes with one of these.
+    fn columns_of(&self, moved: Moved) -> Option<DMatrix<f64>> {
+        if let Moved::Target(k) = moved {
+            return self.targets().into_iter().find(|(target, _)| *target == k).map(|(_, columns)| columns);
+        }
+        let all = self.columns();
+        let (_, first, count) = *all.parts.iter().find(|part| part.0 == moved)?;
+        Some(all.columns.columns(first, count).into_owned())
+    }
+
+    /// How measured minus predicted changes with each target's place on the part, where the model has such parameters.
+    fn targets(&self) -> Vec<(usize, DMatrix<f64>)> {
+        let Some(arm) = self.robot.free_base() else { return Vec::new() };
+        let of = |target: usize| {
+            let first = arm.target_place(target);
+            let free: Vec<usize> = (first..first + 3).collect();
+            let x: Vec<f64> = free.iter().map(|&i| self.given.values[i]).collect();
+            let problem =
+                Residuals::new(self.robot, self.observations, self.settings, &free, &self.given.values).ok()?;
+            let mut jacobian = vec![0.0; self.r.len() * 3];
+            problem.jacobian(&x, &mut jacobian);
+            Some((target, DMatrix::from_row_slice(self.r.len(), 3, &jacobian)))
+        };
+        (0..self.robot.targets().len()).filter_map(of).collect()
+    }
+
+    fn fit(&self, columns: &DMatrix<f64>) -> Fit {
+        let solved = self.solve(columns);
+        let (information, right) = (columns.transpose() * &solved, solved.transpose() * &self.r);
+        // columns of one length: mm and rad alike
+        let scale = information.diagonal().map(|d| if d > 0.0 { 1.0 / d.sqrt() } else { 0.0 });
+        let scaled = DMatrix::from_fn(scale.len(), scale.len(), |i, j| scale[i] * information[(i, j)] * scale[j]);
+        let eigen = SymmetricEigen::new(scaled);
+        let most = eigen.eigenvalues.max();
+        let mut covariance = DMatrix::zeros(scale.len(), scale.len());
+        let (mut rank, mut unseen) = (0, DVector::zeros(scale.len()));
+        for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+            if *value > RANK * most && most > 0.0 {
+                covariance += vector * vector.transpose() / *value;
+                rank += 1;
+            } else {
+                unseen += vector.map(|v| v * v);
+            }
+        }
+        let covariance = DMatrix::from_fn(scale.len(), scale.len(), |i, j| scale[i] * covariance[(i, j)] * scale[j]);
+        let change = &covariance * &right;
+        let u = |i: usize| if unseen[i] > 1e-6 || scale[i] == 0.0 { f64::INFINITY } else { covariance[(i, i)].sqrt() };
+        Fit { explained: change.dot(&right), standard_uncertainty: (0..scale.len()).map(u).collect(), change, rank }
+    }
+}
+
+/// L with L Lᵀ the covariance, of one that rounding makes singular too.
+fn root(covariance: DMatrix<f64>) -> Result<DMatrix<f64>> {
+    let scale = covariance.diagonal().map(|v| v.sqrt());
+    let divided = DMatrix::from_fn(scale.len(), scale.len(), |i, j| match scale[i] * scale[j] {
+        0.0 => 0.0,
+        s => covariance[(i, j)] / s,
+    });
+    let eigen = SymmetricEigen::new(divided);
+    if eigen.eigenvalues.min() <= -1e-6 {
+        return Err(Message::error("the covariance of the parameters is not positive definite").into());
+    }
+    let mut root = eigen.eigenvectors;
+    for (mut column, value) in root.column_iter_mut().zip(eigen.eigenvalues.iter()) {
+        column *= value.max(0.0).sqrt();
+    }
+    for (mut row, s) in root.row_iter_mut().zip(scale.iter()) {
+        row *= *s;
+    }
+    Ok(root)
+}

@@ -1,0 +1,353 @@
+//! Conditions: what else than its position was observed of a target at a pose, one kind a module.
+//!
+//! A condition is an equation between the place of a target, which the robot gives, and things that are fixed in the world: the
+//! orientation of a body, a socket, a point from which a distance is measured, a plane, a line, a sphere. Of these the robot's list of parameters
+//! has the unknowns behind its own ([`Fixture`](crate::Fixture)). To add a kind: its module with an [`Equation`], and its line in [`Kind`].
+
+mod contact;
+mod coordinate;
+mod distance;
+mod joint;
+mod known;
+mod orientation;
+mod seen;
+mod surface;
+
+pub use contact::Contact;
+pub use coordinate::Coordinate;
+pub use distance::Distance;
+pub use joint::JointValue;
+pub use known::Known;
+pub use orientation::{Orientation, mounted_misfit_rad};
+pub use seen::Seen;
+pub use surface::{On, Surface};
+
+pub(crate) use contact::meet;
+pub(crate) use distance::reach;
+pub(crate) use known::places;
+pub(crate) use orientation::mount;
+pub(crate) use seen::{less_station, stand, station_pose};
+pub(crate) use surface::lay;
+
+use crate::{Error, Result};
+use crate::{Observation, ResidualKind, Settings, Status};
+use etalon_base::message::Message;
+use etalon_base::pose::{Pose, Vector, centroid, minus};
+use etalon_base::pose_name::PoseName;
+use etalon_fit::rotation_onto;
+use etalon_robots::{FreeBase, Quantity, Robot, Role};
+
+/// What was observed of a target at a pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Joint values in mm or rad, in the robot's order.
+    pub joints: Vec<f64>,
+    /// Index of the target.
+    pub target: usize,
+    /// What was observed.
+    pub kind: Kind,
+    /// Standard uncertainty of each of its residuals, mm or rad.
+    pub standard_uncertainty: f64,
+}
+
+/// Where a condition is evaluated.
+pub(crate) struct At<'a> {
+    /// The robot, of which some kinds need more than the position of the target.
+    pub arm: Option<&'a dyn FreeBase>,
+    /// Values of all parameters.
+    pub values: &'a [f64],
+    /// Joint values in mm or rad.
+    pub joints: &'a [f64],
+    /// Position of the target at these, mm.
+    pub position: Vector,
+    /// Standard uncertainty of each residual, mm or rad.
+    pub standard_uncertainty: f64,
+}
+
+/// Equation of a kind of condition: its residuals and their derivatives.
+pub(crate) trait Equation {
+    /// Number of residuals.
+    fn rows(&self) -> usize {
+        1
+    }
+
+    /// Parameters of what the condition refers to.
+    fn unknowns(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    /// Writes the residuals, mm or rad.
+    fn residuals(&self, at: &At, out: &mut [f64]);
+
+    /// Writes the derivatives of the residuals by all parameters into zeros, row by row; `moved` has the derivatives of the target's
+    /// position, three rows.
+    fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]);
+
+    /// The residuals as a vector in the world.
+    fn in_world(&self, _: &At, residuals: Vector) -> Vector {
+        residuals
+    }
+
+    /// `true` if the residuals are angles.
+    fn is_angle(&self) -> bool {
+        false
+    }
+
+    /// `true` if the observation contains a length, which fixes the scale of the robot.
+    fn has_length(&self) -> bool {
+        false
+    }
+
+    /// `true` if the observation is made in a world that is not the robot's own base frame.
+    fn is_in_world(&self) -> bool {
+        false
+    }
+
+    /// `true` if the residuals depend on where the target is.
+    fn depends_on_target(&self) -> bool {
+        true
+    }
+
+    /// First of the unknowns of the moving part that the condition shows; `target` is that of the target.
+    fn moving(&self, target: usize) -> Option<usize> {
+        Some(target)
+    }
+}
+
+/// Kind of a condition, with the indices of the first of the parameters of what it refers to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Orientation of the body that carries the target.
+    Orientation(Orientation),
+    /// One coordinate of the target.
+    Coordinate(Coordinate),
+    /// Distance of the target to a fixed point.
+    Distance(Distance),
+    /// The target lies in a socket.
+    Contact(Contact),
+    /// The target as another station measures it.
+    Seen(Seen),
+    /// The target is on a surface or line.
+    On(On),
+    /// The value of a joint.
+    Joint(JointValue),
+}
+
+impl Kind {
+    pub(crate) fn equation(&self) -> &dyn Equation {
+        match self {
+            Self::Orientation(kind) => kind,
+            Self::Coordinate(kind) => kind,
+            Self::Distance(kind) => kind,
+            Self::Contact(kind) => kind,
+            Self::Seen(kind) => kind,
+            Self::On(kind) => kind,
+            Self::Joint(kind) => kind,
+        }
+    }
+
+    /// Number of residuals.
+    pub fn rows(&self) -> usize {
+        self.equation().rows()
+    }
+
+    /// `true` if the residuals are angles.
+    pub fn is_angle(&self) -> bool {
+        self.equation().is_angle()
+    }
+
+    /// `true` for the orientation of a body.
+    pub fn is_orientation(&self) -> bool {
+        matches!(self, Self::Orientation(_))
+    }
+}
+
+/// Weight that brings the shortest solution where several are equally good, of rows of size one.
+const SHORTEST: f64 = 1e-6;
+
+/// Coordinates of the point whose first parameter is `first`.
+pub(crate) fn point(values: &[f64], first: usize) -> Vector {
+    [values[first], values[first + 1], values[first + 2]]
+}
+
+/// Place of the target of a condition in the world.
+fn place(arm: &dyn FreeBase, c: &Condition, values: &[f64]) -> Vector {
+    arm.flange(values, &c.joints).apply(point(values, arm.target_place(c.target)))
+}
+
+/// The motion that brings the first of each pair to the second, by least squares.
+pub(crate) fn onto(pairs: &[(Vector, Vector)]) -> Option<Pose> {
+    let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().copied().unzip();
+    let (here, there) = (centroid(&from)?, centroid(&to)?);
+    let rotation = rotation_onto(pairs.iter().map(|(p, q)| (minus(*p, here), minus(*q, there))));
+    let turn = Pose { rotation, translation_mm: [0.0; 3] };
+    Some(Pose { translation_mm: minus(there, turn.rotate(here)), ..turn })
+}
+
+impl Condition {
+    fn at<'a>(&'a self, arm: Option<&'a dyn FreeBase>, values: &'a [f64], position: Vector) -> At<'a> {
+        At { arm, values, joints: &self.joints, position, standard_uncertainty: self.standard_uncertainty }
+    }
+
+    /// Writes its residuals over their standard uncertainties; `position` is that of the target at `values`.
+    pub(crate) fn residuals(&self, arm: Option<&dyn FreeBase>, values: &[f64], position: Vector, out: &mut [f64]) {
+        self.kind.equation().residuals(&self.at(arm, values, position), out);
+        out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
+    }
+
+    /// What was observed minus what the model with `values` predicts, in the world: mm, of an orientation rad as a rotation vector. Of
+    /// a distance it lies along it, of a plane along its normal.
+    pub fn error(&self, robot: &dyn Robot, values: &[f64]) -> Vector {
+        let position = robot.position(values, &self.joints, self.target);
+        let mut left = [0.0; 3];
+        self.residuals(robot.free_base(), values, position, &mut left[..self.kind.rows()]);
+        let left = left.map(|r| -r * self.standard_uncertainty);
+        self.kind.equation().in_world(&self.at(robot.free_base(), values, position), left)
+    }
+
+    /// Writes their derivatives by all parameters, row by row; `moved` has those of the target's position, three rows.
+    pub(crate) fn jacobian(
+        &self,
+        arm: Option<&dyn FreeBase>,
+        values: &[f64],
+        position: Vector,
+        moved: &[f64],
+        out: &mut [f64],
+    ) {
+        out.fill(0.0);
+        self.kind.equation().jacobian(&self.at(arm, values, position), moved, out);
+        out.iter_mut().for_each(|d| *d /= self.standard_uncertainty);
+    }
+}
+
+/// Whether anything is measured in a world that is not the robot's own base frame.
+pub(crate) fn tied_to_world(observations: &[Observation], settings: &Settings) -> bool {
+    observations.iter().any(|o| o.targets.iter().any(Option::is_some))
+        || settings.conditions.iter().any(|c| c.kind.equation().is_in_world())
+        || settings.known.iter().any(|k| matches!(k, Known::Place { .. } | Known::On { .. }))
+}
+
+/// A warning where nothing that was observed contains a length: a robot of twice the size fits as well.
+pub(crate) fn without_length(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    status: &[Status],
+) -> Option<Message> {
+    // one place alone is an origin, not a length
+    let places = settings.known.iter().filter(|k| matches!(k, Known::Place { .. } | Known::On { .. })).count();
+    let has_length = observations.iter().any(|o| o.targets.iter().any(Option::is_some))
+        || settings.conditions.iter().any(|c| c.kind.equation().has_length())
+        || places > 1
+        || settings.known.iter().any(|k| matches!(k, Known::Distance { .. } | Known::Length { .. }));
+    if has_length {
+        return None;
+    }
+    let held = robot.parameters().iter().zip(status).filter(|(p, s)| {
+        p.quantity == Quantity::Length && p.role == Role::Robot && **s != Status::Identified && p.nominal != 0.0
+    });
+    let lengths: Vec<String> = held.map(|(p, _)| format!("`{}` = {} mm", p.name, p.nominal)).collect();
+    let what = "nothing that was observed contains a length: the scale of the robot is that of its nominal lengths";
+    let message = Message::warning(match lengths.is_empty() {
+        true => what.to_owned(),
+        false => format!("{what} that are held, {}", lengths.join(", ")),
+    });
+    Some(message.hint("measure a distance: between two sockets, to a fixed point, or the position of a target"))
+}
+
+/// An error where conditions are for another robot or other residuals.
+pub(crate) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
+    if settings.conditions.is_empty() && settings.known.is_empty() {
+        return Ok(());
+    }
+    let coordinates = settings.conditions.iter().all(|c| matches!(c.kind, Kind::Coordinate(_)));
+    if robot.free_base().is_none() && !(coordinates && settings.known.is_empty() && !robot.has_assembly_modes()) {
+        return Err(Error::NotAnArm { model: robot.model().to_owned() });
+    }
+    if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
+        let what = "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
+        return Err(Message::error(what).into());
+    }
+    if settings.standard_uncertainty_mm.is_none() {
+        return Err(Error::KindsWithoutUncertainty);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Fixture;
+    use etalon_base::noise::Noise;
+    use etalon_robots::{Parameter, Serial, SerialJoint};
+
+    #[test]
+    fn the_jacobian_of_every_kind_is_the_numeric_derivative() {
+        let joint = |&[alpha_rad, a_mm, theta_rad, d_mm]: &[f64; 4]| SerialJoint {
+            alpha_rad,
+            a_mm,
+            theta_rad,
+            d_mm,
+            prismatic: false,
+            parallel: alpha_rad == 0.0 && a_mm > 0.0,
+        };
+        let table = [[0.0, 0.0, 0.0, 290.0], [-1.5, 0.0, -1.5, 0.0], [0.0, 270.0, 0.0, 0.0], [-1.5, 70.0, 0.0, 302.0]];
+        let joints: Vec<SerialJoint> = table.iter().map(joint).collect();
+        let mut robot = Serial::new(&joints, &["ball".to_owned()], [0.0, 0.0, -1.0], &[2, 3], &[(4, 3)]);
+        let mut noise = Noise::new(18, 3);
+        let socket = Fixture::Point("s").add_to(&mut robot);
+        let (plane, line) = (Fixture::Plane("p", 1).add_to(&mut robot), Fixture::Line("l", 2).add_to(&mut robot));
+        let radius = Fixture::Radius("s").add_to(&mut robot);
+        let mounting = Fixture::Mounting("ball").add_to(&mut robot);
+        let station = Fixture::Station("t").add_to(&mut robot);
+        let from = |first: usize, last: usize| [first, first + 1, first + 2, last];
+        let kinds = [
+            Kind::Orientation(Orientation { world_T_body: Pose::from_rotation_vector([0.3, -0.8, 1.1]), mounting }),
+            Kind::Coordinate(Coordinate { axis: 1, at_mm: 12.0 }),
+            Kind::Distance(Distance { to: socket, distance_mm: 300.0 }),
+            Kind::Contact(Contact { socket }),
+            Kind::Seen(Seen { station, at_mm: [800.0, -300.0, 500.0] }),
+            Kind::On(On { surface: Surface::Plane { axis: 1 }, unknowns: from(plane, plane + 2), offset_mm: 3.0 }),
+            Kind::On(On { surface: Surface::Line { axis: 2 }, unknowns: from(line, line + 3), offset_mm: 0.0 }),
+            Kind::On(On { surface: Surface::Sphere, unknowns: from(socket, radius), offset_mm: 3.0 }),
+            Kind::Joint(JointValue { joint: 2, value: 0.7, is_angle: true }),
+            Kind::Joint(JointValue { joint: 3, value: -0.2, is_angle: true }),
+        ];
+        let n = robot.parameters().len();
+        let random =
+            |p: &Parameter| p.nominal + if p.quantity == Quantity::Length { 40.0 } else { 0.2 } * noise.uniform(1.0);
+        let values: Vec<f64> = robot.parameters().iter().map(random).collect();
+        for kind in kinds {
+            let joints = vec![0.3, -0.7, 0.5, 1.2];
+            let c = Condition { pose: 1.into(), cycle: 1, joints, target: 0, kind, standard_uncertainty: 0.5 };
+            let left = |values: &[f64]| {
+                let mut out = [0.0; 3];
+                let at = robot.position(values, &c.joints, 0);
+                c.residuals(robot.free_base(), values, at, &mut out[..kind.rows()]);
+                out
+            };
+            let (mut moved, mut exact) = (vec![0.0; 3 * n], vec![0.0; kind.rows() * n]);
+            robot.jacobian(&values, &c.joints, &mut moved);
+            c.jacobian(robot.free_base(), &values, robot.position(&values, &c.joints, 0), &moved, &mut exact);
+            assert!(exact.iter().any(|d| *d != 0.0), "{kind:?}");
+            for j in 0..n {
+                let h = if robot.parameters()[j].quantity == Quantity::Length { 1e-3 } else { 1e-5 };
+                let moved = |by: f64| {
+                    let mut values = values.clone();
+                    values[j] += by;
+                    left(&values)
+                };
+                let (plus, minus) = (moved(h), moved(-h));
+                for i in 0..kind.rows() {
+                    let numeric = (plus[i] - minus[i]) / (2.0 * h);
+                    let off = (exact[i * n + j] - numeric).abs();
+                    assert!(off < 1e-6 * (1.0 + numeric.abs()), "{kind:?} {}: {numeric}", robot.parameters()[j].name);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Orientation in the world of the body that carries the target.
+
+use super::{At, Condition, Equation, Kind, point};
+use etalon_base::pose::{Pose, Vector, dot, turning_axes};
+use etalon_fit::rotation_onto;
+use etalon_robots::{FreeBase, Robot};
+use nalgebra::{Matrix3, Vector3};
+use std::collections::BTreeMap;
+
+/// The body that carries the target is oriented so in the world; three parameters are the rotation vector that turns the flange
+/// to the body. Residuals: the rotation vector from the observed orientation to the model's, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orientation {
+    /// The body in the world, by its rotation alone.
+    pub world_T_body: Pose,
+    /// First parameter of the rotation vector.
+    pub mounting: usize,
+}
+
+impl Equation for Orientation {
+    fn rows(&self) -> usize {
+        3
+    }
+
+    fn unknowns(&self) -> Vec<usize> {
+        (self.mounting..self.mounting + 3).collect()
+    }
+
+    fn residuals(&self, at: &At, out: &mut [f64]) {
+        let turned = at.arm.map(|arm| {
+            let mounted = Pose::from_rotation_vector(point(at.values, self.mounting));
+            let body = arm.flange(at.values, at.joints).then(&mounted);
+            body.then(&self.world_T_body.inverse()).rotation_vector_rad()
+        });
+        out.copy_from_slice(&turned.unwrap_or_default());
+    }
+
+    fn jacobian(&self, at: &At, _: &[f64], out: &mut [f64]) {
+        let Some(arm) = at.arm else { return };
+        let (n, mounting) = (at.values.len(), self.mounting);
+        let mut left = [0.0; 3];
+        self.residuals(at, &mut left);
+        let axes = turning_axes(left.map(|v| v / at.standard_uncertainty * at.standard_uncertainty));
+        let back = Matrix3::from_fn(|i, k| axes[k][i]).try_inverse().unwrap_or_else(Matrix3::identity);
+        let mut turns = vec![0.0; 3 * n];
+        arm.flange_turns(at.values, at.joints, &mut turns);
+        let flange = arm.flange(at.values, at.joints);
+        for (k, axis) in turning_axes(point(at.values, mounting)).into_iter().enumerate() {
+            let axis = flange.rotate(axis);
+            (0..3).for_each(|i| turns[i * n + mounting + k] += axis[i]);
+        }
+        for j in 0..n {
+            let turn = back * Vector3::new(turns[j], turns[n + j], turns[2 * n + j]);
+            (0..3).for_each(|i| out[i * n + j] = turn[i]);
+        }
+    }
+
+    fn is_angle(&self) -> bool {
+        true
+    }
+
+    fn is_in_world(&self) -> bool {
+        true
+    }
+
+    fn depends_on_target(&self) -> bool {
+        false
+    }
+
+    fn moving(&self, _: usize) -> Option<usize> {
+        Some(self.mounting)
+    }
+}
+
+/// Orientations of bodies on the flange: the mean of what their observed orientations show.
+pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values: &mut [f64]) {
+    let mut bodies: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
+    for c in conditions {
+        if let Kind::Orientation(Orientation { world_T_body, mounting }) = c.kind {
+            let body = arm.flange(values, &c.joints).inverse().then(&world_T_body);
+            let axes = (0..3).map(|k| (Pose::identity().axis(k), body.axis(k)));
+            bodies.entry(mounting).or_default().extend(axes);
+        }
+    }
+    for (mounting, all) in bodies.into_iter().filter(|body| wanted.contains(&body.0)) {
+        // the least sum of squares of the chordal distances (Moakher 2002)
+        let mean = Pose { rotation: rotation_onto(all.into_iter()), translation_mm: [0.0; 3] };
+        values[mounting..mounting + 3].copy_from_slice(&mean.rotation_vector_rad());
+    }
+}
+
+/// Root mean square angle that observed orientations are from those of the robot with `values`, with their bodies mounted where they
+/// explain these best, rad; not a number where there are none.
+pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
+    let Some(arm) = robot.free_base() else { return f64::NAN };
+    let mut values = values.to_vec();
+    let all: Vec<usize> = (0..values.len()).collect();
+    mount(arm, conditions, &all, &mut values);
+    let squares = conditions.iter().map(|c| dot(c.error(robot, &values), c.error(robot, &values)));
+    (squares.sum::<f64>() / conditions.len() as f64).sqrt()
+}

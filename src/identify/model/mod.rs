@@ -1,0 +1,11 @@
+//! Model: what was observed, and the residuals that follow from it, with their derivatives and weights.
+
+pub(crate) mod effects;
+pub(crate) mod elimination;
+pub(crate) mod fixture;
+pub(crate) mod frame_error;
+pub(crate) mod kinds;
+pub(crate) mod observation;
+pub(crate) mod residuals;
+pub(crate) mod rigid_part;
+pub(crate) mod weights;

@@ -1,0 +1,244 @@
+//! Observations: where the targets were, the joint values, and which of two assembly modes they leave.
+
+use crate::model::weights::Covariance;
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose_name::PoseName;
+use etalon_robots::Robot;
+use std::collections::BTreeMap;
+
+/// One pose of one cycle: joint values and the targets that were measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Observation {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Joint values in mm or rad, in the robot's order, and behind them the assembly mode of robots that have several.
+    pub joints: Vec<f64>,
+    /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not measured.
+    pub targets: Vec<Option<Vector>>,
+    /// Covariances of these positions in the world, where their measurement states them; empty where it does not.
+    pub covariances_mm2: Vec<Option<Covariance>>,
+}
+
+/// Position of a target, measured at known joint values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Index of the target.
+    pub target: usize,
+    /// Position in the world (mm); z is 0 for robots in the plane.
+    pub at_mm: Vector,
+    /// Covariance of the position, where the measurement states one.
+    pub covariance_mm2: Option<Covariance>,
+    /// Joint values (mm or rad) in the robot's order, then the directions of [`Robot::approached`] joints.
+    pub joints: Vec<f64>,
+    /// Assembly mode, where it is stated.
+    pub assembly: Option<f64>,
+    /// Time of the measurement (s).
+    pub time_s: Option<f64>,
+}
+
+/// Contradiction between a measured position and the positions before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contradiction {
+    /// A coordinate or a joint value is not finite.
+    NotFinite,
+    /// Other joint values at the same pose and cycle.
+    OtherJoints,
+    /// The target is measured twice at the same pose and cycle.
+    MeasuredTwice,
+}
+
+/// Reason why measured positions make no observations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ObservationError {
+    /// Nothing was measured.
+    Empty,
+    /// A position contradicts the positions before it.
+    Contradiction(usize, Contradiction),
+    /// With nominal parameters the arms do not meet at the joint values of this pose and cycle.
+    ArmsApart(PoseName, i64),
+    /// Both assembly modes fit a pose and cycle equally well.
+    BothModes(PoseName, i64, Distances),
+}
+
+/// Distances (mm) of the measured position from the positions of the two assembly modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distances {
+    /// From the mode that fits better.
+    pub near_mm: f64,
+    /// From the other mode.
+    pub far_mm: f64,
+}
+
+/// Assembly modes that were taken from the measurement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AssumedModes {
+    /// Number of observations in mode +1.
+    pub positive: usize,
+    /// Number of observations in mode -1.
+    pub negative: usize,
+    /// Pose with the least clear choice.
+    pub least_clear: (PoseName, Distances),
+}
+
+impl Observation {
+    /// Groups measured positions by pose and cycle, in their order, and gives the assembly modes that no position states.
+    ///
+    /// Robots with assembly modes may bring several working modes to one pose and cycle: each set of joint values is then an observation.
+    pub fn group(
+        robot: &dyn Robot,
+        measured: &[Measured],
+    ) -> Result<(Vec<Self>, Option<AssumedModes>), ObservationError> {
+        let count = robot.targets().len();
+        let weighted = measured.iter().any(|m| m.covariance_mm2.is_some());
+        let mut observations: Vec<Self> = Vec::new();
+        let mut modes = Vec::new();
+        let mut place = BTreeMap::new();
+        for (row, m) in measured.iter().enumerate() {
+            let contradiction = |what| Err(ObservationError::Contradiction(row, what));
+            if m.joints.iter().chain(&m.at_mm).any(|v| !v.is_finite()) {
+                return contradiction(Contradiction::NotFinite);
+            }
+            let mode =
+                if robot.has_assembly_modes() { m.joints.iter().map(|q| q.to_bits()).collect() } else { Vec::new() };
+            let k = *place.entry((m.pose, m.cycle, mode)).or_insert_with(|| {
+                modes.push(m.assembly);
+                observations.push(Self {
+                    pose: m.pose,
+                    cycle: m.cycle,
+                    joints: m.joints.clone(),
+                    targets: vec![None; count],
+                    covariances_mm2: vec![None; if weighted { count } else { 0 }],
+                });
+                observations.len() - 1
+            });
+            if observations[k].joints != m.joints {
+                return contradiction(Contradiction::OtherJoints);
+            }
+            if weighted {
+                observations[k].covariances_mm2[m.target] = m.covariance_mm2;
+            }
+            if observations[k].targets[m.target].replace(m.at_mm).is_some() {
+                return contradiction(Contradiction::MeasuredTwice);
+            }
+        }
+        if observations.is_empty() {
+            return Err(ObservationError::Empty);
+        }
+        let assumed = match robot.has_assembly_modes() {
+            true => assign_modes(robot, &mut observations, &modes)?,
+            false => None,
+        };
+        Ok((observations, assumed))
+    }
+}
+
+impl Observation {
+    /// The measured targets that state an uncertainty, by index: root mean square of the standard uncertainties of its coordinates, mm.
+    pub(crate) fn uncertainties_mm(&self, dimension: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let stated = self.covariances_mm2.iter().zip(&self.targets).enumerate();
+        let measured = stated.filter_map(|(k, (covariance, at))| Some((k, (*covariance)?, (*at)?)));
+        let mean = move |c: Covariance| ((0..dimension).map(|i| c[i][i]).sum::<f64>() / dimension as f64).sqrt();
+        measured.map(move |(k, covariance, _)| (k, mean(covariance)))
+    }
+
+    /// For each measured target its index, and its measured position minus where `values` put it, mm.
+    pub fn misses<'o>(&'o self, robot: &'o dyn Robot, values: &'o [f64]) -> impl Iterator<Item = (usize, Vector)> + 'o {
+        let measured = self.targets.iter().enumerate().filter_map(|(k, target)| Some((k, (*target)?)));
+        measured.map(move |(k, target)| (k, minus(target, robot.position(values, &self.joints, k))))
+    }
+}
+
+/// The directions from which a joint came to `values` that follow each other, those of its last motions by more than `still`: `None`
+/// before the first.
+pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f64>> {
+    let (mut last, mut direction) = (None, None);
+    let next = |value: f64| {
+        let from = *last.get_or_insert(value);
+        if (value - from).abs() > still {
+            direction = Some((value - from).signum());
+            last = Some(value);
+        }
+        direction
+    };
+    values.map(next).collect()
+}
+
+/// The farther position must be off by this many times what the nearer one is, to be distinguished from it.
+const CLEAR: f64 = 2.0;
+
+/// Appends the assembly mode to the joint values of every observation: as `stated`, or the mode whose position at nominal
+/// parameters is nearer to the measured one.
+fn assign_modes(
+    robot: &dyn Robot,
+    observations: &mut [Observation],
+    stated: &[Option<f64>],
+) -> Result<Option<AssumedModes>, ObservationError> {
+    let nominal = robot.nominal();
+    let mut assumed: Option<AssumedModes> = None;
+    for (o, stated) in observations.iter_mut().zip(stated) {
+        let mode = match stated {
+            Some(mode) => *mode,
+            None => {
+                let (mode, here) = nearer(robot, &nominal, o)?;
+                let first = AssumedModes { positive: 0, negative: 0, least_clear: (o.pose, here) };
+                let all = assumed.get_or_insert(first);
+                *if mode < 0.0 { &mut all.negative } else { &mut all.positive } += 1;
+                if here.near_mm / here.far_mm > all.least_clear.1.near_mm / all.least_clear.1.far_mm {
+                    all.least_clear = (o.pose, here);
+                }
+                mode
+            }
+        };
+        o.joints.push(mode);
+    }
+    Ok(assumed)
+}
+
+/// Observations that the parameters `values` put far from where they were measured in the assembly mode that they state,
+/// and near in the other; how far in both, in mm. Empty where most are: the base is then elsewhere.
+pub(crate) fn misplaced<'o>(
+    robot: &dyn Robot,
+    observations: &'o [Observation],
+    values: &[f64],
+) -> Vec<(&'o Observation, (f64, f64))> {
+    if !robot.has_assembly_modes() {
+        return Vec::new();
+    }
+    let both = |o: &'o Observation| {
+        let mode = *o.joints.last()?;
+        let (stated, other) = (off(robot, values, o, mode), off(robot, values, o, -mode));
+        (CLEAR * other < stated).then_some((o, (stated, other)))
+    };
+    let wrong: Vec<_> = observations.iter().filter_map(both).collect();
+    if 2 * wrong.len() < observations.len() { wrong } else { Vec::new() }
+}
+
+/// How far the farthest target was measured from where `values` put it in an assembly mode, mm.
+fn off(robot: &dyn Robot, values: &[f64], o: &Observation, mode: f64) -> f64 {
+    let mut joints = o.joints[..robot.joints().len()].to_vec();
+    joints.push(mode);
+    let miss =
+        |(k, measured): (usize, &Option<Vector>)| Some(norm(minus((*measured)?, robot.position(values, &joints, k))));
+    let larger = |worst: f64, d: f64| if d > worst || d.is_nan() { d } else { worst };
+    o.targets.iter().enumerate().filter_map(miss).fold(0.0, larger)
+}
+
+/// The mode that fits better, and how far the position is from both.
+fn nearer(robot: &dyn Robot, nominal: &[f64], o: &Observation) -> Result<(f64, Distances), ObservationError> {
+    let (plus, minus) = (off(robot, nominal, o, 1.0), off(robot, nominal, o, -1.0));
+    let (mode, near_mm, far_mm) = if minus < plus { (-1.0, minus, plus) } else { (1.0, plus, minus) };
+    let distances = Distances { near_mm, far_mm };
+    if !near_mm.is_finite() || !far_mm.is_finite() {
+        return Err(ObservationError::ArmsApart(o.pose, o.cycle));
+    }
+    match CLEAR * near_mm >= far_mm {
+        true => Err(ObservationError::BothModes(o.pose, o.cycle, distances)),
+        false => Ok((mode, distances)),
+    }
+}

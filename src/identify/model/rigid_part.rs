@@ -1,0 +1,245 @@
+//! Rigid parts that carry targets: a stated shape is one more reading of all its targets, from a place that nobody states, so that
+//! six unknowns drop out and what is left constrains the targets' places relative to each other.
+
+use crate::judgement::chi_square::exceeds;
+use etalon_base::message::Message;
+use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm};
+use etalon_fit::rotation_onto;
+use etalon_math::symmetric_eigen;
+use etalon_robots::{Robot, Role};
+use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
+
+/// Targets on one rigid part, and where they are on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidPart {
+    /// Names of the targets.
+    pub targets: Vec<String>,
+    /// Their places in any frame of the part, mm.
+    pub places_mm: Vec<Vector>,
+    /// Standard uncertainty of one of these coordinates, mm.
+    pub standard_uncertainty_mm: f64,
+    /// A distance that is further from the stated one is that of another part, mm.
+    pub tolerance_mm: f64,
+    /// What its rows are multiplied by: the standard deviation of a residual, so that a part is as rigid beside the errors of the robot
+    /// as its uncertainty makes it; 1 where it is not known.
+    pub weight: f64,
+}
+
+/// The stated shape of a part of a robot.
+///
+/// With e the places of the model minus the stated ones after the best fit of one onto the other, the rows are Q e / u, Q an
+/// orthonormal basis of the deformations, without rigid motions: 3 n − 6 rows for n targets in space. At the best fit e has no
+/// other component (variable projection, Golub & Pereyra 1973).
+#[derive(Debug)]
+pub(crate) struct Shape {
+    part: RigidPart,
+    targets: Vec<usize>,
+    /// places about their centre
+    centred: Vec<Vector>,
+    /// Q
+    deforming: DMatrix<f64>,
+}
+
+/// Parameters of a robot, of which some are free; where it is does not matter.
+pub(crate) struct At<'a> {
+    pub robot: &'a dyn Robot,
+    pub values: &'a [f64],
+    pub free: &'a [usize],
+    pub joints: &'a [f64],
+}
+
+/// Eigenvalues of a projection are 0 or 1 up to rounding.
+const HALF: f64 = 0.5;
+/// Share of a direction below which it is none: a motion of targets on one line about it, a number of the shape that the measurements
+/// leave open.
+const UNDECIDED: f64 = 1e-6;
+
+impl Shape {
+    /// The shape of `part`; `None` where `robot` does not carry all its targets, or no shape is left of them.
+    pub fn new(robot: &dyn Robot, part: &RigidPart) -> Option<Self> {
+        let index = |name: &String| robot.targets().iter().position(|t| t == name);
+        let targets: Vec<usize> = part.targets.iter().map(index).collect::<Option<_>>()?;
+        let centre = centroid(&part.places_mm)?;
+        let (n, d) = (targets.len(), robot.dimension());
+        let in_space = |p: &Vector| minus(*p, centre);
+        let flat = |[x, y, z]: Vector| [x, y, if d == 2 { 0.0 } else { z }];
+        let centred: Vec<Vector> = part.places_mm.iter().map(in_space).map(flat).collect();
+        let size = centred.iter().map(|p| norm(*p)).fold(f64::MIN_POSITIVE, f64::max);
+        let unit = |axis: usize| -> Vector { std::array::from_fn(|i| f64::from(u8::from(i == axis))) };
+        let turns = if d == 2 { 2..3 } else { 0..3 };
+        let mut motions: Vec<Vec<Vector>> = (0..d).map(|axis| vec![unit(axis); n]).collect();
+        motions.extend(turns.map(|axis| centred.iter().map(|p| cross(unit(axis), *p).map(|v| v / size)).collect()));
+        // what is left of the space beside the motions
+        let mut rest: DMatrix<f64> = DMatrix::identity(n * d, n * d);
+        for motion in motions {
+            let motion = DVector::from_fn(n * d, |row, _| motion[row / d][row % d]);
+            let own: DVector<f64> = &rest * (&rest * motion);
+            if own.norm() > UNDECIDED {
+                rest -= &own * own.transpose() / own.norm_squared();
+            }
+        }
+        let eigen = SymmetricEigen::new(rest);
+        let kept: Vec<usize> = (0..n * d).filter(|&k| eigen.eigenvalues[k] > HALF).collect();
+        let deforming = DMatrix::from_fn(kept.len(), n * d, |row, column| eigen.eigenvectors[(column, kept[row])]);
+        (!kept.is_empty()).then(|| Self { part: part.clone(), targets, centred, deforming })
+    }
+
+    /// Variance of one of its rows.
+    pub fn variance(&self) -> f64 {
+        self.part.weight.powi(2)
+    }
+
+    /// Numbers that a shape is: three distances of three targets.
+    pub fn rows(&self) -> usize {
+        self.deforming.nrows()
+    }
+
+    /// Places of the model about their centre, turned onto the stated ones, and what turned them.
+    fn turned(&self, at: &At) -> (Vec<Vector>, Pose) {
+        let places: Vec<Vector> = self.targets.iter().map(|&k| at.robot.position(at.values, at.joints, k)).collect();
+        let centre = centroid(&places).unwrap_or_default();
+        let about: Vec<Vector> = places.iter().map(|p| minus(*p, centre)).collect();
+        let rotation = rotation_onto(about.iter().copied().zip(self.centred.iter().copied()));
+        let turn = Pose { rotation, translation_mm: [0.0; 3] };
+        (about.into_iter().map(|p| turn.rotate(p)).collect(), turn)
+    }
+
+    /// What one millimetre of deformation counts as.
+    fn weight(&self) -> f64 {
+        self.part.weight / self.part.standard_uncertainty_mm
+    }
+
+    /// Writes Q e / u.
+    pub fn residuals(&self, at: &At, out: &mut [f64]) {
+        let (places, _) = self.turned(at);
+        let d = at.robot.dimension();
+        let e = places.iter().zip(&self.centred).flat_map(|(p, s)| minus(*p, *s)[..d].to_vec());
+        let rows = &self.deforming * DVector::from_iterator(self.deforming.ncols(), e) * self.weight();
+        out.copy_from_slice(rows.as_slice());
+    }
+
+    /// Writes its derivatives by the free parameters: only places of targets have any.
+    pub fn jacobian(&self, at: &At, out: &mut [f64]) {
+        let (places, turn) = self.turned(at);
+        let (robot, n) = (at.robot, at.robot.parameters().len());
+        let d = robot.dimension();
+        let mut full = vec![0.0; d * robot.targets().len() * n];
+        robot.jacobian(at.values, at.joints, &mut full);
+        let free = at.free.len();
+        let mut moved = DMatrix::zeros(self.deforming.ncols(), free);
+        for (column, &parameter) in at.free.iter().enumerate() {
+            if robot.parameters()[parameter].role != Role::Target {
+                continue;
+            }
+            let by_target = self.targets.iter().map(|&target| {
+                let by = |i: usize| if i < d { full[(target * d + i) * n + parameter] } else { 0.0 };
+                turn.rotate(std::array::from_fn(by))
+            });
+            let by_target: Vec<Vector> = by_target.collect();
+            // the best fit turns back with them
+            let back = turn_of(&self.centred, &places, &by_target);
+            for (k, (by, place)) in by_target.iter().zip(&places).enumerate() {
+                let turned = cross(back, *place);
+                (0..d).for_each(|i| moved[(k * d + i, column)] = by[i] - turned[i]);
+            }
+        }
+        let rows = &self.deforming * moved * self.weight();
+        for (row, out) in rows.row_iter().zip(out.chunks_exact_mut(free)) {
+            out.iter_mut().zip(row.iter()).for_each(|(out, v)| *out = *v);
+        }
+    }
+
+    /// A message where the measurements alone give the part another shape than the stated one, beyond the uncertainty of both: a test of
+    /// the rows as one group of observations (Baarda 1968), at the solution with `covariance` of the free parameters, of which the
+    /// residuals make `inverse`, (JᵀJ)⁻¹.
+    pub fn contradiction(&self, at: &At, inverse: &[f64], covariance: &[f64]) -> Option<Message> {
+        let (m, n) = (self.rows(), at.free.len());
+        let mut rows = vec![0.0; m * n];
+        self.jacobian(at, &mut rows);
+        let mut left = vec![0.0; m];
+        self.residuals(at, &mut left);
+        let rows = DMatrix::from_row_slice(m, n, &rows);
+        let square = |c: &[f64]| &rows * DMatrix::from_row_slice(n, n, c) * rows.transpose();
+        // share that the stated shape has in itself; residuals are that much too small
+        let own = square(inverse);
+        let inflation = (square(covariance).trace() / (own.trace() * self.variance())).max(1.0);
+        let eigen = SymmetricEigen::new(DMatrix::identity(m, m) - own);
+        let left = eigen.eigenvectors.transpose() * DVector::from_vec(left);
+        let (mut chi_square, mut decided, mut alone) = (0.0, 0, DVector::zeros(m));
+        for k in (0..m).filter(|&k| eigen.eigenvalues[k] > UNDECIDED) {
+            let share = eigen.eigenvalues[k];
+            alone[k] = left[k] / share;
+            // variance of the stated shape, and of the one that the measurements give without it
+            let variance = self.variance() * (1.0 + inflation * (1.0 - share) / share);
+            chi_square += alone[k] * alone[k] / variance;
+            decided += 1;
+        }
+        if decided == 0 || !exceeds(chi_square, decided) {
+            return None;
+        }
+        let e = self.deforming.transpose() * (&eigen.eigenvectors * alone) / self.weight();
+        let d = at.robot.dimension();
+        let found = |k: usize| -> Vector {
+            std::array::from_fn(|i| self.centred[k][i] + if i < d { e[k * d + i] } else { 0.0 })
+        };
+        let places: Vec<Vector> = (0..self.targets.len()).map(found).collect();
+        let off = |pair: &Pair| (pair.distance_mm(&places) - pair.distance_mm(&self.centred)).abs();
+        let worst = self.part.pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some(self.part.contradicted(worst, worst.distance_mm(&places), "the identification gives without it"))
+    }
+}
+
+/// The small rotation ω that `moved` (of points at `places`) contain, as the best fit onto points at `fixed` has it: both are about their
+/// centres, and Σ fixed × (moved − ω × places) = 0; none about a line that holds all points.
+pub(crate) fn turn_of(fixed: &[Vector], places: &[Vector], moved: &[Vector]) -> Vector {
+    let (mut inertia, mut moment) = (Matrix3::zeros(), Vector3::zeros());
+    for ((s, y), d) in fixed.iter().zip(places).zip(moved) {
+        let [s, y, d] = [*s, *y, *d].map(Vector3::from);
+        inertia += Matrix3::identity() * s.dot(&y) - y * s.transpose();
+        moment += s.cross(&d);
+    }
+    let moment = inertia.transpose() * moment;
+    let (values, vectors) = symmetric_eigen((inertia.transpose() * inertia).into());
+    let along = |k: usize| Vector3::from(vectors[k]) * (moment.dot(&Vector3::from(vectors[k])) / values[k]);
+    let turn: Vector3<f64> = (0..3).filter(|&k| values[k] > 1e-12 * values[2]).map(along).sum();
+    turn.into()
+}
+
+/// Indices of two targets of a part.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair {
+    /// The first.
+    pub first: usize,
+    /// The second.
+    pub second: usize,
+}
+
+impl Pair {
+    /// Their distance, mm.
+    pub fn distance_mm(self, places_mm: &[Vector]) -> f64 {
+        norm(minus(places_mm[self.first], places_mm[self.second]))
+    }
+}
+
+impl RigidPart {
+    /// All pairs of targets.
+    pub fn pairs(&self) -> impl Iterator<Item = Pair> {
+        (0..self.targets.len()).flat_map(|second| (0..second).map(move |first| Pair { first, second }))
+    }
+
+    /// The message that the distance of two targets, as found `by` a measurement, contradicts the stated places: an error where it is
+    /// that of another part.
+    pub fn contradicted(&self, pair: Pair, found_mm: f64, by: &str) -> Message {
+        let stated_mm = pair.distance_mm(&self.places_mm);
+        let what = format!(
+            "[[rigid]]: `places_mm` of {} are contradicted beyond their uncertainty: {by} {found_mm:.4} mm from `{}` to `{}`, they make \
+             it {stated_mm:.4} mm",
+            self.targets.join(", "),
+            self.targets[pair.first],
+            self.targets[pair.second],
+        );
+        let near = (found_mm - stated_mm).abs() <= self.tolerance_mm;
+        let message = if near { Message::warning(what) } else { Message::error(what) };
+        message.hint("check unit and names in `places_mm`, and whether the part was changed since they were determined")
+    }
+}

@@ -1,0 +1,100 @@
+//! Readings that state an uncertainty of their own: their residuals are divided by it, instead of by that of the instrument.
+
+use crate::{Error, Result};
+use crate::{Observation, Settings};
+use etalon_base::message::Message;
+use etalon_base::pose::Vector;
+use etalon_math::statistics::rms;
+use nalgebra::{DMatrix, Matrix3};
+
+/// Covariance of a position, mm².
+pub type Covariance = [Vector; 3];
+
+/// The inverse of the Cholesky factor of a covariance; `None` where it is not positive definite.
+fn whitening(covariance: &Covariance, dimension: usize) -> Option<DMatrix<f64>> {
+    let matrix = DMatrix::from_fn(dimension, dimension, |i, j| covariance[i][j]);
+    matrix.cholesky()?.l().try_inverse()
+}
+
+/// `true` if the covariance of the first `dimension` coordinates is positive definite.
+pub fn is_positive_definite(covariance: &Covariance, dimension: usize) -> bool {
+    whitening(covariance, dimension).is_some()
+}
+
+/// The covariance in a frame that is turned by the rows of `rotation`.
+pub fn turned(covariance: &Covariance, rotation: &[Vector; 3]) -> Covariance {
+    let of = |rows: &[Vector; 3]| Matrix3::from_fn(|i, j| rows[i][j]);
+    let turned = of(rotation) * of(covariance) * of(rotation).transpose();
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| turned[(i, j)]))
+}
+
+/// Residuals of readings with a covariance of their own.
+#[derive(Debug)]
+pub(crate) struct Weights {
+    /// First row of each such reading, and what its rows are multiplied by.
+    readings: Vec<(usize, DMatrix<f64>)>,
+}
+
+impl Weights {
+    /// Of observations with `dimension` rows for each measured target, divided by `unit` before; `None` where none states a covariance.
+    pub fn new(observations: &[Observation], dimension: usize, unit: f64) -> Option<Self> {
+        let mut readings = Vec::new();
+        let mut row = 0;
+        for o in observations {
+            for target in (0..o.targets.len()).filter(|&k| o.targets[k].is_some()) {
+                let stated = o.covariances_mm2.get(target).copied().flatten();
+                readings.extend(stated.and_then(|c| Some((row, whitening(&c, dimension)? * unit))));
+                row += dimension;
+            }
+        }
+        (!readings.is_empty()).then_some(Self { readings })
+    }
+
+    /// Whitens rows of `width` numbers.
+    pub fn whiten(&self, rows: &mut [f64], width: usize) {
+        for (row, factor) in &self.readings {
+            let here = &mut rows[row * width..][..factor.nrows() * width];
+            let white = factor * DMatrix::from_row_slice(factor.nrows(), width, here);
+            white.row_iter().zip(here.chunks_exact_mut(width)).for_each(|(white, row)| {
+                row.iter_mut().zip(white.iter()).for_each(|(out, value)| *out = *value);
+            });
+        }
+    }
+}
+
+/// Takes the uncertainty of readings that state none from `settings`, or where these state none either, makes it the root mean square of
+/// those that are stated; and reports how readings are weighted.
+///
+/// # Errors
+/// Where some readings have no uncertainty at all, or what the settings compare cannot be weighted.
+pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Settings) -> Result<Option<Message>> {
+    let readings = observations.iter().map(|o| o.targets.iter().flatten().count()).sum::<usize>();
+    let stated: Vec<f64> = observations.iter().flat_map(|o| o.uncertainties_mm(dimension)).map(|(_, u)| u).collect();
+    if stated.is_empty() {
+        let lengths = settings.conditions.iter().filter(|c| !c.kind.is_angle()).map(|c| c.standard_uncertainty);
+        if readings == 0 && settings.standard_uncertainty_mm.is_none() {
+            settings.standard_uncertainty_mm = root_mean_square(lengths);
+        }
+        return Ok(None);
+    }
+    if settings.kind == crate::ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
+        return Err(Error::OwnUncertainties);
+    }
+    if settings.standard_uncertainty_mm.is_none() && stated.len() < readings {
+        return Err(Error::ReadingsWithoutUncertainty { without: readings - stated.len(), readings });
+    }
+    settings.standard_uncertainty_mm = settings.standard_uncertainty_mm.or(root_mean_square(stated.iter().copied()));
+    let [least, most] = stated.iter().fold([f64::INFINITY, 0.0], |[a, b], u| [u.min(a), u.max(b)]);
+    let which = if stated.len() == readings {
+        "all readings".to_owned()
+    } else {
+        format!("{} of {readings} readings", stated.len())
+    };
+    let what = format!("{which} weigh by their own standard uncertainties, {least:.4} to {most:.4} mm a coordinate");
+    Ok(Some(Message::warning(what).routine()))
+}
+
+fn root_mean_square(all: impl Iterator<Item = f64> + Clone) -> Option<f64> {
+    let count = all.clone().count();
+    (count > 0).then(|| rms(all))
+}

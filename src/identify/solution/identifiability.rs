@@ -1,0 +1,170 @@
+//! Which parameters are separately identifiable: rank of the scaled Jacobian, column by column in the model's order.
+
+use crate::model::residuals::Residuals;
+use etalon_math::{Factor, factor_at};
+
+/// A column of the scaled Jacobian that lies this near to the span of the columns before it adds nothing: far above
+/// rounding (1e-15), far below what any useful set of poses has (1/condition, about 1/100: Schröer, cited in
+/// Nahvi & Hollerbach 1996).
+pub const RANK_TOLERANCE: f64 = 1e-9;
+/// A column below this fraction of the largest is not seen by the data.
+const UNSEEN: f64 = 1e-12;
+/// Share of a dependence above which a parameter belongs to the group.
+const MEMBER: f64 = 1e-4;
+/// Correlation, by size, above which a parameter is named beside one that is known uselessly badly.
+const CORRELATED: f64 = 0.5;
+
+/// Parameters that are not separately identifiable; the last of them is held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Index of the parameter that is held at its nominal value.
+    pub held: usize,
+    /// Indices of the parameters it is not separable from; empty where the data do not depend on `held` at all.
+    pub with: Vec<usize>,
+    /// Standard uncertainty (mm, rad, 1) that `held` would have if it were identified, where that is merely useless: the
+    /// parameters would be separable with less noise.
+    pub useless_uncertainty: Option<f64>,
+}
+
+/// Rank and groups at one set of parameter values.
+pub(crate) struct Analysis {
+    pub groups: Vec<Group>,
+}
+
+impl Analysis {
+    /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), where a residual has the standard
+    /// deviation `noise` (in the residuals' own unit; 0 where it is not known).
+    pub fn at(problem: &Residuals, values: &[f64], noise: f64) -> Self {
+        let free = &problem.free;
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let (mut factor, norms) = factor_at(problem, &x);
+        // a column of zeros has the norm 1 and a factor of zeros
+        let sizes: Vec<f64> = factor.column_norms().iter().zip(&norms).map(|(size, norm)| size * norm).collect();
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let unseen = |j: usize| sizes[j] <= UNSEEN * largest;
+        // columns of the factor: those of a block are independent by themselves, the common ones beside all of them
+        let mut columns: Vec<usize> = (0..free.len()).collect();
+        let mut groups = Vec::new();
+        let group = |held: usize, with: Vec<usize>| Group {
+            held: free[held],
+            with: with.into_iter().map(|j| free[j]).collect(),
+            useless_uncertainty: None,
+        };
+        for (own, r) in factor.blocks() {
+            let found = independent(&r, |j| unseen(own[j]));
+            let with = |weights: Vec<(usize, f64)>| weights.into_iter().map(|(k, _)| own[k]).collect();
+            groups.extend(found.dependent.into_iter().map(|(j, weights)| group(own[j], with(weights))));
+        }
+        if !groups.is_empty() {
+            columns.retain(|&j| groups.iter().all(|g| g.held != free[j]));
+            factor = factor.keeping(&columns);
+        }
+        let common = factor.common();
+        let size = common.len();
+        let r: Vec<Vec<f64>> = (0..size).map(|j| (0..size).map(|i| factor.r(i, j)).collect()).collect();
+        let found = independent(&r, |k| unseen(columns[common[k]]));
+        for (j, weights) in &found.dependent {
+            let mut with: Vec<usize> = weights.iter().map(|&(k, _)| columns[common[k]]).collect();
+            let mut moved = vec![0.0; size];
+            weights.iter().for_each(|&(k, weight)| moved[k] = -weight);
+            moved[*j] = 1.0;
+            let own = factor.follow(&moved).filter(|_| !unseen(columns[common[*j]])).unwrap_or_default();
+            with.extend(own.into_iter().filter(|(_, weight)| weight.abs() > MEMBER).map(|(k, _)| columns[k]));
+            groups.push(group(columns[common[*j]], with));
+        }
+        let mut kept = factor.own();
+        kept.extend(found.basis.iter().map(|b| common[b.0]));
+        groups.extend(useless(problem, (&factor, &columns), &norms, kept, noise));
+        Self { groups }
+    }
+
+    /// Indices of the parameters that are held.
+    pub fn held(&self) -> Vec<usize> {
+        self.groups.iter().map(|g| g.held).collect()
+    }
+}
+
+/// Columns that are independent of those before them, by their orthonormal basis, and those that are not, each with its share of
+/// independent ones.
+struct Independent {
+    basis: Vec<(usize, Vec<f64>)>,
+    dependent: Vec<(usize, Vec<(usize, f64)>)>,
+}
+
+fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool) -> Independent {
+    let mut found = Independent { basis: Vec::new(), dependent: Vec::new() };
+    for (j, column) in columns.iter().enumerate() {
+        if unseen(j) {
+            found.dependent.push((j, Vec::new()));
+            continue;
+        }
+        let (shares, rest) = split(column, &found.basis);
+        let distance = rest.iter().map(|v| v * v).sum::<f64>().sqrt();
+        if distance > RANK_TOLERANCE {
+            found.basis.push((j, rest.into_iter().map(|v| v / distance).collect()));
+            continue;
+        }
+        let weights = weights(&shares, &found.basis, columns);
+        let members = found.basis.iter().map(|b| b.0).zip(weights).filter(|(_, w)| w.abs() > MEMBER);
+        found.dependent.push((j, members.collect()));
+    }
+    found
+}
+
+/// Of the columns `kept` of a factor, those whose parameters would be known worse than they are before: the worst is held, until none is
+/// left.
+fn useless(
+    problem: &Residuals,
+    (factor, columns): (&Factor, &[usize]),
+    norms: &[f64],
+    mut kept: Vec<usize>,
+    noise: f64,
+) -> Vec<Group> {
+    let mut groups = Vec::new();
+    let parameter = |column: usize| problem.free[columns[column]];
+    loop {
+        let Some(inverse) = factor.keeping(&kept).inverse_normal() else { return groups };
+        let n = kept.len();
+        let u = |k: usize| noise * inverse[k * n + k].sqrt() / norms[columns[kept[k]]];
+        let excess = |k: usize| u(k) / problem.robot.parameters()[parameter(kept[k])].known_within();
+        let worst = (0..n).filter(|&k| excess(k) > 1.0).max_by(|&a, &b| excess(a).total_cmp(&excess(b)));
+        let Some(worst) = worst else { return groups };
+        let correlation = |k: usize| inverse[worst * n + k] / (inverse[worst * n + worst] * inverse[k * n + k]).sqrt();
+        groups.push(Group {
+            held: parameter(kept[worst]),
+            with: (0..n)
+                .filter(|&k| k != worst && correlation(k).abs() > CORRELATED)
+                .map(|k| parameter(kept[k]))
+                .collect(),
+            useless_uncertainty: Some(u(worst)),
+        });
+        kept.remove(worst);
+    }
+}
+
+/// Shares of `column` along the orthonormal `basis` and what is left of it (Gram-Schmidt, done twice: Giraud et al. 2005).
+fn split(column: &[f64], basis: &[(usize, Vec<f64>)]) -> (Vec<f64>, Vec<f64>) {
+    let mut rest = column.to_vec();
+    let mut shares = vec![0.0; basis.len()];
+    for _ in 0..2 {
+        for ((_, q), share) in basis.iter().zip(&mut shares) {
+            let along: f64 = q.iter().zip(&rest).map(|(q, r)| q * r).sum();
+            rest.iter_mut().zip(q).for_each(|(r, q)| *r -= along * q);
+            *share += along;
+        }
+    }
+    (shares, rest)
+}
+
+/// The same column as a sum of the columns behind the basis: back substitution in their triangular matrix.
+fn weights(shares: &[f64], basis: &[(usize, Vec<f64>)], columns: &[Vec<f64>]) -> Vec<f64> {
+    let element = |i: usize, k: usize| -> f64 { basis[i].1.iter().zip(&columns[basis[k].0]).map(|(q, r)| q * r).sum() };
+    let mut weights = shares.to_vec();
+    for k in (0..basis.len()).rev() {
+        weights[k] /= element(k, k);
+        for i in 0..k {
+            weights[i] -= element(i, k) * weights[k];
+        }
+    }
+    weights
+}

@@ -1,0 +1,9 @@
+//! Solution: starting values, the solver, and which parameters the observations determine.
+
+pub(crate) mod fixtures;
+pub(crate) mod identifiability;
+pub(crate) mod observability;
+pub(crate) mod placing;
+pub(crate) mod set_up;
+pub(crate) mod solver;
+pub(crate) mod start;

@@ -1,0 +1,226 @@
+//! Observability of the parameters: its indices, and parameters that are weakly identifiable.
+
+use crate::model::residuals::Residuals;
+use etalon_base::message::Message;
+use etalon_math::statistics::mean;
+use etalon_math::{Factor, Problem, Svd, svd};
+use etalon_robots::{Quantity, Robot};
+use std::collections::BTreeSet;
+
+/// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
+///
+/// The indices are those of the Jacobian in mm per mm and mm per rad, without weights; the condition number is that of
+/// the Jacobian with its columns divided by their norms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observability {
+    /// O1 to O5. O1 is (σ1…σm)^(1/m) / √n with m parameters and n poses (Sun & Hollerbach 2008).
+    pub indices: [f64; 5],
+    /// Condition number with scaled columns.
+    pub condition: f64,
+    /// Number of parameters that are separately identifiable.
+    pub rank: usize,
+    /// How many of these are coordinates of unknown points that were eliminated, because they are many: indices and singular values are of
+    /// what they leave of the Jacobian of the others.
+    pub eliminated: usize,
+    /// Singular values of the Jacobian with its columns divided by their norms, descending: the first over the last is the
+    /// condition number.
+    pub singular_values: Vec<SingularValue>,
+    /// Of the same Jacobian with all parameters that were to be identified, the smallest, as many as are held: directions
+    /// that the data do not tell, or uselessly badly. Empty where none is held, and where nothing was measured yet.
+    pub held_singular_values: Vec<SingularValue>,
+}
+
+/// How strongly the residuals answer to a direction of the parameters, and which parameters make that up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SingularValue {
+    /// The singular value.
+    pub value: f64,
+    /// Indices of parameters with a share of more than 0.3 in its right singular vector, the largest first.
+    pub parameters: Vec<usize>,
+}
+
+/// Parameters that are weakly identifiable: their uncertainties are large and cancel each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WeakGroup {
+    /// Indices of the parameters.
+    pub parameters: Vec<usize>,
+    /// Their predicted standard uncertainties (mm, rad, 1).
+    pub standard_uncertainties: Vec<f64>,
+    /// Largest correlation among them, by size.
+    pub correlation: f64,
+}
+
+/// Parameters are weakly identifiable where their uncertainty alone would move the targets by more than this many times
+/// what the instrument resolves (root mean square over the residuals, each pose measured once).
+const WEAK_EFFECT: f64 = 10.0;
+/// Share of a singular vector above which a parameter takes part.
+const MEMBER: f64 = 0.3;
+/// Correlation, by size, that binds two of them.
+const BOUND: f64 = 0.9;
+
+/// Observability at `x`, where the Jacobian with its columns divided by `scale` has this factor, and the groups of parameters that are weakly identifiable there.
+pub(crate) fn observe(
+    problem: &Residuals,
+    x: &[f64],
+    factor: &Factor,
+    scale: &[f64],
+    covariance: Option<&[f64]>,
+) -> Option<(Observability, Vec<WeakGroup>)> {
+    let plain = (problem.is_whitened() || problem.is_weighted()).then(|| plain(problem, x));
+    let (factor, scale) = plain.as_ref().map_or((factor, scale), |(factor, scale)| (factor, scale.as_slice()));
+    let (all, common) = (factor.columns(), factor.common());
+    let (n, free) = (common.len(), of_common(problem, factor));
+    let scaled = svd(factor);
+    let scale: Vec<f64> = common.iter().map(|&j| scale[j]).collect();
+    let unscaled = svd(&unscale(factor, &scale, problem.unit));
+    let observability = Observability {
+        indices: indices(&unscaled, problem.observation_count())?,
+        condition: Some(scaled.condition()).filter(|c| c.is_finite())?,
+        rank: all,
+        eliminated: all - n,
+        singular_values: singular_values(&scaled, &free),
+        held_singular_values: Vec::new(),
+    };
+    let Some(covariance) = covariance else { return Some((observability, Vec::new())) };
+    let of = |i: usize, j: usize| covariance[common[i] * all + common[j]];
+    let u = |k: usize| of(k, k).sqrt();
+    let correlation = |i: usize, j: usize| of(i, j) / (u(i) * u(j));
+    // repeats make every parameter better known, not better separable
+    let mut poses = problem.poses();
+    let rows = poses.len() as f64;
+    poses.dedup();
+    let repeated = poses.len() as f64;
+    poses.sort_unstable();
+    poses.dedup();
+    let rows = rows * poses.len() as f64 / repeated;
+    let mut weak: Vec<WeakGroup> = Vec::new();
+    for k in (0..n).filter(|&k| 1.0 / (scaled.values[k] * rows.sqrt()) > WEAK_EFFECT) {
+        let members: Vec<usize> = (0..n).filter(|&j| scaled.vectors[k][j].abs() > MEMBER).collect();
+        for bound in bind(&members, &correlation) {
+            let parameters: Vec<usize> = bound.iter().map(|&j| free[j]).collect();
+            if weak.iter().any(|w| w.parameters == parameters) {
+                continue;
+            }
+            let pairs = bound.iter().flat_map(|&i| bound.iter().filter(move |&&j| j > i).map(move |&j| (i, j)));
+            let stronger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+            weak.push(WeakGroup {
+                standard_uncertainties: bound.iter().map(|&j| u(j)).collect(),
+                parameters,
+                correlation: pairs.map(|(i, j)| correlation(i, j)).fold(0.0, stronger),
+            });
+        }
+    }
+    Some((observability, weak))
+}
+
+/// The smallest singular values with all parameters of `problem`, as many as are not among the `identified` ones.
+pub(crate) fn held_singular_values(
+    problem: &Residuals,
+    values: &[f64],
+    identified: &Observability,
+) -> Vec<SingularValue> {
+    if problem.free.len() == identified.rank {
+        return Vec::new();
+    }
+    let x: Vec<f64> = problem.free.iter().map(|&i| values[i]).collect();
+    let factor = plain(problem, &x).0;
+    let mut all = singular_values(&svd(&factor), &of_common(problem, &factor));
+    all.split_off(identified.singular_values.len().min(all.len()))
+}
+
+/// The parameters of the common columns.
+fn of_common(problem: &Residuals, factor: &Factor) -> Vec<usize> {
+    factor.common().into_iter().map(|j| problem.free[j]).collect()
+}
+
+fn singular_values(svd: &Svd, free: &[usize]) -> Vec<SingularValue> {
+    let of = |(&value, vector): (&f64, &Vec<f64>)| {
+        let mut members: Vec<usize> = (0..free.len()).filter(|&j| vector[j].abs() > MEMBER).collect();
+        members.sort_by(|&i, &j| vector[j].abs().total_cmp(&vector[i].abs()));
+        SingularValue { value, parameters: members.into_iter().map(|j| free[j]).collect() }
+    };
+    svd.values.iter().zip(&svd.vectors).map(of).collect()
+}
+
+/// Factor and column norms of the Jacobian that is not whitened.
+fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
+    let mut jacobian = vec![0.0; problem.residual_count() * problem.width()];
+    problem.plain_jacobian(x, &mut jacobian);
+    let rows = problem.rows_of(&jacobian);
+    let scale = rows.norms();
+    (rows.factor(&vec![0.0; problem.residual_count()], &scale), scale)
+}
+
+/// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix what has nothing to do
+/// with each other. Where no two are bound, all of them are not identifiable together.
+fn bind(members: &[usize], correlation: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<usize>> {
+    let mut sets: Vec<Vec<usize>> = Vec::new();
+    for &j in members {
+        let near = |set: &Vec<usize>| set.iter().any(|&i| correlation(i, j).abs() >= BOUND);
+        let (mut joined, rest): (Vec<_>, Vec<_>) = sets.into_iter().partition(near);
+        joined.push(vec![j]);
+        sets = rest;
+        let mut set = joined.concat();
+        set.sort_unstable();
+        sets.push(set);
+    }
+    sets.retain(|set| set.len() > 1);
+    if sets.is_empty() { vec![members.to_vec()] } else { sets }
+}
+
+/// The factor of the Jacobian without column scaling and weights.
+fn unscale(factor: &Factor, scale: &[f64], unit: f64) -> Factor {
+    let n = scale.len();
+    let rows: Vec<f64> = (0..n * n).map(|k| factor.r(k / n, k % n) * unit).collect();
+    let inverse: Vec<f64> = scale.iter().map(|s| 1.0 / s).collect();
+    Factor::new(&rows, &vec![0.0; n], &inverse)
+}
+
+/// O1 to O5 from the singular values (eq. 1.19, 1.20, 1.22, 1.23, 1.25).
+fn indices(svd: &Svd, poses: usize) -> Option<[f64; 5]> {
+    let (&largest, &smallest) = (svd.values.first()?, svd.values.last()?);
+    let mean_log = mean(svd.values.iter().map(|s| s.ln()));
+    let harmonic: f64 = svd.values.iter().map(|s| 1.0 / s).sum();
+    let all = [
+        mean_log.exp() / (poses as f64).sqrt(),
+        smallest / largest,
+        smallest,
+        smallest * smallest / largest,
+        1.0 / harmonic,
+    ];
+    all.iter().all(|o| o.is_finite()).then_some(all)
+}
+
+/// One message of all parameters that are weakly identifiable.
+pub(crate) fn weak_message(robot: &dyn Robot, weak: &[WeakGroup]) -> Option<Message> {
+    let parameters = robot.parameters();
+    let u = |(&i, &u): (&usize, &f64)| match parameters[i].quantity {
+        Quantity::Ratio => format!("u({}) = {u:.2e}", parameters[i].name),
+        quantity => format!("u({}) = {:.3} {}", parameters[i].name, quantity.outward(u), quantity.unit()),
+    };
+    let names = |w: &WeakGroup| w.parameters.iter().map(|&i| parameters[i].name.as_str()).collect::<Vec<_>>();
+    let what = match weak {
+        [] => return None,
+        [w] => format!(
+            "`{}` are weakly identifiable from these poses: predicted standard uncertainties {} (correlation {:.6})",
+            names(w).join("` and `"),
+            w.parameters.iter().zip(&w.standard_uncertainties).map(u).collect::<Vec<_>>().join(", "),
+            w.correlation
+        ),
+        several => {
+            let groups: Vec<String> = several.iter().map(|w| format!("`{}`", names(w).join("` and `"))).collect();
+            format!(
+                "{} groups of parameters are weakly identifiable from these poses: {}; their standard uncertainties are large, and cancel \
+                 each other where these poses are",
+                groups.len(),
+                groups.join("; ")
+            )
+        }
+    };
+    let remedies: BTreeSet<&str> = weak.iter().filter_map(|w| robot.remedy(&w.parameters)).collect();
+    let remedy = match remedies.is_empty() {
+        true => "measure poses in which these parameters act differently, or hold one of them".to_owned(),
+        false => remedies.into_iter().collect::<Vec<_>>().join("; "),
+    };
+    Some(Message::warning(what).hint(remedy))
+}

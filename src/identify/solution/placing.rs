@@ -1,0 +1,288 @@
+//! Base and targets of an arm, wherever they are.
+//!
+//! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
+//! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
+
+use crate::Result;
+use crate::model::residuals::Residuals;
+use crate::solution::identifiability::Analysis;
+use crate::{Observation, ResidualKind, Settings};
+use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
+use etalon_math::statistics::rms;
+use etalon_math::{Factor, Options, Problem, Termination};
+use etalon_robots::{FreeBase, Quantity, Robot, base_pose};
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::FRAC_PI_2;
+
+const REFINED: usize = 4;
+/// Targets that suffice to find the base.
+pub(crate) const MOST_TARGETS: usize = 12;
+/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
+pub(crate) const UNEXPLAINED: f64 = 0.1;
+/// Coordinates of targets, unweighted.
+pub(crate) static PLAIN: Settings = Settings {
+    kind: ResidualKind::Targets,
+    standard_uncertainty_mm: None,
+    common_uncertainty_mm: None,
+    hold: Vec::new(),
+    rigid: Vec::new(),
+    conditions: Vec::new(),
+    known: Vec::new(),
+};
+
+/// At most `count` of the observations, spread over all.
+pub(crate) fn spread_over(observations: &[Observation], count: usize) -> Vec<Observation> {
+    observations.iter().step_by(observations.len().div_ceil(count).max(1)).cloned().collect()
+}
+
+/// Base and targets where they explain observations best, and what they leave.
+pub(crate) struct Placed {
+    /// Root mean square of the distances that are left, mm.
+    pub rms_mm: f64,
+    /// All parameters.
+    pub values: Vec<f64>,
+}
+
+/// Base and targets (the parameters `places`) of an arm whose other parameters are `nominal`; `None` where no solution is found.
+///
+/// Of many targets a few, those with the most readings, show where the base is.
+pub(crate) fn place(
+    robot: &dyn Robot,
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    nominal: &[f64],
+    places: &[usize],
+) -> Result<Option<Placed>> {
+    let mut targets = readings(robot, observations);
+    if targets.len() <= MOST_TARGETS {
+        return place_all(robot, arm, observations, nominal, places);
+    }
+    targets.sort_by_key(|(_, readings)| std::cmp::Reverse(*readings));
+    let others: BTreeSet<usize> = targets.split_off(MOST_TARGETS).into_iter().map(|t| t.0).collect();
+    let mut few = observations.to_vec();
+    for o in &mut few {
+        others.iter().for_each(|&k| o.targets[k] = None);
+    }
+    let of_others: BTreeSet<usize> =
+        others.iter().flat_map(|&k| (0..3).map(move |i| (k, i))).map(|(k, i)| arm.target_place(k) + i).collect();
+    let places: Vec<usize> = places.iter().copied().filter(|i| !of_others.contains(i)).collect();
+    let mut placed = place_all(robot, arm, &few, nominal, &places)?;
+    if let Some(placed) = &mut placed {
+        place_targets(arm, observations, &others, &mut placed.values);
+    }
+    Ok(placed)
+}
+
+/// Targets with at least one reading, and how many each has.
+pub(crate) fn readings(robot: &dyn Robot, observations: &[Observation]) -> Vec<(usize, usize)> {
+    let mut readings = vec![0; robot.targets().len()];
+    for o in observations {
+        o.targets.iter().enumerate().for_each(|(k, at)| readings[k] += usize::from(at.is_some()));
+    }
+    readings.into_iter().enumerate().filter(|(_, readings)| *readings > 0).collect()
+}
+
+/// Places targets on the flange where their readings are in the mean.
+pub(crate) fn place_targets(
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    targets: &BTreeSet<usize>,
+    values: &mut [f64],
+) {
+    let mut on_flange: BTreeMap<usize, Vec<Vector>> = BTreeMap::new();
+    for o in observations {
+        let world = arm.flange(values, &o.joints).inverse();
+        for &k in targets {
+            on_flange.entry(k).or_default().extend(o.targets[k].map(|at| world.apply(at)));
+        }
+    }
+    for (k, at) in on_flange {
+        if let Some(place) = centroid(&at) {
+            values[arm.target_place(k)..][..3].copy_from_slice(&place);
+        }
+    }
+}
+
+fn place_all(
+    robot: &dyn Robot,
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    nominal: &[f64],
+    places: &[usize],
+) -> Result<Option<Placed>> {
+    let sightings = Sighting::of(arm, observations, nominal);
+    let turned = |r: &[f64; 3]| linear_start(&sightings, nominal, places, *r);
+    let mut candidates: Vec<(f64, Vec<f64>)> = rotations(nominal, places).iter().filter_map(turned).collect();
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let spread = spread_mm(observations);
+    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
+    let mut best: Option<Placed> = None;
+    for (_, mut values) in candidates.into_iter().take(REFINED) {
+        let all = Residuals::new(robot, observations, &PLAIN, places, &values)?;
+        let held = Analysis::at(&all, &values, 0.0).held();
+        // positions are linear in the others: they follow
+        let lengths = held.iter().filter(|&&i| robot.parameters()[i].quantity == Quantity::Length);
+        lengths.for_each(|&i| values[i] = nominal[i]);
+        let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
+        if free.is_empty() {
+            continue;
+        }
+        let problem = Placing { sightings: &sightings, free: &free, values: &values };
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let solution = etalon_math::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
+        let rms_mm = (solution.cost / points).sqrt();
+        let moved = solution.termination.is_success() || solution.termination == Termination::LostPatience;
+        if moved && best.as_ref().is_none_or(|b| rms_mm < b.rms_mm) {
+            best = Some(Placed { rms_mm, values: problem.all(&solution.x) });
+            // a wrong minimum is off by much of the arm's reach, the right one by the robot's errors
+            if rms_mm < 0.01 * spread {
+                break;
+            }
+        }
+    }
+    Ok(best)
+}
+
+/// Root mean square distance of the measured positions from their mean.
+pub(crate) fn spread_mm(observations: &[Observation]) -> f64 {
+    let all: Vec<_> = observations.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
+    let mean = centroid(&all).unwrap_or_default();
+    rms(all.iter().map(|p| norm(minus(*p, mean))))
+}
+
+/// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal one; held components
+/// keep their nominal values in all.
+fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
+    let held = |mut angles: [f64; 3]| {
+        for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {
+            *angle = nominal[3 + k];
+        }
+        angles
+    };
+    let mut all = vec![[nominal[3], nominal[4], nominal[5]]];
+    for up in 0..6 {
+        let tilted = match up {
+            0..4 => Pose::identity().turn_x(f64::from(up) * FRAC_PI_2),
+            _ => Pose::identity().turn_y(if up == 4 { FRAC_PI_2 } else { -FRAC_PI_2 }),
+        };
+        all.extend((0..4).map(|k| held(tilted.turn_z(f64::from(k) * FRAC_PI_2).rotation_vector_rad())));
+    }
+    all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    all.dedup();
+    all
+}
+
+/// A target seen in a pose.
+struct Sighting {
+    /// The flange in the base.
+    base_t_flange: Pose,
+    /// Index of the first parameter of the target.
+    place: usize,
+    measured: Vector,
+}
+
+impl Sighting {
+    /// All targets that were seen, of an arm whose own parameters are nominal: the flange is where the joints put it, wherever the base is.
+    fn of(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
+        let mut in_base = nominal.to_vec();
+        in_base[..6].fill(0.0);
+        let of_pose = |o: &Observation| {
+            let base_t_flange = arm.flange(&in_base, &o.joints);
+            let seen = o.targets.iter().enumerate();
+            let seen =
+                seen.filter_map(|(k, at)| Some(Self { base_t_flange, place: arm.target_place(k), measured: (*at)? }));
+            seen.collect::<Vec<_>>()
+        };
+        observations.iter().flat_map(of_pose).collect()
+    }
+}
+
+/// The problem of finding some of the parameters of base and targets: p = b + R(ω) (R_i r_k + t_i).
+struct Placing<'a> {
+    sightings: &'a [Sighting],
+    free: &'a [usize],
+    values: &'a [f64],
+}
+
+impl Placing<'_> {
+    /// All parameters with the free ones at `x`.
+    fn all(&self, x: &[f64]) -> Vec<f64> {
+        let mut values = self.values.to_vec();
+        for (&i, &x) in self.free.iter().zip(x) {
+            values[i] = x;
+        }
+        values
+    }
+}
+
+impl Problem for Placing<'_> {
+    fn residual_count(&self) -> usize {
+        3 * self.sightings.len()
+    }
+
+    fn residuals(&self, x: &[f64], r: &mut [f64]) {
+        let values = self.all(x);
+        let base = base_pose(&values);
+        for (sighting, r) in self.sightings.iter().zip(r.chunks_exact_mut(3)) {
+            let at = base.apply(sighting.base_t_flange.apply(three(&values, sighting.place)));
+            r.copy_from_slice(&minus(at, sighting.measured));
+        }
+    }
+
+    fn jacobian(&self, x: &[f64], jacobian: &mut [f64]) {
+        let values = self.all(x);
+        let base = base_pose(&values);
+        let turning = turning_axes(three(&values, 3));
+        let n = self.free.len();
+        for (sighting, rows) in self.sightings.iter().zip(jacobian.chunks_exact_mut(3 * n)) {
+            let world_t_flange = base.then(&sighting.base_t_flange);
+            let at = world_t_flange.apply(three(&values, sighting.place));
+            for (column, &j) in self.free.iter().enumerate() {
+                let by = match j {
+                    0..3 => unit_vector(j),
+                    3..6 => cross(turning[j - 3], minus(at, base.translation_mm)),
+                    _ if (sighting.place..sighting.place + 3).contains(&j) => world_t_flange.axis(j - sighting.place),
+                    _ => [0.0; 3],
+                };
+                (0..3).for_each(|i| rows[i * n + column] = by[i]);
+            }
+        }
+    }
+}
+
+fn three(values: &[f64], first: usize) -> Vector {
+    [values[first], values[first + 1], values[first + 2]]
+}
+
+fn unit_vector(axis: usize) -> Vector {
+    [0, 1, 2].map(|i| f64::from(u8::from(i == axis)))
+}
+
+/// With the rotation of the base given by its angles, positions are linear in the place of the base and the targets; those of them not in
+/// `places` keep their nominal values. Gives the cost and all parameters.
+fn linear_start(
+    sightings: &[Sighting],
+    nominal: &[f64],
+    places: &[usize],
+    angles: [f64; 3],
+) -> Option<(f64, Vec<f64>)> {
+    let mut values = nominal.to_vec();
+    values[3..6].copy_from_slice(&angles);
+    let free: Vec<usize> = places.iter().copied().filter(|i| !(3..6).contains(i)).collect();
+    free.iter().for_each(|&i| values[i] = 0.0);
+    let problem = Placing { sightings, free: &free, values: &values };
+    let (m, origin) = (problem.residual_count(), vec![0.0; free.len()]);
+    let (mut a, mut b) = (vec![0.0; m * free.len()], vec![0.0; m]);
+    problem.residuals(&origin, &mut b);
+    if free.is_empty() {
+        return Some((b.iter().map(|r| r * r).sum(), values));
+    }
+    problem.jacobian(&origin, &mut a);
+    b.iter_mut().for_each(|r| *r = -*r);
+    let factor = Factor::new(&a, &b, &vec![1.0; free.len()]);
+    // where base and targets are not separable, the shortest solution
+    for (&j, x) in free.iter().zip(factor.damped(1e-6).solve()?) {
+        values[j] = x;
+    }
+    Some((factor.rest, values))
+}

@@ -1,0 +1,184 @@
+//! The least-squares solution at which the same parameters are held as those it was found with.
+
+use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
+use crate::model::elimination::Layout;
+use crate::model::residuals::Residuals;
+use crate::solution::identifiability::{Analysis, Group};
+use crate::{Error, Result};
+use crate::{Observation, Settings};
+use etalon_math::{Options, Prior, Solution, WithPriors};
+use etalon_robots::{Quantity, Robot, Role};
+use std::f64::consts::TAU;
+
+/// Observations that suffice to come near, if they are spread over all.
+const SUBSET: usize = 96;
+/// Changes of what is held after which the search ends.
+const ROUNDS: usize = 8;
+/// Iterations of one solution: robots are near nominal, and take a dozen.
+const ITERATIONS: usize = 300;
+/// Noise that the first, tied solution takes residuals to have.
+const ANCHOR_MM: f64 = 0.01;
+
+/// A solution, and what was held to find it.
+pub(crate) struct Identifiable {
+    /// All parameters of the robot.
+    pub values: Vec<f64>,
+    /// Indices of the free ones.
+    pub free: Vec<usize>,
+    /// What was held, and why.
+    pub groups: Vec<Group>,
+    /// The solution in the free parameters.
+    pub solution: Solution,
+    /// Steps taken in all.
+    pub iterations: usize,
+    /// What rows of stated shapes were multiplied by.
+    pub shape_weight: f64,
+}
+
+/// Solves for the `wanted` parameters from `start` (all parameters of the robot).
+pub(crate) fn solve_identifiable(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: &[f64],
+) -> Result<Identifiable> {
+    // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
+    let (mut values, mut held) = (start.to_vec(), None);
+    let many = || Layout::new(robot, wanted, observations, settings).is_some();
+    if observations.len() > 2 * SUBSET && !many() {
+        let step = observations.len().div_ceil(SUBSET);
+        let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
+        if let Ok(near) = rounds(robot, &subset, settings, wanted, values.clone(), None) {
+            (values, held) = (near.values, Some(near.groups.iter().map(|g| g.held).collect()));
+        }
+    }
+    let mut found = rounds(robot, observations, settings, wanted, values, held)?;
+    if !settings.rigid.is_empty() {
+        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid beside them
+        let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+        let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
+        let held = found.groups.iter().map(|g| g.held).collect();
+        let settings = settings.with_shape_weight(weight);
+        found = rounds(robot, observations, &settings, wanted, found.values, Some(held))?;
+        found.shape_weight = weight;
+        found.iterations += before;
+    }
+    // a whole turn more or less is the same robot: the angle nearest to nominal is taken (a rotation vector is not an angle)
+    for (value, p) in found.values.iter_mut().zip(robot.parameters()) {
+        if p.quantity == Quantity::Angle && p.role != Role::Target {
+            *value -= ((*value - p.nominal) / TAU).round() * TAU;
+        }
+    }
+    found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
+    Ok(found)
+}
+
+/// Solves with redundant and useless parameters held, until the same are redundant at the solution; `held` is a first guess of them.
+fn rounds(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: Vec<f64>,
+    held: Option<Vec<usize>>,
+) -> Result<Identifiable> {
+    let mut values = start.clone();
+    let mut iterations = 0;
+    let (asked, mut wanted) = (wanted, wanted.to_vec());
+    // what a solution showed to be useless stays held: at nominal it may look better than it is
+    let mut useless: Vec<Group> = Vec::new();
+    let mut held = match held {
+        Some(held) => held,
+        None => {
+            let near = anchored(robot, observations, settings, &wanted, &values)?;
+            values = near.0;
+            useless = near.1.iter().filter(|g| g.useless_uncertainty.is_some()).cloned().collect();
+            held_by(&near.1)
+        }
+    };
+    for _round in 0..ROUNDS {
+        let free = without(&wanted, &held);
+        if free.is_empty() {
+            return Err(nothing_left(robot, observations, &start));
+        }
+        for &i in &held {
+            let p = &robot.parameters()[i];
+            // base and targets of an arm have no nominal values: they stay where they were placed
+            values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
+        }
+        let problem = Residuals::new(robot, observations, settings, &free, &values)?;
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
+        iterations += solution.iterations;
+        values = problem.all(&solution.x);
+        if !solution.termination.is_success() {
+            return Err(diagnose_failure(robot, observations, settings, asked, &start, solution.termination));
+        }
+        wanted.retain(|&i| useless.iter().all(|g| g.held != i));
+        let all = problem.of_others(settings, &by_rank(robot, &wanted), &values)?;
+        let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
+            .groups
+            .into_iter()
+            .partition(|g| g.useless_uncertainty.is_some());
+        useless.extend(new);
+        let groups = [useless.clone(), redundant].concat();
+        let now = held_by(&groups);
+        if now == held {
+            return Ok(Identifiable { values, free, groups, solution, iterations, shape_weight: 1.0 });
+        }
+        held = now;
+    }
+    Err(Error::Unsteady)
+}
+
+/// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come
+/// last in its list, before its own.
+fn by_rank(robot: &dyn Robot, wanted: &[usize]) -> Vec<usize> {
+    let mut order = wanted.to_vec();
+    if robot.free_base().is_some() {
+        order.sort_by_key(|&i| robot.parameters()[i].role == Role::Robot);
+    }
+    order
+}
+
+fn without(wanted: &[usize], held: &[usize]) -> Vec<usize> {
+    wanted.iter().copied().filter(|i| !held.contains(i)).collect()
+}
+
+/// What `groups` hold, in the model's order.
+fn held_by(groups: &[Group]) -> Vec<usize> {
+    let mut held: Vec<usize> = groups.iter().map(|g| g.held).collect();
+    held.sort_unstable();
+    held
+}
+
+/// A first solution tied to the start, each parameter as loosely as it may be known before it is useless, and what must
+/// be held there: what the data do not determine stays where it is, instead of running away.
+fn anchored(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: &[f64],
+) -> Result<(Vec<f64>, Vec<Group>)> {
+    let all = Residuals::new(robot, observations, settings, &by_rank(robot, wanted), start)?;
+    let analysis = Analysis::at(&all, start, 0.0);
+    let free = without(wanted, &held_by(&analysis.groups));
+    if free.is_empty() {
+        return Err(nothing_left(robot, observations, start));
+    }
+    let residuals = all.of_others(settings, &free, start)?;
+    let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
+    let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
+    let prior = |(parameter, i)| Prior { parameter, value: x[parameter], weight: weight(i) };
+    let priors: Vec<Prior> = free.iter().enumerate().map(prior).collect();
+    let solution =
+        etalon_math::solve(&WithPriors::new(&residuals, &priors), &x, Options { step: 1e-3, ..Options::default() });
+    if !solution.termination.is_success() {
+        return Ok((start.to_vec(), analysis.groups));
+    }
+    let values = residuals.all(&solution.x);
+    let noise = all.noise(Some(&solution));
+    Ok((values.clone(), Analysis::at(&all, &values, noise).groups))
+}

@@ -1,0 +1,73 @@
+//! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not assumed.
+
+use crate::solution::fixtures::place_fixtures;
+use crate::solution::placing::{
+    MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over,
+};
+use crate::solution::set_up::{explain, far_from_nominal};
+use crate::{Error, Result};
+use crate::{Observation, Settings};
+use etalon_base::message::Message;
+use etalon_base::pose::shortest;
+use etalon_robots::{FreeBase, Robot, Role};
+use std::collections::BTreeSet;
+
+const SUBSET: usize = 24;
+
+/// Starting values of all parameters: nominal, for robots with a free base with those of base, targets and fixtures that are `wanted`
+/// found from what was observed.
+pub(crate) fn start(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+) -> Result<Vec<f64>> {
+    let nominal = robot.nominal();
+    let Some(arm) = robot.free_base() else { return Ok(nominal) };
+    let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
+    let mut values = if has_points { by_points(robot, arm, observations, wanted)? } else { nominal };
+    if !settings.conditions.is_empty() {
+        place_fixtures(arm, observations, settings, wanted, &mut values);
+    }
+    Ok(values)
+}
+
+/// The same from positions of targets alone.
+fn by_points(
+    robot: &dyn Robot,
+    arm: &dyn FreeBase,
+    observations: &[Observation],
+    wanted: &[usize],
+) -> Result<Vec<f64>> {
+    let nominal = robot.nominal();
+    let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
+    let subset = spread_over(observations, SUBSET);
+    let there = |o: &Observation| arm.flange(&nominal, &o.joints).translation_mm.iter().all(|v| v.is_finite());
+    let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {
+        if !subset.iter().all(there) {
+            return far_from_nominal(robot, observations, f64::INFINITY, 0.0).into();
+        }
+        Error::BaseNotFound
+    })?;
+    let all: BTreeSet<usize> = readings(robot, observations).into_iter().map(|t| t.0).collect();
+    if all.len() > MOST_TARGETS {
+        let shown = readings(robot, &subset);
+        let others = all.into_iter().filter(|k| shown.iter().all(|t| t.0 != *k)).collect();
+        place_targets(arm, observations, &others, &mut values);
+    }
+    let spread = spread_mm(&subset);
+    if rms_mm > UNEXPLAINED * spread {
+        let what = format!(
+            "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
+        );
+        let mut message = Message::error(what)
+            .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot");
+        explain(std::slice::from_mut(&mut message), robot, observations);
+        return Err(message.into());
+    }
+    if (3..6).all(|i| places.contains(&i)) {
+        let turn = shortest([values[3], values[4], values[5]]);
+        values[3..6].copy_from_slice(&turn);
+    }
+    Ok(values)
+}

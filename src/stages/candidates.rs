@@ -1,0 +1,92 @@
+//! Candidates of a table: poses with joint values, or positions that the robot finds its own joint values for.
+
+use crate::stages::remedies::remedied;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose_name::PoseName;
+use etalon_formats::table;
+use etalon_formats::tables::joints::{joint_values, stated_modes};
+use etalon_identify::Observation;
+use etalon_identify::plan::candidates::{Candidates, within_reach};
+use etalon_robots::{Joint, Robot};
+use polars::prelude::DataFrame;
+use std::collections::BTreeMap;
+
+/// The candidates of a table, as far as the robot reaches them.
+pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates> {
+    let poses = table::poses(table)?;
+    let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
+    let by_joints = robot.joints().iter().any(stated) || table.column("x_mm").is_err();
+    let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
+    within_reach(robot, all).map_err(remedied)
+}
+
+/// One configuration a row; rows that differ in the target alone are one configuration of several targets.
+fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
+    let modes = stated_modes(robot, table)?;
+    let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
+    let values = joint_values(robot, table, &[])?;
+    let mut all: Vec<Observation> = Vec::new();
+    let mut places = BTreeMap::new();
+    for (row, (&pose, mut joints)) in poses.iter().zip(values).enumerate() {
+        if joints.iter().any(|q| !q.is_finite()) {
+            return Err(Message::error(format!(
+                "pose {pose} of the candidates: a joint value is missing or not a number"
+            ))
+            .into());
+        }
+        if robot.has_assembly_modes() {
+            joints.push(modes[row].ok_or_else(|| {
+                Message::error(format!("pose {pose} of the candidates does not state its assembly mode"))
+                    .expected("1 or -1 in the column `assembly`")
+                    .hint("candidates may also be positions: `pose,x_mm,y_mm` without joints gives all working modes")
+            })?);
+        }
+        let key = (pose, joints.iter().map(|q| q.to_bits()).collect::<Vec<_>>());
+        let k = *places.entry(key).or_insert_with(|| {
+            let seen = if names.is_some() { None } else { Some([0.0; 3]) };
+            all.push(Observation {
+                pose,
+                cycle: 1,
+                joints,
+                targets: vec![seen; robot.targets().len()],
+                ..Observation::default()
+            });
+            all.len() - 1
+        });
+        if let Some(name) = names.as_ref().map(|n| &n[row]) {
+            let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
+                let message =
+                    Message::error(format!("pose {pose} of the candidates: `{name}` is not a target of this robot"));
+                message.hint_names(name, robot.targets().iter().map(String::as_str))
+            })?;
+            all[k].targets[target] = Some([0.0; 3]);
+        }
+    }
+    Ok(all)
+}
+
+/// Positions of the tool in the world: every way to reach them is a configuration.
+fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
+    let nominal = robot.nominal();
+    let mut all = Vec::new();
+    for (&pose, position) in poses.iter().zip(table::coordinates(table)?) {
+        for joints in robot.inverse_all(&nominal, position).unwrap_or_default() {
+            all.push(Observation {
+                pose,
+                cycle: 1,
+                joints,
+                targets: vec![Some(position); robot.targets().len()],
+                ..Observation::default()
+            });
+        }
+    }
+    if all.is_empty() {
+        return Err(Message::error(format!(
+            "no position is reached by the `{}`, or the model has no inverse",
+            robot.model()
+        ))
+        .hint("state joint values, one column per joint with its unit")
+        .into());
+    }
+    Ok(all)
+}

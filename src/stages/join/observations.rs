@@ -1,0 +1,217 @@
+//! Observations of a campaign: measured positions with the joint values of a log, or a table of any kinds.
+
+use super::{Row, listed};
+use crate::stages::kinds::{self, Observed, Stated};
+use crate::stages::positions;
+use etalon_base::message::{Message, Result};
+use etalon_base::pose_name::PoseName;
+use etalon_formats::JointLog;
+use etalon_formats::table;
+use etalon_formats::tables::joints::{stated_mode, wrong_direction};
+use etalon_identify::{Measured, Observation, Settings};
+use etalon_robots::Robot;
+use polars::prelude::{Column, DataFrame};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Observations with one log, or of a table.
+#[derive(Clone, Debug)]
+pub enum Observations {
+    /// Measured positions that met a log.
+    Log(JoinedLog),
+    /// A table as it was read.
+    Table(DataFrame),
+}
+
+/// Measured positions that met a log, sorted by pose, cycle and the robot's order of targets.
+#[derive(Clone, Debug)]
+pub struct JoinedLog {
+    /// The positions.
+    pub measured: Vec<Measured>,
+    /// Joint values of each position as the log has them (mm or deg), then directions.
+    logged: Vec<Vec<f64>>,
+    /// Columns of these.
+    joints: Vec<String>,
+    targets: Vec<String>,
+    dimension: usize,
+    has_modes: bool,
+}
+
+/// Time of an observation.
+#[derive(Clone, Debug)]
+pub struct ObservationTime {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the repeat.
+    pub cycle: i64,
+    /// Name of the target.
+    pub target: String,
+    /// The time (s).
+    pub time_s: f64,
+}
+
+impl Observations {
+    /// Observations of `robot` and settings of their identification; what the rows of a table refer to is added to the
+    /// parameters of `robot`.
+    pub fn observed(
+        &self,
+        robot: &mut dyn Robot,
+        without: Stated,
+        settings: Settings,
+        messages: &mut Vec<Message>,
+    ) -> Result<Observed> {
+        match self {
+            Self::Table(table) => kinds::observed(robot, table, without, settings, messages),
+            Self::Log(log) => {
+                kinds::misspelt_targets(&log.measured, &log.targets)?;
+                messages.extend(kinds::moving_base(robot));
+                Ok(Observed { observations: log.observations(robot, messages)?, settings })
+            }
+        }
+    }
+
+    /// The positions alone, as observations of `robot`.
+    pub fn positions(&self, robot: &dyn Robot, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
+        match self {
+            Self::Table(table) => positions::observations(robot, table, messages),
+            Self::Log(log) => log.observations(robot, messages),
+        }
+    }
+
+    /// Names of the poses.
+    pub fn poses(&self) -> Result<BTreeSet<PoseName>> {
+        match self {
+            Self::Table(table) => kinds::poses(table),
+            Self::Log(log) => Ok(log.measured.iter().map(|m| m.pose).collect()),
+        }
+    }
+
+    /// Times of the observations; empty where they are not stated.
+    pub fn times(&self) -> Result<Vec<ObservationTime>> {
+        match self {
+            Self::Table(table) if table.column(table::TIME).is_err() => Ok(Vec::new()),
+            Self::Table(table) => {
+                let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
+                let (targets, times) = (table::texts(table, "target")?, table::numbers(table, table::TIME)?);
+                let rows = poses.into_iter().zip(cycles).zip(targets).zip(times);
+                Ok(rows
+                    .map(|(((pose, cycle), target), time_s)| ObservationTime { pose, cycle, target, time_s })
+                    .collect())
+            }
+            Self::Log(log) => {
+                let time = |m: &Measured| {
+                    let target = log.targets[m.target].clone();
+                    Some(ObservationTime { pose: m.pose, cycle: m.cycle, target, time_s: m.time_s? })
+                };
+                Ok(log.measured.iter().map(time).collect::<Option<_>>().unwrap_or_default())
+            }
+        }
+    }
+
+    /// The table that is written: `pose cycle target x_mm y_mm [z_mm]` and the joints.
+    pub fn into_table(self) -> Result<DataFrame> {
+        match self {
+            Self::Table(table) => Ok(table),
+            Self::Log(log) => log.table(),
+        }
+    }
+}
+
+impl JoinedLog {
+    /// The rows of a join with `log`, all of which have a pose and a cycle.
+    pub(super) fn new(mut rows: Vec<Row>, log: &JointLog, robot: &dyn Robot) -> Result<Self> {
+        rows.sort_by_key(|row| (row.pose, row.cycle, row.target));
+        let column = |name: &String| {
+            let found = log.joints.iter().position(|other| other == name).ok_or_else(|| {
+                Message::error(format!("log `{}` has no column `{name}`", log.name))
+                    .hint_names(name, log.joints.iter().map(String::as_str))
+            });
+            Ok(found?)
+        };
+        let mut joints: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
+        joints.extend(robot.approached().iter().map(|&k| robot.joints()[k].direction_column()));
+        let columns = joints.iter().map(column).collect::<Result<Vec<usize>>>()?;
+        let factors = robot.joints().iter().map(|joint| joint.quantity.inward(1.0));
+        let factors: Vec<f64> = factors.chain(robot.approached().iter().map(|_| 1.0)).collect();
+        let (mut measured, mut logged) = (Vec::with_capacity(rows.len()), Vec::with_capacity(rows.len()));
+        for row in rows {
+            let (Some(pose), Some(cycle)) = (row.pose, row.cycle) else {
+                let name = if row.pose.is_none() { "pose" } else { "cycle" };
+                return Err(Message::error(format!("column `{name}` has an empty cell")).into());
+            };
+            let values: Vec<f64> = columns.iter().map(|&k| row.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
+            let [x, y, z] = row.world_mm;
+            measured.push(Measured {
+                pose,
+                cycle,
+                target: row.target,
+                at_mm: [x, y, if robot.dimension() == 3 { z } else { 0.0 }],
+                covariance_mm2: row.covariance_mm2,
+                joints: values.iter().zip(&factors).map(|(value, factor)| factor * value).collect(),
+                assembly: row.assembly,
+                time_s: row.time_s,
+            });
+            logged.push(values);
+        }
+        let has_modes = robot.has_assembly_modes() && log.has(table::ASSEMBLY);
+        let targets = robot.targets().to_vec();
+        Ok(Self { measured, logged, joints, targets, dimension: robot.dimension(), has_modes })
+    }
+
+    fn observations(&self, robot: &dyn Robot, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
+        for (i, m) in self.measured.iter().enumerate() {
+            let came = robot.approached().iter().zip(&m.joints[robot.joints().len()..]);
+            if let Some(message) = came.filter_map(|(&k, d)| wrong_direction(&robot.joints()[k], *d)).next() {
+                return Err(message.into());
+            }
+            if let Some(mode) = m.assembly.filter(|_| self.has_modes) {
+                stated_mode(i, mode)?;
+            }
+        }
+        positions::grouped(robot, &self.measured, messages, |_| None)
+    }
+
+    fn table(&self) -> Result<DataFrame> {
+        let rows = || self.measured.iter();
+        let real = |name: &str, of: &dyn Fn(&Measured) -> Option<f64>| -> Column {
+            Column::new(name.into(), rows().map(of).collect::<Vec<_>>())
+        };
+        let mut columns = vec![
+            table::pose_column("pose", &rows().map(|m| Some(m.pose)).collect::<Vec<_>>()),
+            Column::new("cycle".into(), rows().map(|m| Some(m.cycle)).collect::<Vec<_>>()),
+            Column::new("target".into(), rows().map(|m| self.targets[m.target].as_str()).collect::<Vec<_>>()),
+        ];
+        for (axis, name) in table::XYZ[..self.dimension].iter().enumerate() {
+            columns.push(real(name, &|m| Some(m.at_mm[axis])));
+        }
+        if rows().any(|m| m.covariance_mm2.is_some()) {
+            let elements = (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(table::COVARIANCES);
+            for ((i, j), name) in elements.filter(|((_, j), _)| *j < self.dimension) {
+                columns.push(real(name, &|m| Some(m.covariance_mm2?[i][j])));
+            }
+        }
+        for (k, name) in self.joints.iter().enumerate() {
+            let values: Vec<Option<f64>> = self.logged.iter().map(|values| Some(values[k])).collect();
+            columns.push(Column::new(name.as_str().into(), values));
+        }
+        if rows().all(|m| m.time_s.is_some()) {
+            columns.push(real(table::TIME, &|m| m.time_s));
+        }
+        if self.has_modes {
+            columns.push(real(table::ASSEMBLY, &|m| m.assembly));
+        }
+        table::frame(self.measured.len(), columns)
+    }
+
+    /// A warning where some poses lack a target that others have.
+    pub(super) fn incomplete(&self) -> Option<Message> {
+        let mut seen: BTreeMap<(PoseName, i64), usize> = BTreeMap::new();
+        for m in &self.measured {
+            *seen.entry((m.pose, m.cycle)).or_default() += 1;
+        }
+        let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < self.targets.len();
+        let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
+        let what = format!("poses that lack a target: {}", listed(&poses));
+        let hint = "their other targets still count; a pose or an orientation needs all of them";
+        (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
+    }
+}
