@@ -11,7 +11,7 @@ mod solution;
 pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
-pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
+pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::reliability::{

@@ -1,5 +1,6 @@
 //! Checks of the model by what it leaves: trends of the residuals, how well readings control each other, which poses decide.
 
+use crate::stages::remedies::WRONG_READINGS;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -8,8 +9,7 @@ use etalon_documents::{
     RobustSummary,
 };
 use etalon_identify::{
-    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, Reliability, RobustChange, RobustComparison, Variance,
-    WRONG_READINGS, holm,
+    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, Reliability, RobustChange, RobustComparison, Variance, holm,
 };
 use etalon_math::statistics::median;
 use etalon_robots::Robot;

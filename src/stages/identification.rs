@@ -9,7 +9,7 @@ use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, Stated};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
-use crate::stages::remedies::remedied;
+use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
 use crate::stages::tool::Expected;
 use etalon_base::message::{Message, Place, Problems, Result, count};
@@ -299,7 +299,7 @@ fn leave_outliers_out(
         observations[outlier.observation].targets[outlier.target] = None;
     }
     observations.retain(|o| o.targets.iter().any(Option::is_some));
-    let left_out = robust.message(robot);
+    let left_out = readings_to_check(&robust, robot);
     Ok(Some(Message::warning(format!("excluded by `outliers = \"exclude\"`: {}", left_out.what))))
 }
 

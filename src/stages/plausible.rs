@@ -1,11 +1,12 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
+use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
 use etalon_base::message::{Message, count};
 use etalon_base::pose::{centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::PointError;
 use etalon_identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, WRONG_READINGS, allowed_mm, chi_square_exceeds, explain,
+    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
     far_from_nominal, moved_between,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
@@ -75,7 +76,7 @@ pub fn plausibility(
     {
         // a few wrong readings explain what follows, the largest residuals of a wrong model do not
         let place = if robust.outliers().is_empty() { messages.len() } else { 0 };
-        messages.insert(place, robust.message(robot));
+        messages.insert(place, readings_to_check(&robust, robot));
     }
     messages
 }

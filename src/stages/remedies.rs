@@ -1,7 +1,8 @@
-//! Remedies for identifications without a result, in keys of campaign.toml, columns of tables and options of the command line.
+//! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml, columns of tables and options of the command line.
 
 use etalon_base::message::{Message, Problems};
-use etalon_identify::{Cause, Error};
+use etalon_identify::{Cause, Error, OUTLIER, Reading, RobustFit};
+use etalon_robots::Robot;
 
 /// The messages of an error of [`etalon_identify`] with the remedy as the hint of the first.
 pub fn remedied(error: Error) -> Problems {
@@ -62,6 +63,40 @@ fn check(cause: &Cause) -> &'static str {
             "correct the column `assembly` of these poses, or leave it empty: the mode is then taken from the measurement"
         }
     }
+}
+
+/// Remedy for readings that others contradict.
+pub(super) const WRONG_READINGS: &str = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
+/// Number of readings that are named where none is an outlier.
+const NAMED: usize = 3;
+/// Largest number of outliers that are named.
+const NAMED_OUTLIERS: usize = 40;
+
+/// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
+pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Message {
+    let named = |readings: &[Reading]| -> String {
+        let target = |r: &Reading| robot.targets()[r.target].as_str();
+        let text = |r: &Reading| format!("{:.4} mm ({}, pose {}, cycle {})", r.left_mm, target(r), r.pose, r.cycle);
+        readings.iter().map(text).collect::<Vec<_>>().join(", ")
+    };
+    let outliers = robust.outliers();
+    if outliers.is_empty() {
+        let largest = &robust.readings[..robust.readings.len().min(NAMED)];
+        let hint =
+            "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
+        return Message::warning(format!("largest residuals of a robust fit: {}", named(largest))).hint(hint);
+    }
+    let more = if outliers.len() > NAMED_OUTLIERS { ", ..." } else { "" };
+    let what = format!(
+        "{} of {} readings {}, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
+         fit: {}{more}",
+        outliers.len(),
+        robust.readings.len(),
+        if outliers.len() == 1 { "is an outlier" } else { "are outliers" },
+        robust.scale_mm,
+        named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
+    );
+    Message::warning(what).to_decide().hint(WRONG_READINGS)
 }
 
 #[cfg(test)]

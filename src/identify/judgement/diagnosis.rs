@@ -6,7 +6,6 @@ use crate::model::residuals::{OF_MEDIAN, Residuals};
 use crate::solution::identifiability::Analysis;
 use crate::solution::set_up::set_up_hint;
 use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
-use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::median;
@@ -92,10 +91,6 @@ fn extent(points: &[Vector]) -> f64 {
     norm(minus(end(f64::max), end(f64::min)))
 }
 
-/// Measurements that are named where none lies beyond the rest.
-const NAMED: usize = 3;
-/// Measurements that are named at most.
-const NAMED_OUTLIERS: usize = 40;
 /// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three coordinates and normal errors
 /// fewer than one of ten million is.
 pub const OUTLIER: f64 = 6.0;
@@ -107,9 +102,6 @@ const BELOW: f64 = 0.9;
 const PART: usize = 60;
 /// Least scale of residuals in mm: below it nothing is measured.
 const LEAST_MM: f64 = 1e-6;
-
-/// What to do about readings that others contradict.
-pub const WRONG_READINGS: &str = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
 
 /// What a robust fit leaves of every reading.
 #[derive(Clone, Debug)]
@@ -171,32 +163,6 @@ impl RobustFit {
     pub fn outliers(&self) -> &[Reading] {
         let beyond = self.readings.iter().take_while(|r| r.left_mm > OUTLIER * r.own_mm.max(self.scale_mm));
         &self.readings[..beyond.count()]
-    }
-
-    /// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
-    pub fn message(&self, robot: &dyn Robot) -> Message {
-        let named = |readings: &[Reading]| -> String {
-            let target = |r: &Reading| robot.targets()[r.target].as_str();
-            let text = |r: &Reading| format!("{:.4} mm ({}, pose {}, cycle {})", r.left_mm, target(r), r.pose, r.cycle);
-            readings.iter().map(text).collect::<Vec<_>>().join(", ")
-        };
-        let outliers = self.outliers();
-        if outliers.is_empty() {
-            let largest = &self.readings[..self.readings.len().min(NAMED)];
-            let hint = "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
-            return Message::warning(format!("largest residuals of a robust fit: {}", named(largest))).hint(hint);
-        }
-        let more = if outliers.len() > NAMED_OUTLIERS { ", ..." } else { "" };
-        let what = format!(
-            "{} of {} readings {}, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
-             fit: {}{more}",
-            outliers.len(),
-            self.readings.len(),
-            if outliers.len() == 1 { "is an outlier" } else { "are outliers" },
-            self.scale_mm,
-            named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
-        );
-        Message::warning(what).to_decide().hint(WRONG_READINGS)
     }
 }
 
