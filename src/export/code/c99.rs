@@ -35,76 +35,31 @@ double etalon_wrap(double angle)
 }
 ";
 
-/// Newton's method, steps of at most half a radian or millimetre.
+/// Newton's method with the recorded step.
 const INVERSE: &str = "
+int etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);
+
 /* Joint values, mm and rad, of a pose: x, y, z, r11, r12 ... r33. `q` is where they are looked for, and what is found.
    1 where the pose is reached to 1e-9 mm and 1e-12 rad, else 0. */
 int etalon_inverse(const double pose[12], double q[ETALON_JOINTS])
 {
-    enum { N = ETALON_JOINTS };
-    double at[12 + 6 * N], a[N][N + 1], e[6], same, trace, longest = 1.0;
-    int i, j, k, r, best, search;
-    for (search = 0; ; search++) {
-        etalon_linearised(q, at);
-        same = 0.0;
-        for (i = 0; i < 3; i++) {
-            e[i] = pose[i] - at[i];
-            e[3 + i] = 0.0;
+    double in[24 + 6 * ETALON_JOINTS], out[ETALON_JOINTS + 4];
+    const double *size = out + ETALON_JOINTS;
+    int i, search;
+    for (i = 0; i < 12; i++) {
+        in[i] = pose[i];
+    }
+    for (search = 0; search < 100; search++) {
+        etalon_linearised(q, in + 12);
+        etalon_correction(in, out);
+        for (i = 0; i < ETALON_JOINTS; i++) {
+            q[i] += out[i];
         }
-        for (i = 0; i < 3; i++) {
-            const double *u = at + 3 + i, *v = pose + 3 + i;
-            same += u[0] * v[0] + u[3] * v[3] + u[6] * v[6];
-            e[3] += 500.0 * (u[3] * v[6] - u[6] * v[3]);
-            e[4] += 500.0 * (u[6] * v[0] - u[0] * v[6]);
-            e[5] += 500.0 * (u[0] * v[3] - u[3] * v[0]);
-        }
-        if (search == 100 || longest < 1e-13) {
-            return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) < 1e-9
-                && sqrt(e[3] * e[3] + e[4] * e[4] + e[5] * e[5]) < 1e-9 && same > 2.0;
-        }
-        trace = 0.0;
-        for (i = 0; i < N; i++) {
-            for (j = 0; j <= N; j++) {
-                a[i][j] = 0.0;
-                for (r = 0; r < 6; r++) {
-                    double scale = r < 3 ? 1.0 : 1000.0;
-                    double right = j < N ? scale * at[12 + 6 * j + r] : e[r];
-                    a[i][j] += scale * at[12 + 6 * i + r] * right;
-                }
-            }
-            trace += a[i][i];
-        }
-        for (i = 0; i < N; i++) {
-            a[i][i] += 1e-14 * trace;
-        }
-        for (k = 0; k < N; k++) {
-            best = k;
-            for (i = k + 1; i < N; i++) {
-                if (fabs(a[i][k]) > fabs(a[best][k])) {
-                    best = i;
-                }
-            }
-            for (j = k; j <= N; j++) {
-                double swap = a[k][j];
-                a[k][j] = a[best][j];
-                a[best][j] = swap;
-            }
-            for (i = 0; i < N; i++) {
-                double factor = i == k ? 0.0 : a[i][k] / a[k][k];
-                for (j = k; j <= N; j++) {
-                    a[i][j] -= factor * a[k][j];
-                }
-            }
-        }
-        longest = 0.0;
-        for (i = 0; i < N; i++) {
-            a[i][N] /= a[i][i];
-            longest = fabs(a[i][N]) > longest ? fabs(a[i][N]) : longest;
-        }
-        for (i = 0; i < N; i++) {
-            q[i] += (longest > 0.5 ? 0.5 / longest : 1.0) * a[i][N];
+        if (size[0] < 1e-13) {
+            break;
         }
     }
+    return size[1] < 1e-9 && size[2] < 1e-9 && size[3] > 2.0;
 }
 ";
 
@@ -164,10 +119,7 @@ pub(in crate::export) fn functions(formulas: &[Formula]) -> String {
         let used = if body.is_empty() { "    (void)t;\n" } else { "" };
         let _ = writeln!(out, "{used}}}");
         match formula.name {
-            "linearised" => {
-                out += "\nint etalon_inverse(const double pose[12], double q[ETALON_JOINTS]);\n";
-                out += INVERSE;
-            }
+            "correction" => out += INVERSE,
             "step" => out += DIRECT,
             _ => {}
         }

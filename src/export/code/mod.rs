@@ -89,6 +89,10 @@ fn interface(formula: &Formula) -> String {
     let outputs: Vec<&str> = formula.outputs.iter().map(|(name, _)| name.as_str()).take(12).collect();
     let more = match formula.name {
         "linearised" => ", then of each joint x, y, z, rx, ry, rz by it",
+        "correction" => {
+            return "correction of a pose and what linearised gives: step of each joint, its size, errors, agreement"
+                .into();
+        }
         "step" => ", size",
         _ => "",
     };

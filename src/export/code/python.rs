@@ -27,40 +27,18 @@ def wrap(angle):
     return angle - 2.0 * pi if angle > pi else angle + 2.0 * pi if angle < -pi else angle
 ";
 
-/// Newton's method, steps of at most half a radian or millimetre.
+/// Newton's method with the recorded step.
 const INVERSE: &str = "
 def inverse(pose, start):
     \"\"\"Joint values, mm and rad, of a pose: x, y, z, r11, r12 ... r33, looked for from `start`.
     None where the pose is not reached to 1e-9 mm and 1e-12 rad.\"\"\"
-    q, longest = list(start), 1.0
-    n = len(q)
-    for search in range(101):
-        at = linearised(q)
-        e = [pose[i] - at[i] for i in range(3)] + [0.0, 0.0, 0.0]
-        same = 0.0
-        for i in range(3):
-            u, v = at[3 + i:12:3], pose[3 + i:12:3]
-            same += u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-            e[3] += 500.0 * (u[1] * v[2] - u[2] * v[1])
-            e[4] += 500.0 * (u[2] * v[0] - u[0] * v[2])
-            e[5] += 500.0 * (u[0] * v[1] - u[1] * v[0])
-        if search == 100 or longest < 1e-13:
-            near = sqrt(sum(v * v for v in e[:3])) < 1e-9 and sqrt(sum(v * v for v in e[3:])) < 1e-9
-            return q if near and same > 2.0 else None
-        rows = [[at[12 + 6 * j + r] * (1.0 if r < 3 else 1000.0) for r in range(6)] for j in range(n)] + [e]
-        a = [[sum(rows[i][r] * rows[j][r] for r in range(6)) for j in range(n + 1)] for i in range(n)]
-        trace = sum(a[i][i] for i in range(n))
-        for i in range(n):
-            a[i][i] += 1e-14 * trace
-        for k in range(n):
-            best = max(range(k, n), key=lambda i: abs(a[i][k]))
-            a[k], a[best] = a[best], a[k]
-            for i in range(n):
-                factor = 0.0 if i == k else a[i][k] / a[k][k]
-                a[i] = [x - factor * y for x, y in zip(a[i], a[k])]
-        step = [a[i][n] / a[i][i] for i in range(n)]
-        longest = max(abs(s) for s in step)
-        q = [v + min(1.0, 0.5 / longest if longest > 0.5 else 1.0) * s for v, s in zip(q, step)]
+    q = list(start)
+    for search in range(100):
+        *by, size, position, orientation, agreement = correction(list(pose) + linearised(q))
+        q = [v + s for v, s in zip(q, by)]
+        if size < 1e-13:
+            break
+    return q if position < 1e-9 and orientation < 1e-9 and agreement > 2.0 else None
 ";
 
 const DIRECT: &str = "
@@ -90,7 +68,7 @@ impl Exporter for PythonCode {
             let _ = write!(out, "\n\n# {}\ndef {name}(q):\n    t = [0.0] * {steps}\n{body}", interface(&formula));
             let _ = writeln!(out, "    return [{}]", outputs.join(", "));
             match formula.name {
-                "linearised" => out = out + "\n" + INVERSE,
+                "correction" => out = out + "\n" + INVERSE,
                 "step" => out = out + "\n" + DIRECT,
                 _ => {}
             }
