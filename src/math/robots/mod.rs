@@ -391,7 +391,7 @@ fn square<T: Scalar>(v: &[T]) -> T {
 
 /// Least-squares solution of rows that end with their right-hand side, by normal equations, which need no pivots: free of branches,
 /// so that formulas record it. `damping` is added to the diagonal, as a share of its sum.
-fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> Vec<T> {
+fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> impl Iterator<Item = T> {
     let n = rows.first().map_or(0, |row| row.len() - 1);
     let product = |i: usize, j: usize| rows.iter().fold(T::from(0.0), |sum, row| sum + row[i] * row[j]);
     let mut a: Vec<Vec<T>> = (0..n).map(|i| (0..=n).map(|j| product(i, j)).collect()).collect();
@@ -404,7 +404,7 @@ fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> Vec<T> {
             (k + 1..=n).for_each(|j| row[j] = row[j] - factor * pivot[j]);
         }
     }
-    (0..n).map(|k| a[k][n] / a[k][k]).collect()
+    (0..n).map(move |k| a[k][n] / a[k][k])
 }
 
 /// Of `all` ways that no limit forbids the nearest one.

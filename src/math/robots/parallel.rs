@@ -144,7 +144,7 @@ fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
             own.chain([-rod.gap(platform)]).collect()
         })
         .collect();
-    let by: Vec<T> = normal_equations(&rows, 0.0).into_iter().enumerate().map(|(k, v)| v * scale(k)).collect();
+    let by: Vec<T> = normal_equations(&rows, 0.0).enumerate().map(|(k, v)| v * scale(k)).collect();
     let shorter = T::from(1.0) / (square(&by[3..]) * 4.0 + 1.0).sqrt();
     let size = (square(&by[..3]) + square(&by[3..]) * (lever * lever)).sqrt();
     let [x, y, z, p, q, r] = [0, 1, 2, 3, 4, 5].map(|k| by[k] * shorter);

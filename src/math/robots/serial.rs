@@ -685,14 +685,16 @@ impl Robot for Serial {
         limit_violation(self.joints(), &self.limits, joints)
     }
     fn effect(&self, parameter: usize) -> Effect {
-        let mut terms = self.elements.iter().flat_map(|e| &e.terms);
-        let p = &self.parameters()[parameter];
-        match (terms.find(|t| t.parameter == parameter).map(|t| t.coefficient), p.quantity) {
-            (Some(Coefficient::Load(_)), _) => Effect::Bending,
-            (Some(Coefficient::Harmonic { .. }), _) => Effect::Harmonics,
-            (Some(Coefficient::Approach { .. }), _) => Effect::Backlash,
-            // a gain is 1 without error, a coupling 0
-            (_, Quantity::Ratio) if p.nominal == 0.0 => Effect::Coupling,
+        let terms = self.elements.iter().enumerate().flat_map(|(i, e)| e.terms.iter().map(move |t| (i, t)));
+        let term = terms.into_iter().find(|(_, t)| t.parameter == parameter);
+        let is_driven =
+            |element: usize, by: usize| self.axes.iter().any(|axis| axis.element == element && axis.drive.joint == by);
+        match (term.map(|(i, t)| (i, t.coefficient)), self.parameters()[parameter].quantity) {
+            (Some((_, Coefficient::Load(_))), _) => Effect::Bending,
+            (Some((_, Coefficient::Harmonic { .. })), _) => Effect::Harmonics,
+            (Some((_, Coefficient::Approach { .. })), _) => Effect::Backlash,
+            // a gain multiplies the joint that drives the axis, a coupling another one
+            (Some((i, Coefficient::Joint { joint, .. })), Quantity::Ratio) if !is_driven(i, joint) => Effect::Coupling,
             (_, Quantity::Ratio) => Effect::Gains,
             _ => Effect::Geometry,
         }
@@ -735,7 +737,7 @@ fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
     let scale = |row: usize| if row < 3 { 1.0 } else { TURNED_MM };
     let right = gap.iter().chain(&turn).enumerate();
     let row = |(row, right): (usize, &T)| columns.chunks(6).map(|c| c[row] * scale(row)).chain([*right]).collect();
-    let step = normal_equations(&right.map(row).collect::<Vec<_>>(), SINGULAR);
+    let step: Vec<T> = normal_equations(&right.map(row).collect::<Vec<_>>(), SINGULAR).collect();
     let shorter = T::from(1.0) / (square(&step) * 4.0 + 1.0).sqrt();
     let errors = [square(&step).sqrt(), square(&gap).sqrt(), square(&turn).sqrt(), agreement];
     (step.into_iter().map(|v| v * shorter).collect(), errors)
