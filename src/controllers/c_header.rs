@@ -1,10 +1,10 @@
 //! Parameters as a C header, for controllers that are compiled: C99 and C++.
 
-use super::{Exporter, Given, status_word};
-use etalon_base::message::{Message, Result};
-use etalon_documents::ParameterEntry;
-use std::collections::BTreeMap;
-use std::fmt::Write;
+use super::template::render;
+use super::{Exporter, Given};
+use etalon_base::message::Result;
+use minijinja::context;
+use minijinja::value::Serde;
 
 /// C header, one macro a parameter; angles in degrees and in radians.
 pub(super) struct CHeader;
@@ -17,40 +17,13 @@ impl Exporter for CHeader {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let robot = identifier(&document.robot);
-        let header = given.header("mm, deg and rad, 1; u is the standard uncertainty (k = 1)")?.join("\n * ");
-        let guard = format!("ETALON_{robot}_PARAMETERS_H");
-        let mut out = format!("/* {header}\n */\n#ifndef {guard}\n#define {guard}\n");
-        let mut seen = BTreeMap::new();
-        for p in &document.parameters {
-            let _ = write!(out, "\n/* {}: {} */\n", comment(&p.name), remark(p));
-            for (unit, value) in macros(p) {
-                let name = format!("ETALON_{robot}_{}_{unit}", identifier(&p.name));
-                let _ = writeln!(out, "#define {name} {}", literal(value));
-                if let Some(other) = seen.insert(name.clone(), &p.name) {
-                    let what = format!("parameters `{other}` and `{}` are both `{name}` in C", p.name);
-                    return Err(Message::error(what).hint("rename one of them, or use another format").into());
-                }
-            }
-        }
-        let _ = write!(out, "\n#endif /* {guard} */\n");
-        Ok(out.into_bytes())
-    }
-}
-
-fn remark(p: &ParameterEntry) -> String {
-    let unit = if p.unit == "1" { "ratio" } else { &p.unit };
-    match p.standard_uncertainty {
-        Some(u) => format!("{}, u = {u:?} {}", status_word(p), comment(unit)),
-        None => format!("{}, {}", status_word(p), comment(unit)),
-    }
-}
-
-/// Suffix and value of every macro of a parameter.
-fn macros(p: &ParameterEntry) -> Vec<(String, f64)> {
-    match p.unit.as_str() {
-        "deg" => vec![("DEG".to_owned(), p.value), ("RAD".to_owned(), p.value.to_radians())],
-        "1" => vec![("RATIO".to_owned(), p.value)],
-        unit => vec![(identifier(unit), p.value)],
+        given.names("in C", |p| {
+            let unit = if p.unit == "1" { "RATIO".to_owned() } else { identifier(&p.unit) };
+            format!("ETALON_{robot}_{}_{unit}", identifier(&p.name))
+        })?;
+        let header = given.header("mm, deg and rad, 1; u is the standard uncertainty (k = 1)")?;
+        let values = context! { header, robot, parameters => Serde(&document.parameters) };
+        render(include_str!("templates/c_header.h.j2"), values).map(String::into_bytes)
     }
 }
 

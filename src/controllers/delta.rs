@@ -3,11 +3,14 @@
 //!
 //! Any three upright towers are on a circle about a centre of their own: the frame of the controller is there, turned as its towers are.
 
+use super::template::render;
 use super::{Exporter, Given, value};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
-use etalon_robots::{Robot, Role};
-use std::fmt::Write;
+use etalon_robots::{Parameter, Quantity, Robot, Role};
+use minijinja::context;
+use minijinja::value::Serde;
+use serde::Serialize;
 
 /// `[printer] kinematics: delta` of Klipper.
 pub(super) struct Klipper;
@@ -22,6 +25,7 @@ const TOWERS_DEG: [f64; 3] = [210.0, 330.0, 90.0];
 const STEP_MM: f64 = 1.0;
 
 /// Upright towers in the frame of a controller.
+#[derive(Serialize)]
 struct Towers {
     /// Centre of the circle in the base, mm.
     centre_mm: [f64; 2],
@@ -30,6 +34,7 @@ struct Towers {
     radius_mm: f64,
     /// What is added to [`TOWERS_DEG`].
     corrections_deg: [f64; 3],
+    angles_deg: [f64; 3],
     rods_mm: [f64; 3],
     /// Height of the platform, in the middle, when a joint value is zero.
     heights_mm: [f64; 3],
@@ -77,27 +82,26 @@ impl Towers {
             return Err(message.hint(format!("number them so, `{format}` has them in this order")).into());
         }
         let heights_mm = [0, 1, 2].map(|i| offsets[i] - (rods_mm[i].powi(2) - radius_mm.powi(2)).sqrt());
-        let tilts = robot.parameters().iter().zip(&values).filter(|(p, v)| p.name.starts_with("tower_r") && **v != 0.0);
+        // the only angles of a leg are the tilts of its tower
+        let is_tilt = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Angle;
+        let tilts = robot.parameters().iter().zip(&values).filter(|(p, v)| is_tilt(p) && **v != 0.0);
         let lost = tilts.map(|(p, v)| format!("{} = {:.6} deg", p.name, v.to_degrees())).collect();
-        Ok(Self { centre_mm, turned_deg: wrap_deg(turned_deg), radius_mm, corrections_deg, rods_mm, heights_mm, lost })
+        let angles_deg = [0, 1, 2].map(|i| TOWERS_DEG[i] + corrections_deg[i]);
+        let turned_deg = wrap_deg(turned_deg);
+        Ok(Self { centre_mm, turned_deg, radius_mm, corrections_deg, angles_deg, rods_mm, heights_mm, lost })
     }
 
-    /// Lines of a header, after `mark`.
-    fn header(&self, given: &Given, mark: &str) -> Result<String> {
-        let mut out = String::new();
-        for line in given.header("mm, deg")? {
-            let _ = writeln!(out, "{mark} {line}");
-        }
-        let [x, y] = self.centre_mm;
-        let _ = writeln!(
-            out,
-            "{mark} frame of this file in the base: x {x:.6} mm, y {y:.6} mm, turned by {:.6} deg about z",
-            self.turned_deg
-        );
+    /// Lines that begin a file.
+    fn header(&self, given: &Given) -> Result<Vec<String>> {
+        let ([x, y], turned) = (self.centre_mm, self.turned_deg);
+        let mut lines = given.header("mm, deg")?;
+        lines.push(format!(
+            "frame of this file in the base: x {x:.6} mm, y {y:.6} mm, turned by {turned:.6} deg about z"
+        ));
         if !self.lost.is_empty() {
-            let _ = writeln!(out, "{mark} not in this format, towers are upright: {}", self.lost.join(", "));
+            lines.push(format!("not in this format, towers are upright: {}", self.lost.join(", ")));
         }
-        Ok(out)
+        Ok(lines)
     }
 }
 
@@ -121,14 +125,8 @@ impl Exporter for Klipper {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let towers = Towers::new(given, "klipper")?;
-        let mut out = towers.header(given, "#")?;
-        let _ = writeln!(out, "[printer]\nkinematics: delta\ndelta_radius: {:.6}", towers.radius_mm);
-        for (i, name) in ["a", "b", "c"].into_iter().enumerate() {
-            let angle = TOWERS_DEG[i] + towers.corrections_deg[i];
-            let _ = writeln!(out, "\n[stepper_{name}]\nangle: {angle:.6}\narm_length: {:.6}", towers.rods_mm[i]);
-            let _ = writeln!(out, "# position_endstop: {:.6} + the joint value at the end stop", towers.heights_mm[i]);
-        }
-        Ok(out.into_bytes())
+        let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
+        render(include_str!("templates/klipper_delta.cfg.j2"), values).map(String::into_bytes)
     }
 }
 
@@ -139,17 +137,10 @@ impl Exporter for RepRapDelta {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let towers = Towers::new(given, "reprap-delta")?;
-        let mut out = towers.header(given, ";")?;
         let mean = towers.heights_mm.iter().sum::<f64>() / 3.0;
-        let ([l1, l2, l3], [x, y, z]) = (towers.rods_mm, towers.corrections_deg);
-        let _ = writeln!(
-            out,
-            "; homed height (H): {mean:.6} + the joint value at the end stops; B is the radius to be used"
-        );
-        let _ = writeln!(out, "M665 L{l1:.6}:{l2:.6}:{l3:.6} R{:.6} X{x:.6} Y{y:.6} Z{z:.6}", towers.radius_mm);
-        let [x, y, z] = towers.heights_mm.map(|v| v - mean);
-        let _ = writeln!(out, "M666 X{x:.6} Y{y:.6} Z{z:.6}");
-        Ok(out.into_bytes())
+        let end_stops = Serde(towers.heights_mm.map(|v| v - mean));
+        let values = context! { header => towers.header(given)?, towers => Serde(&towers), mean, end_stops };
+        render(include_str!("templates/reprap_delta.g.j2"), values).map(String::into_bytes)
     }
 }
 
@@ -177,28 +168,16 @@ impl Exporter for DeltaHal {
                     .into());
             }
         };
-        let mut out = String::new();
-        for line in given.header("mm, deg")? {
-            let _ = writeln!(out, "# {line}");
-        }
         // as their sources place the legs: rotarydeltakins-common.h, lineardeltakins-common.h
         let (first, order) = if robot.model() == "delta" { ("-y", "clockwise") } else { ("y", "counterclockwise") };
-        let _ = writeln!(
-            out,
-            "# joint 0 is in direction {first}, joints 1 and 2 are 120 and 240 deg {order} from it, seen from above\n\
-             # three equal legs: means of the parameters; not in this format:"
-        );
-        for lost in lost(robot, &values, pins) {
-            let _ = writeln!(out, "# {lost}");
-        }
-        for (pin, names) in pins {
-            let mut of = Vec::new();
-            for name in *names {
-                of.push(mean(robot, &values, name)?);
-            }
-            let _ = writeln!(out, "setp {pin} {:?}", of.into_iter().reduce(|a, b| a - b).unwrap_or_default());
-        }
-        Ok(out.into_bytes())
+        let lost = lost(robot, &values, pins);
+        let pin = |(pin, names): &(&'static str, &[&str])| {
+            let means = names.iter().map(|name| mean(robot, &values, name)).collect::<Result<Vec<f64>>>()?;
+            Ok((*pin, means.into_iter().reduce(|a, b| a - b).unwrap_or_default()))
+        };
+        let pins = Serde(pins.iter().map(pin).collect::<Result<Vec<_>>>()?);
+        let values = context! { header => given.header("mm, deg")?, first, order, lost, pins };
+        render(include_str!("templates/deltakins.hal.j2"), values).map(String::into_bytes)
     }
 }
 

@@ -7,7 +7,6 @@
 use super::{Exporter, Given, value};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// DMC commands.
@@ -31,13 +30,9 @@ impl Exporter for Galil {
         let header = given.header("um, 1E-6 deg, 1E-6; a variable is a multiple of 1/65536")?;
         let mut out: String = header.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#CALPAR\n";
-        let (mut seen, mut problems) = (BTreeMap::new(), Problems::default());
-        for p in &given.parameters.parameters {
-            let name = variable(&p.name);
-            if let Some(other) = seen.insert(name.clone(), &p.name) {
-                let what = format!("parameters `{other}` and `{}` are both `{name}` on a Galil controller", p.name);
-                problems.0.push(Message::error(what).hint("rename one of them, or use another format"));
-            }
+        let mut problems = Problems::default();
+        let names = problems.keep(given.names("on a Galil controller", |p| variable(&p.name)));
+        for (p, name) in given.parameters.parameters.iter().zip(names.unwrap_or_default()) {
             match fixed_point(p) {
                 Ok(Fixed { value, rounding }) => {
                     let unit = if p.unit == "1" { "1E-6" } else { unit(p) };

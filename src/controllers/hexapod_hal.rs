@@ -1,8 +1,11 @@
 //! Kinematics of LinuxCNC's `genhexkins`: the joints of six legs at either end. Lengths at joint value zero go to the joints.
 
-use super::{Exporter, Given, value};
+use super::template::render;
+use super::{Exporter, Given};
 use etalon_base::message::{Message, Result};
-use std::fmt::Write;
+use minijinja::context;
+use minijinja::value::Serde;
+use std::collections::BTreeMap;
 
 /// HAL commands.
 pub(super) struct HexapodHal;
@@ -18,25 +21,8 @@ impl Exporter for HexapodHal {
             let message = Message::error(format!("`{}` is not a hexapod", robot.model()));
             return Err(message.hint("`genhexkins` of LinuxCNC computes platforms on six legs only").into());
         }
-        let of = |name: String| value(robot, &values, &name);
-        let mut out = String::new();
-        for line in given.header("mm")? {
-            let _ = writeln!(out, "# {line}");
-        }
-        for leg in 0..6 {
-            let number = leg + 1;
-            let _ = writeln!(
-                out,
-                "# joint {leg}: its position in LinuxCNC is the joint value + {:?}: add that to its HOME_OFFSET",
-                of(format!("leg{number}_l0"))?
-            );
-            for (end, letter) in [("base", 'b'), ("platform", 'a')] {
-                for axis in ["x", "y", "z"] {
-                    let at = of(format!("leg{number}_{letter}{axis}"))?;
-                    let _ = writeln!(out, "setp genhexkins.{end}.{leg}.{axis} {at:?}");
-                }
-            }
-        }
-        Ok(out.into_bytes())
+        let values: BTreeMap<&str, f64> = robot.parameters().iter().map(|p| p.name.as_str()).zip(values).collect();
+        let values = context! { header => given.header("mm")?, values => Serde(values) };
+        render(include_str!("templates/genhexkins.hal.j2"), values).map(String::into_bytes)
     }
 }

@@ -23,6 +23,7 @@ mod python;
 mod qif;
 mod reprap_five_bar;
 mod targets;
+mod template;
 #[cfg(test)]
 mod tests;
 mod universal_robots;
@@ -38,8 +39,8 @@ use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
 use etalon_documents::{CampaignSummary, ParameterEntry, ParameterStatus, ParametersDocument, to_json};
-use etalon_robots::{Robot, Role};
-use std::collections::BTreeSet;
+use etalon_robots::{Effect, Robot, Role};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// One controller format.
 pub trait Exporter {
@@ -166,19 +167,22 @@ impl<'a> Given<'a> {
 
     /// [`Self::header`] of a format that has joints and links alone: it names the effects that it cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
-        self.header_without(&["compliance_", "coupling_", "harmonic_", "backlash_"], "not in this format", units)
+        let effects = [Effect::Bending, Effect::Coupling, Effect::Harmonics, Effect::Backlash];
+        self.header_without(&effects, "not in this format", units)
     }
 
     /// [`Self::header`] of code that computes from joint values alone: it names the backlash that it cannot follow.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
-        self.header_without(&["backlash_"], "joints are taken in the middle of their backlash, not in this code", units)
+        let why = "joints are taken in the middle of their backlash, not in this code";
+        self.header_without(&[Effect::Backlash], why, units)
     }
 
-    /// [`Self::header`] and the parameters, of those whose names begin with `kinds`, that are left out.
-    fn header_without(&self, kinds: &[&str], why: &str, units: &str) -> Result<Vec<String>> {
-        let of = |entry: &&ParameterEntry| entry.value != 0.0 && kinds.iter().any(|kind| entry.name.starts_with(kind));
+    /// [`Self::header`] and the robot's parameters of these effects, which are left out.
+    fn header_without(&self, effects: &[Effect], why: &str, units: &str) -> Result<Vec<String>> {
+        let effect = |name: &str| self.robot.and_then(|robot| Some(robot.parameters()[robot.index(name)?].effect));
+        let is_left_out = |p: &&ParameterEntry| p.value != 0.0 && effect(&p.name).is_some_and(|e| effects.contains(&e));
         let left_out: Vec<&str> =
-            self.parameters.parameters.iter().filter(of).map(|entry| entry.name.as_str()).collect();
+            self.parameters.parameters.iter().filter(is_left_out).map(|entry| entry.name.as_str()).collect();
         let mut lines = self.header(units)?;
         if !left_out.is_empty() {
             lines.push(comment(&format!("{why}: {}", left_out.join(", "))));
@@ -186,19 +190,42 @@ impl<'a> Given<'a> {
         Ok(lines)
     }
 
-    /// The robot, and its parameters as they were identified.
+    /// Names of the parameters in a format, by `name`.
+    ///
+    /// # Errors
+    /// Parameters whose names are the same `there`.
+    fn names(&self, there: &str, name: impl Fn(&ParameterEntry) -> String) -> Result<Vec<String>> {
+        let (mut seen, mut problems) = (BTreeMap::new(), Problems::default());
+        let names: Vec<String> = self.parameters.parameters.iter().map(name).collect();
+        for (p, name) in self.parameters.parameters.iter().zip(&names) {
+            if let Some(other) = seen.insert(name, &p.name) {
+                let what = format!("parameters `{other}` and `{}` are both `{name}` {there}", p.name);
+                problems.0.push(Message::error(what).hint("rename one of them, or use another format"));
+            }
+        }
+        problems.check().map(|_| names)
+    }
+
+    /// The parameter of this name as it was identified.
+    fn entry(&self, name: &str) -> Result<&'a ParameterEntry> {
+        self.parameters.parameters.iter().find(|entry| entry.name == name).ok_or_else(|| {
+            let message = Message::error(format!("the parameters have no `{name}`"));
+            message.hint("name the robot.toml that they were identified with").into()
+        })
+    }
+
+    /// The robot, and its parameters as they were identified; base and targets that are not among them are nominal.
     fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
         let robot = self.robot.ok_or_else(|| {
             Message::error("this format needs the robot itself").hint("name its robot.toml: --robot FILE")
         })?;
         let mut values = robot.nominal();
-        for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| p.role == Role::Robot) {
-            let entry = self.parameters.parameters.iter().find(|entry| entry.name == p.name);
-            let missing = || {
-                let message = Message::error(format!("the parameters have no `{}`", p.name));
-                message.hint("name the robot.toml that they were identified with")
-            };
-            *value = p.quantity.inward(entry.ok_or_else(missing)?.value);
+        for (value, p) in values.iter_mut().zip(robot.parameters()) {
+            match self.entry(&p.name) {
+                Ok(entry) => *value = p.quantity.inward(entry.value),
+                Err(missing) if p.role == Role::Robot => return Err(missing),
+                Err(_) => {}
+            }
         }
         Ok((robot, values))
     }

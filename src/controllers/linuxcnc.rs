@@ -3,11 +3,14 @@
 //! They follow from the axes alone, whatever convention they were identified in: `genserkins` has no Hayati angle, so that near-parallel
 //! axes have their exact, distant common normal. What is before the first joint and behind the last is a frame of its own.
 
+use super::template::render;
 use super::{Exporter, Given, roll_pitch_yaw};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use etalon_robots::JointChain;
-use std::fmt::Write;
+use minijinja::context;
+use minijinja::value::Serde;
+use serde::Serialize;
 
 /// HAL commands.
 pub(super) struct LinuxCnc;
@@ -18,12 +21,14 @@ const PARALLEL: f64 = 1e-10;
 /// A link shorter than this has no direction, mm.
 const SHORT_MM: f64 = 1.0;
 
-/// A row of the table, the joint offset beside it.
+/// A row of the table, joint offset and gain beside it.
+#[derive(Serialize)]
 struct Row {
     alpha_rad: f64,
     a_mm: f64,
     theta_rad: f64,
     d_mm: f64,
+    gain: f64,
 }
 
 impl Exporter for LinuxCnc {
@@ -40,27 +45,11 @@ impl Exporter for LinuxCnc {
             message.hint("`genserkins` of LinuxCNC computes such arms only")
         })?;
         let (base, rows) = table(&chain).ok_or_else(|| Message::error("two axes of the arm are one and the same"))?;
-        let mut out = String::new();
-        for line in given.header_of_geometry("mm, rad; offsets of joints in deg")? {
-            let _ = writeln!(out, "# {line}");
-        }
-        for (name, pose) in [("first frame in the base", &base), ("flange in the last frame", &chain.flange)] {
-            let ([x, y, z], turn) = (pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
-            let _ =
-                writeln!(out, "# {name}: xyz {x:?} {y:?} {z:?} mm, rpy {:?} {:?} {:?} deg", turn[0], turn[1], turn[2]);
-        }
-        for (i, (row, joint)) in rows.iter().zip(&chain.joints).enumerate() {
-            let theta = row.theta_rad.to_degrees();
-            let _ = writeln!(
-                out,
-                "# joint {i}: at its zero genserkins has {theta:?} deg; it moves {:?} times its value",
-                joint.gain
-            );
-            for (name, value) in [("A", row.a_mm), ("ALPHA", row.alpha_rad), ("D", row.d_mm)] {
-                let _ = writeln!(out, "setp genserkins.{name}-{i} {value:?}");
-            }
-        }
-        Ok(out.into_bytes())
+        let frame = |name, pose: &Pose| (name, pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
+        let frames = [frame("first frame in the base", &base), frame("flange in the last frame", &chain.flange)];
+        let header = given.header_of_geometry("mm, rad; offsets of joints in deg")?;
+        let values = context! { header, frames => Serde(frames), rows => Serde(rows) };
+        render(include_str!("templates/genserkins.hal.j2"), values).map(String::into_bytes)
     }
 }
 
@@ -85,7 +74,8 @@ fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
             None => (here.axis(0), here.translation_mm, here.translation_mm),
         };
         let theta_rad = dot(cross(x, next_x), z).atan2(dot(x, next_x));
-        rows.push(Row { alpha_rad: link.0, a_mm: link.1, theta_rad, d_mm: dot(minus(leaves, foot), z) });
+        let (d_mm, gain) = (dot(minus(leaves, foot), z), chain.joints[i].gain);
+        rows.push(Row { alpha_rad: link.0, a_mm: link.1, theta_rad, d_mm, gain });
         if let Some(next) = frames.get(i + 1) {
             let turned = next.axis(2);
             let alpha_rad = dot(cross(z, turned), next_x).atan2(dot(z, turned));

@@ -1,12 +1,14 @@
 //! Parameters as constants of PLCs, LREAL: a list of global constants of TwinCAT (`.TcGVL`), PLCopen XML for CODESYS, and a data block of
 //! Siemens SCL; PLCopen and SCL hold the kinematics as function blocks too, where the robot is named.
 
-use super::code::{Kind, Unit, Variable, scl, units};
+use super::code::{Kind, Unit, Variable, real_literal, scl, units};
+use super::template::render;
 use super::xml::{Element, block, element, leaf};
-use super::{Exporter, Given, comment};
+use super::{Exporter, Given};
 use etalon_base::message::{Message, Result};
-use std::collections::BTreeMap;
-use std::fmt::Write;
+use etalon_documents::ParameterEntry;
+use minijinja::context;
+use minijinja::value::Serde;
 
 /// Global variable list of a TwinCAT 3 project.
 pub(super) struct TwinCat;
@@ -17,27 +19,9 @@ pub(super) struct PlcOpen;
 /// Data block of SCL, for S7-1200 and S7-1500.
 pub(super) struct Scl;
 
-/// A parameter by its name in a PLC.
-struct Constant<'a> {
-    name: String,
-    /// A real literal of IEC 61131-3.
-    value: String,
-    unit: &'a str,
-}
-
-/// Parameters by names that differ in more than capitals.
-fn constants<'a>(given: &Given<'a>) -> Result<Vec<Constant<'a>>> {
-    let mut seen = BTreeMap::new();
-    let mut all = Vec::new();
-    for p in &given.parameters.parameters {
-        let name = format!("c_{}", super::c_header::identifier(&p.name).to_ascii_lowercase());
-        if let Some(other) = seen.insert(name.clone(), &p.name) {
-            let what = format!("parameters `{other}` and `{}` are both `{name}` in a PLC", p.name);
-            return Err(Message::error(what).hint("rename one of them, or use another format").into());
-        }
-        all.push(Constant { name, value: super::code::real_literal(p.value), unit: &p.unit });
-    }
-    Ok(all)
+/// Names of the constants, which differ in more than capitals.
+fn names(given: &Given) -> Result<Vec<String>> {
+    given.names("in a PLC", |p| format!("c_{}", super::c_header::identifier(&p.name).to_ascii_lowercase()))
 }
 
 impl Exporter for TwinCat {
@@ -46,18 +30,9 @@ impl Exporter for TwinCat {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let mut list: String = given.header("mm, deg, 1")?.iter().map(|line| format!("// {line}\n")).collect();
-        list += "{attribute 'qualified_only'}\nVAR_GLOBAL CONSTANT\n";
-        for Constant { name, value, unit } in constants(given)? {
-            let _ = writeln!(list, "\t{name} : LREAL := {value}; // {}", comment(unit));
-        }
-        list += "END_VAR\n";
-        let id = given.identifier()?;
-        let text = format!(
-            "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<TcPlcObject Version=\"1.1.0.1\" ProductVersion=\"3.1.4024.12\">\n  \
-             <GVL Name=\"GVL_Etalon\" Id=\"{{{id}}}\">\n    <Declaration><![CDATA[{list}]]></Declaration>\n  </GVL>\n</TcPlcObject>\n"
-        );
-        Ok(text.into_bytes())
+        let (header, parameters) = (given.header("mm, deg, 1")?, Serde(&given.parameters.parameters));
+        let values = context! { header, names => names(given)?, parameters, id => given.identifier()? };
+        render(include_str!("templates/twincat.xml.j2"), values).map(String::into_bytes)
     }
 }
 
@@ -79,9 +54,9 @@ impl Exporter for PlcOpen {
         let scaling = |name| element(name, [element("scaling", []).with("x", 1).with("y", 1)]);
         let coordinates = element("coordinateInfo", [scaling("fbd"), scaling("ld"), scaling("sfc")]);
         let content = element("contentHeader", [coordinates]).with("name", "Etalon").with("modificationDateTime", time);
-        let variable = |Constant { name, value, unit }: Constant| {
-            let simple = element("simpleValue", []).with("value", value);
-            let unit = leaf("xhtml", unit).with("xmlns", "http://www.w3.org/1999/xhtml");
+        let variable = |(name, p): (String, &ParameterEntry)| {
+            let simple = element("simpleValue", []).with("value", real_literal(p.value));
+            let unit = leaf("xhtml", &p.unit).with("xmlns", "http://www.w3.org/1999/xhtml");
             let parts = [
                 element("type", [element("LREAL", [])]),
                 element("initialValue", [simple]),
@@ -89,7 +64,7 @@ impl Exporter for PlcOpen {
             ];
             element("variable", parts).with("name", name)
         };
-        let list = element("globalVars", constants(given)?.into_iter().map(variable));
+        let list = element("globalVars", names(given)?.into_iter().zip(&given.parameters.parameters).map(variable));
         let list = list.with("name", "GVL_Etalon").with("constant", true);
         let data = element("data", [list])
             .with("name", "http://www.3s-software.com/plcopenxml/globalvars")
@@ -150,12 +125,8 @@ impl Exporter for Scl {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let mut out: String = given.header_of_code("mm, deg, 1")?.iter().map(|line| format!("// {line}\n")).collect();
-        out += "DATA_BLOCK \"Etalon\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\nNON_RETAIN\n   STRUCT\n";
-        for Constant { name, value, unit } in constants(given)? {
-            let _ = writeln!(out, "      {name} : LReal := {value};   // {}", comment(unit));
-        }
-        out += "   END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
-        Ok((out + &scl(&kinematics(given)?)).into_bytes())
+        let (header, parameters) = (given.header_of_code("mm, deg, 1")?, Serde(&given.parameters.parameters));
+        let values = context! { header, names => names(given)?, parameters, kinematics => scl(&kinematics(given)?) };
+        render(include_str!("templates/siemens.scl.j2"), values).map(String::into_bytes)
     }
 }

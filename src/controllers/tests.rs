@@ -416,19 +416,24 @@ fn compilers_read_the_same_numbers_whatever_the_names() {
 
 #[test]
 fn effects_that_a_format_cannot_hold_are_named() {
+    // a coupling that the drawing states is one too
+    let text =
+        "model = \"serial\"\nbending = [2]\ncoupling = [[3, 2]]\nbacklash = [1]\n[nominal]\ncoupling_3_2 = 0.01\n";
+    let joint = "[[joint]]\nalpha_deg = 90.0\na_mm = 100.0\ntheta_deg = 0.0\nd_mm = 290.0\n";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("robot.toml"), text.to_owned() + &joint.repeat(3)).unwrap();
+    let file = crate::campaign::read_robot(&folder.path().join("robot.toml")).unwrap();
+    let robot = file.build(&["tool".to_owned()]).unwrap();
     let with = |value: f64| {
-        let all = vec![
-            parameter("a_2", "mm", 270.1),
-            parameter("compliance_2_3", "deg", value),
-            parameter("coupling_5_4", "1", value),
-            parameter("backlash_3", "deg", value),
-        ];
-        let document = document(all);
-        let given = Given::parameters(&document);
+        let names =
+            [("a_2", "mm"), ("gain_2", "1"), ("compliance_2_2", "deg"), ("coupling_3_2", "1"), ("backlash_1", "deg")];
+        let document = document(names.map(|(name, unit)| parameter(name, unit, value)).into());
+        assert!(document.parameters.iter().all(|p| robot.index(&p.name).is_some()), "{:?}", robot.parameters());
+        let given = Given { robot: Some(robot.as_ref()), ..Given::parameters(&document) };
         [given.header_of_geometry("m, rad"), given.header_of_code("m, rad")].map(|lines| lines.unwrap().join("\n"))
     };
     let [geometry, code] = with(0.01);
-    assert!(geometry.ends_with("not in this format: compliance_2_3, coupling_5_4, backlash_3"), "{geometry}");
-    assert!(code.ends_with("not in this code: backlash_3"), "{code}");
+    assert!(geometry.ends_with("not in this format: compliance_2_2, coupling_3_2, backlash_1"), "{geometry}");
+    assert!(code.ends_with("not in this code: backlash_1"), "{code}");
     assert!(with(0.0).iter().all(|header| !header.contains("not in this")));
 }

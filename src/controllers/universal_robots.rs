@@ -1,9 +1,12 @@
 //! Calibration of a Universal Robots arm as the ROS description packages load it (`kinematics_params_file`: ur_description,
 //! ur_calibration).
 
+use super::template::render;
 use super::{Exporter, Given, roll_pitch_yaw};
 use etalon_base::message::{Message, Result};
-use std::fmt::Write;
+use etalon_robots::ChainJoint;
+use minijinja::value::Serde;
+use minijinja::{Value, context};
 
 /// YAML, the frame of each joint in that of the one before, in metres and radians.
 pub(super) struct UniversalRobots;
@@ -22,25 +25,15 @@ impl Exporter for UniversalRobots {
             let message = Message::error(format!("`{}` is not an arm of six joints that turn", robot.model()));
             message.hint("this format is that of Universal Robots' arms")
         })?;
-        let header = given.header_of_geometry("m, rad")?;
-        let mut out = String::new();
-        for line in &header {
-            let _ = writeln!(out, "# {line}");
-        }
-        for (name, joint) in LINKS.iter().zip(&chain.joints).filter(|(_, joint)| joint.gain != 1.0) {
-            let _ = writeln!(out, "# not in this format: the joint of {name} moves {:?} times its value", joint.gain);
-        }
-        out += "kinematics:\n";
-        for (name, joint) in LINKS.iter().zip(&chain.joints) {
-            let [x, y, z] = joint.origin.translation_mm.map(|mm| mm / 1000.0);
-            let [roll, pitch, yaw] = roll_pitch_yaw(&joint.origin);
-            let _ = writeln!(out, "  {name}:\n    x: {x:?}\n    y: {y:?}\n    z: {z:?}");
-            let _ = writeln!(out, "    roll: {roll:?}\n    pitch: {pitch:?}\n    yaw: {yaw:?}");
-        }
+        let joint = |(link, joint): (&&'static str, &ChainJoint)| {
+            let (xyz, rpy) = (joint.origin.translation_mm.map(|mm| mm / 1000.0), roll_pitch_yaw(&joint.origin));
+            context! { link => link.to_string(), xyz => Serde(xyz), rpy => Serde(rpy), gain => joint.gain }
+        };
+        let joints: Vec<Value> = LINKS.iter().zip(&chain.joints).map(joint).collect();
         // the driver compares it with that of the controller's own calibration
-        let hash = header.last().and_then(|line| line.rsplit(' ').next()).unwrap_or_default();
-        let number = u64::from_str_radix(hash.get(..16).unwrap_or_default(), 16).unwrap_or_default();
-        let _ = writeln!(out, "  hash: calib_{number}");
-        Ok(out.into_bytes())
+        let sha256 = given.sha256()?;
+        let hash = u64::from_str_radix(sha256.get(..16).unwrap_or_default(), 16).unwrap_or_default();
+        let values = context! { header => given.header_of_geometry("m, rad")?, joints, hash };
+        render(include_str!("templates/universal_robots.yaml.j2"), values).map(String::into_bytes)
     }
 }

@@ -364,6 +364,29 @@ fn pose_outputs<T: Scalar>(pose: &Pose<T>) -> Vec<(String, T)> {
     place.chain(cells).collect()
 }
 
+/// Sum of squares.
+fn square<T: Scalar>(v: &[T]) -> T {
+    v.iter().fold(T::from(0.0), |sum, v| sum + *v * *v)
+}
+
+/// Least-squares solution of rows that end with their right-hand side, by normal equations, which need no pivots: free of branches,
+/// so that formulas record it. `damping` is added to the diagonal, as a share of its sum.
+fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> impl Iterator<Item = T> {
+    let n = rows.first().map_or(0, |row| row.len() - 1);
+    let product = |i: usize, j: usize| rows.iter().fold(T::from(0.0), |sum, row| sum + row[i] * row[j]);
+    let mut a: Vec<Vec<T>> = (0..n).map(|i| (0..=n).map(|j| product(i, j)).collect()).collect();
+    let damped = (0..n).fold(T::from(0.0), |sum, i| sum + a[i][i]) * damping;
+    (0..n).for_each(|i| a[i][i] = a[i][i] + damped);
+    for k in 0..n {
+        let pivot = a[k].clone();
+        for (_, row) in a.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            (k + 1..=n).for_each(|j| row[j] = row[j] - factor * pivot[j]);
+        }
+    }
+    (0..n).map(move |k| a[k][n] / a[k][k])
+}
+
 /// Of `all` ways that no limit forbids the nearest one.
 fn nearest<R: Robot + ?Sized>(
     robot: &R,

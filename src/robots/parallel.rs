@@ -6,7 +6,7 @@
 
 use super::{
     Definition, FreeBase, Joint, JointRange, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
-    limit_violation, meaning, pose_outputs,
+    limit_violation, meaning, normal_equations, pose_outputs, square,
 };
 use etalon_base::expression::{Formula, Recorded};
 use etalon_base::pose::{Pose, Vector, cross, minus, norm, turning_axes};
@@ -131,7 +131,7 @@ pub(super) fn lengthening(rods: &[Rod], platform: &Pose) -> Matrix6<f64> {
 }
 
 /// A step of Newton's method to the pose of the platform on six rods, and its size, mm: shortened by nearly nothing where it is small, and
-/// to half a radian where it is large. Normal equations need no pivots; what they round the next step mends.
+/// to half a radian where it is large. The next step mends what the normal equations round.
 fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
     // turns are in mm of the longest lever, so that all unknowns are alike
     let lever = rods.iter().map(|rod| norm(rod.platform_mm.map(Scalar::value))).fold(0.0, f64::max);
@@ -143,17 +143,7 @@ fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
             own.chain([-rod.gap(platform)]).collect()
         })
         .collect();
-    let product = |i: usize, j: usize| rows.iter().fold(T::from(0.0), |sum, row| sum + row[i] * row[j]);
-    let mut a: Vec<Vec<T>> = (0..6).map(|i| (0..7).map(|j| product(i, j)).collect()).collect();
-    for k in 0..6 {
-        let pivot = a[k].clone();
-        for (_, row) in a.iter_mut().enumerate().filter(|(i, _)| *i != k) {
-            let factor = row[k] / pivot[k];
-            (k + 1..7).for_each(|j| row[j] = row[j] - factor * pivot[j]);
-        }
-    }
-    let by: Vec<T> = (0..6).map(|k| a[k][6] / a[k][k] * scale(k)).collect();
-    let square = |v: &[T]| v.iter().fold(T::from(0.0), |sum, v| sum + *v * *v);
+    let by: Vec<T> = normal_equations(&rows, 0.0).enumerate().map(|(k, v)| v * scale(k)).collect();
     let shorter = T::from(1.0) / (square(&by[3..]) * 4.0 + 1.0).sqrt();
     let size = (square(&by[..3]) + square(&by[3..]) * (lever * lever)).sqrt();
     let [x, y, z, p, q, r] = [0, 1, 2, 3, 4, 5].map(|k| by[k] * shorter);

@@ -7,7 +7,7 @@ use super::{
     AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads, Parameter,
     Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
 };
-use super::{limit_violation, nearest};
+use super::{limit_violation, nearest, normal_equations, square};
 use etalon_base::expression::{Formula, Recorded, derivatives};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
@@ -723,6 +723,29 @@ impl Robot for Serial {
     }
 }
 
+/// A step of Newton's method towards a pose (x, y, z and the rotation row by row) from linearised kinematics, shortened to half a radian
+/// or millimetre where it is long; its size, the errors of position (mm) and orientation (rad times [`TURNED_MM`]) before it, and the trace
+/// of the rotation between both poses, which is 3 where they agree and negative half a turn apart.
+fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
+    let (at, columns) = linearised.split_at(12);
+    let gap: Vec<T> = (0..3).map(|i| pose[i] - at[i]).collect();
+    let axis = |of: &[T], j: usize| [of[3 + j], of[6 + j], of[9 + j]];
+    let sum = |a: Vector<T>, b: Vector<T>| [0, 1, 2].map(|i| a[i] + b[i]);
+    let turn =
+        (0..3).map(|j| cross(axis(at, j), axis(pose, j))).fold([T::from(0.0); 3], sum).map(|v| v * (0.5 * TURNED_MM));
+    let agreement = (3..12).fold(T::from(0.0), |sum, i| sum + at[i] * pose[i]);
+    let scale = |row: usize| if row < 3 { 1.0 } else { TURNED_MM };
+    let right = gap.iter().chain(&turn).enumerate();
+    let row = |(row, right): (usize, &T)| columns.chunks(6).map(|c| c[row] * scale(row)).chain([*right]).collect();
+    let step: Vec<T> = normal_equations(&right.map(row).collect::<Vec<_>>(), SINGULAR).collect();
+    let shorter = T::from(1.0) / (square(&step) * 4.0 + 1.0).sqrt();
+    let errors = [square(&step).sqrt(), square(&gap).sqrt(), square(&turn).sqrt(), agreement];
+    (step.into_iter().map(|v| v * shorter).collect(), errors)
+}
+
+/// Damping of joints that move nothing, as a share of what all joints move: a redundant arm and a singular pose have such.
+const SINGULAR: f64 = 1e-14;
+
 /// A turn by one radian weighs like this path in a pose, mm.
 const TURNED_MM: f64 = 1000.0;
 
@@ -768,7 +791,17 @@ impl Kinematics for Serial {
                 outputs
             })
         };
-        vec![record("direct", false), record("linearised", true)]
+        let pose = || pose_outputs(&Pose::<f64>::identity()).into_iter().map(|(name, _)| name);
+        let linearised = record("linearised", true);
+        let reached = linearised.outputs.iter().map(|(name, _)| format!("reached_{name}"));
+        let inputs: Vec<String> = pose().chain(reached).collect();
+        let correction = Formula::record("correction", &inputs, |v| {
+            let (by, measures) = correction(&v[..12], &v[12..]);
+            let measures =
+                ["size", "position", "orientation", "agreement"].map(str::to_owned).into_iter().zip(measures);
+            joints.iter().map(|joint| format!("by_{joint}")).zip(by).chain(measures).collect()
+        });
+        vec![record("direct", false), linearised, correction]
     }
 
     /// That of the Jacobian's determinant, for six joints.

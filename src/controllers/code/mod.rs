@@ -14,6 +14,7 @@ pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, real_lite
 use super::Given;
 use etalon_base::expression::{Formula, Operation};
 use etalon_base::message::{Message, Result};
+use serde::Serialize;
 
 /// The formulas of the robot with its identified parameters.
 pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
@@ -39,6 +40,27 @@ trait Notation {
 
     /// The statement that keeps step `number`.
     fn keep(&self, number: usize, value: &str) -> String;
+}
+
+/// A formula in a language, for its template.
+#[derive(Serialize)]
+pub(super) struct Function {
+    name: &'static str,
+    /// What it takes and gives, for a comment.
+    about: String,
+    inputs: usize,
+    outputs: Vec<String>,
+    kept: usize,
+    /// Statements.
+    body: String,
+}
+
+impl Function {
+    fn new(formula: &Formula, notation: &dyn Notation) -> Self {
+        let (body, outputs) = statements(formula, notation);
+        let (about, kept) = (interface(formula), kept(formula));
+        Self { name: formula.name, about, inputs: formula.inputs.len(), outputs, kept, body }
+    }
 }
 
 /// Statements of a formula and the names of its outputs: numbers and inputs are where they are used, all else is kept as `t`.
@@ -89,13 +111,12 @@ fn interface(formula: &Formula) -> String {
     let outputs: Vec<&str> = formula.outputs.iter().map(|(name, _)| name.as_str()).take(12).collect();
     let more = match formula.name {
         "linearised" => ", then of each joint x, y, z, rx, ry, rz by it",
+        "correction" => {
+            return "correction of a pose and what linearised gives: step of each joint, its size, errors, agreement"
+                .into();
+        }
         "step" => ", size",
         _ => "",
     };
     super::comment(&format!("{} of {names}: {}{more}", formula.name, outputs.join(", ")))
-}
-
-/// Digits that read back bit for bit; negative ones in parentheses.
-pub(super) fn parenthesised(value: f64) -> String {
-    if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
 }

@@ -101,90 +101,26 @@ ELSE
 END_IF;
 ";
 
-/// Newton's method, steps of at most half a radian or millimetre; `{N}` and `{L}` are the joints and the last of them.
+/// Newton's method with the recorded step; `{N}` and `{L}` are the joints and the last of them, `{I}` the last input of the step.
 const INVERSE: &str = "\
 q := start;
-longest := 1.0;
 valid := FALSE;
-FOR search := 0 TO 100 DO
+FOR i := 0 TO 11 DO
+  inside[i] := pose[i];
+END_FOR;
+FOR search := 0 TO 99 DO
   linearised(q := q);
-  reached := linearised.out;
-  same := 0.0;
-  FOR i := 0 TO 2 DO
-    e[i] := pose[i] - reached[i];
-    e[3 + i] := 0.0;
+  FOR i := 12 TO {I} DO
+    inside[i] := linearised.out[i - 12];
   END_FOR;
-  FOR i := 0 TO 2 DO
-    same := same + reached[3 + i] * pose[3 + i] + reached[6 + i] * pose[6 + i] + reached[9 + i] * pose[9 + i];
-    e[3] := e[3] + 500.0 * (reached[6 + i] * pose[9 + i] - reached[9 + i] * pose[6 + i]);
-    e[4] := e[4] + 500.0 * (reached[9 + i] * pose[3 + i] - reached[3 + i] * pose[9 + i]);
-    e[5] := e[5] + 500.0 * (reached[3 + i] * pose[6 + i] - reached[6 + i] * pose[3 + i]);
+  correction(q := inside);
+  FOR i := 0 TO {L} DO
+    q[i] := q[i] + correction.out[i];
   END_FOR;
-  IF longest < 1.0E-13 OR search = 100 THEN
-    valid := SQRT(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) < 1.0E-9
-      AND SQRT(e[3] * e[3] + e[4] * e[4] + e[5] * e[5]) < 1.0E-9 AND same > 2.0;
+  valid := correction.out[{N} + 1] < 1.0E-9 AND correction.out[{N} + 2] < 1.0E-9 AND correction.out[{N} + 3] > 2.0;
+  IF correction.out[{N}] < 1.0E-13 THEN
     RETURN;
   END_IF;
-  trace := 0.0;
-  FOR i := 0 TO {L} DO
-    FOR j := 0 TO {N} DO
-      a[i, j] := 0.0;
-      FOR row := 0 TO 5 DO
-        factor := reached[12 + 6 * i + row];
-        IF j = {N} THEN
-          kept := e[row];
-        ELSE
-          kept := reached[12 + 6 * j + row];
-        END_IF;
-        IF row > 2 THEN
-          factor := 1000.0 * factor;
-          IF j < {N} THEN
-            kept := 1000.0 * kept;
-          END_IF;
-        END_IF;
-        a[i, j] := a[i, j] + factor * kept;
-      END_FOR;
-    END_FOR;
-    trace := trace + a[i, i];
-  END_FOR;
-  FOR i := 0 TO {L} DO
-    a[i, i] := a[i, i] + 1.0E-14 * trace;
-  END_FOR;
-  FOR k := 0 TO {L} DO
-    best := k;
-    FOR i := k TO {L} DO
-      IF ABS(a[i, k]) > ABS(a[best, k]) THEN
-        best := i;
-      END_IF;
-    END_FOR;
-    FOR j := 0 TO {N} DO
-      kept := a[k, j];
-      a[k, j] := a[best, j];
-      a[best, j] := kept;
-    END_FOR;
-    FOR i := 0 TO {L} DO
-      IF i <> k THEN
-        factor := a[i, k] / a[k, k];
-        FOR j := 0 TO {N} DO
-          a[i, j] := a[i, j] - factor * a[k, j];
-        END_FOR;
-      END_IF;
-    END_FOR;
-  END_FOR;
-  longest := 0.0;
-  FOR i := 0 TO {L} DO
-    a[i, {N}] := a[i, {N}] / a[i, i];
-    IF ABS(a[i, {N}]) > longest THEN
-      longest := ABS(a[i, {N}]);
-    END_IF;
-  END_FOR;
-  factor := 1.0;
-  IF longest > 0.5 THEN
-    factor := 0.5 / longest;
-  END_IF;
-  FOR i := 0 TO {L} DO
-    q[i] := q[i] + factor * a[i, {N}];
-  END_FOR;
 END_FOR;
 ";
 
@@ -245,14 +181,12 @@ impl Unit {
         }
     }
 
-    /// The search for joint values on the linearised kinematics.
+    /// The search for joint values by the correction.
     fn inverse(formula: &Formula) -> Self {
-        let joints = formula.inputs.len();
-        let real = |name| Variable { name, kind: Kind::Real };
-        let block = Variable { name: "linearised", kind: Kind::Block("FB_EtalonLinearised") };
-        let arrays = [array("reached", &[formula.outputs.len()]), array("a", &[joints, joints + 1]), array("e", &[6])];
-        let reals = ["same", "longest", "trace", "factor", "kept"].map(real);
-        let integers = integers(&["i", "j", "k", "row", "best", "search"]);
+        let (inputs, joints) = (formula.inputs.len(), formula.outputs.len() - 4);
+        let block = |name, of| Variable { name, kind: Kind::Block(of) };
+        let blocks = [block("linearised", "FB_EtalonLinearised"), block("correction", "FB_EtalonCorrection")];
+        let (last, input) = ((joints - 1).to_string(), (inputs - 1).to_string());
         Self {
             name: "FB_EtalonInverse".to_owned(),
             comment: "Joint values, mm and rad, of a pose x, y, z, r11, r12 ... r33, looked for from start; valid where the pose is \
@@ -260,8 +194,8 @@ impl Unit {
                 .to_owned(),
             inputs: vec![array("pose", &[12]), array("start", &[joints])],
             outputs: vec![array("q", &[joints]), Variable { name: "valid", kind: Kind::Truth }],
-            locals: std::iter::once(block).chain(arrays).chain(reals).chain(integers).collect(),
-            body: INVERSE.replace("{N}", &joints.to_string()).replace("{L}", &(joints - 1).to_string()),
+            locals: blocks.into_iter().chain([array("inside", &[inputs])]).chain(integers(&["i", "search"])).collect(),
+            body: INVERSE.replace("{N}", &joints.to_string()).replace("{L}", &last).replace("{I}", &input),
         }
     }
 
@@ -299,7 +233,7 @@ pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
     for formula in formulas(given)? {
         all.push(Unit::of(&formula));
         match formula.name {
-            "linearised" => all.push(Unit::inverse(&formula)),
+            "correction" => all.push(Unit::inverse(&formula)),
             "step" => all.push(Unit::direct(&formula)),
             _ => {}
         }
