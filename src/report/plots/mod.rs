@@ -1,21 +1,21 @@
-//! The pictures, as SVG that is made once: what a pointer or a screen reader reads off them is in it.
+//! The pictures of reports as SVG, with the texts that a pointer or a screen reader reads off them. `svg` draws elements and legends,
+//! `axis` scales, `chart` the frame of pictures with two axes, `workspace` that of planes and space; each other file is one picture.
 
 pub(super) mod against;
 pub(super) mod arrows;
 mod axis;
 pub(super) mod by_pose;
-pub(super) mod chart;
+mod chart;
 pub(super) mod chosen;
 pub(super) mod correlation;
 pub(super) mod cube;
 pub(super) mod curve;
+pub(super) mod curves;
 pub(super) mod histogram;
 pub(super) mod influence;
 pub(super) mod intervals;
-mod limit_lines;
 pub(super) mod map;
 pub(super) mod parameter_errors;
-pub(super) mod plane;
 pub(super) mod points;
 pub(super) mod prediction;
 pub(super) mod residuals;
@@ -26,3 +26,4 @@ pub(super) mod svg;
 pub(super) mod trend;
 mod view;
 pub(super) mod visits;
+pub(super) mod workspace;

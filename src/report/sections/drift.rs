@@ -2,7 +2,7 @@
 
 use crate::document::{Characteristics, Iso9283Document, Iso9283Drift, Iso9283Epoch};
 use crate::report::model::{Columns, Figure, Section, Table, term, um};
-use crate::report::plots::chart::{Chart, Curve};
+use crate::report::plots::curves::{Curve, Curves};
 use crate::report::words::Words;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
@@ -68,7 +68,7 @@ fn by_set(
     let (across, up) = (words.say("set of cycles"), words.fill("{0} in {1}", &[&quantity, &"µm"]));
     let curves = drifts.iter().map(curve).collect();
     let id = format!("drift-{}", quantity.to_lowercase());
-    Chart { id, title, caption, across, up, curves, marks: vec![] }.picture(words)
+    Curves { id, title, caption, across, up, curves, marks: vec![] }.picture(words)
 }
 
 fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
@@ -84,7 +84,7 @@ fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {
         name,
         points: epochs.iter().map(|e| (e.cycle as f64, 1e3 * value(e))).collect(),
     };
-    Chart {
+    Curves {
         id: "reference".to_owned(),
         title: words.say("Reference targets"),
         caption: words

@@ -8,8 +8,7 @@ use crate::report::model::{
     Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty,
 };
 use crate::report::number;
-use crate::report::plots::plane::{Plane, WIDTH};
-use crate::report::plots::svg::Svg;
+use crate::report::plots::workspace::{Workspace, XY};
 use crate::report::words::Words;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -199,19 +198,18 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
     if corners.is_empty() || !corners.iter().flatten().all(|v| v.abs() < 1e7) {
         return None;
     }
-    let plane = Plane::around((0, 1), &corners);
+    let mut map = Workspace::new(XY, &corners, words);
     let title = words.fill("Workspace of the platform's centre C, {0} plane", &[&"xy"]);
     let names = regions
         .iter()
         .map(|r| format!("{}: {} mm²", Text::document(&r.name, words).plain(), number::fixed(r.area_mm2, 0)));
-    let mut svg = Svg::new("workspace", WIDTH, plane.height(), &title, &names.collect::<Vec<_>>().join("; "));
-    plane.draw(&mut svg, words);
     for region in &regions {
         let last = document.workspace.last().is_some_and(|l| l.name == region.name);
         for (a, b) in region.corners_mm.iter().zip(region.corners_mm.iter().cycle().skip(1)) {
-            svg.line(if last { "arrow-scale" } else { "arrow-cal" }, plane.at(*a), plane.at(*b));
+            map.svg.line(if last { "arrow-scale" } else { "arrow-cal" }, map.at(*a), map.at(*b));
         }
     }
     let caption = words.say("Outlines of these regions; the heavier one is reached with every orientation.");
-    Some(Figure { title: words.say("Workspace"), svg: svg.finish(), caption, ..Figure::default() })
+    let drawn = map.figure("workspace", title, names.collect::<Vec<_>>().join("; "));
+    Some(Figure { title: words.say("Workspace"), caption, ..drawn })
 }
