@@ -1,13 +1,6 @@
 //! Error after calibration against the value of each joint and the distance from the base.
 
-use super::axis::{Axis, largest, range};
-use super::chart::Chart;
-use super::points;
-use super::svg::NARROW;
-use crate::base::pose::{Vector, minus, norm};
-use crate::document::{LimitVerdict, PointError};
-use crate::report::model::Figure;
-use crate::report::words::Words;
+use super::layer::*;
 
 /// Quantity of a pose.
 type Quantity<'a> = Box<dyn Fn(&PointError) -> Option<f64> + 'a>;
@@ -48,7 +41,7 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
     let up = Axis::from_zero("mm", largest(drawn.iter().map(|p| points::after_mm(p))));
     let name = words.fill("position error in {0}", &[&up.shown().unit]);
-    let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up], [&along.name, &name]);
+    let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up], [along.name.clone(), name]);
     for p in &drawn {
         let at = chart.at((along.of)(p)?, points::after_mm(p));
         chart.svg.mark(points::look(p), at, 2.4, &points::tooltip(p, words));

@@ -1,14 +1,7 @@
 //! Error vectors before and after calibration, enlarged by a stated factor.
 
-use super::axis::{largest, range};
-use super::points;
-use super::svg::Place;
-use super::workspace::{Seen, Workspace};
-use crate::base::pose::Vector;
-use crate::document::PointError;
-use crate::report::model::Figure;
-use crate::report::number::{self, round_down_125};
-use crate::report::words::Words;
+use super::layer::*;
+use crate::report::number::round_down_125;
 
 /// More arrows than this cannot be read.
 const LIMIT: usize = 120;

@@ -1,13 +1,6 @@
 //! Error by pose, before and after in one picture.
 
-use super::axis::{Axis, largest};
-use super::chart::Chart;
-use super::points;
-use super::svg::{Look, WIDE};
-use crate::base::pose_name::PoseName;
-use crate::document::{LimitVerdict, PointError};
-use crate::report::model::Figure;
-use crate::report::words::Words;
+use super::layer::*;
 use std::collections::BTreeSet;
 
 /// The axis is logarithmic where the largest error before is more than this many times the median after.
@@ -59,7 +52,7 @@ fn picture(
         ),
     };
     let poses = poses(&drawn);
-    let mut chart = Chart::new(WIDE, [across(&poses), axis], [&words.say("pose"), &name]);
+    let mut chart = Chart::new(WIDE, [across(&poses), axis], [words.say("pose"), name]);
     let before = |look: Look<'static>| Look { class: "before", ..look };
     for (k, (p, s)) in [0, 1].into_iter().flat_map(|k| pairs.iter().map(move |pair| (k, pair))) {
         let look = if k == 0 { before(points::look(p)) } else { points::look(p) };

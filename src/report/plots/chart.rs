@@ -61,13 +61,15 @@ impl Frame {
         }
         svg.line("axis", (left, bottom), (right, bottom));
         svg.line("axis", (left, top), (left, bottom));
-        svg.text("mid", (0.5 * (left + right), bottom + 35.0), along);
+        if !along.is_empty() {
+            svg.text("mid", (0.5 * (left + right), bottom + 35.0), along);
+        }
         if !upwards.is_empty() {
             svg.text_upwards("mid", (13.0, 0.5 * (top + bottom)), upwards);
         }
     }
 
-    /// As many ticks of the level axis as have room for their labels.
+    /// Ticks of the level axis: as many as have room for their labels, at least two.
     fn level_ticks(&self) -> Vec<(f64, String)> {
         let room = self.right - self.left;
         let fits = |ticks: &Vec<(f64, String)>| {
@@ -76,8 +78,9 @@ impl Frame {
         };
         let most = if room < NARROW { 6 } else { 8 };
         let counts = if self.across.is_labelled() { 1..2 } else { 2..most + 1 };
-        let mut all = counts.rev().map(|count| self.across.ticks(count));
-        all.find(fits).unwrap_or_else(|| self.across.ticks(2))
+        let mut all: Vec<_> = counts.map(|count| self.across.ticks(count)).filter(|ticks| ticks.len() > 1).collect();
+        let most = all.iter().rposition(fits).unwrap_or(0);
+        if all.is_empty() { self.across.ticks(2) } else { all.swap_remove(most) }
     }
 }
 
@@ -89,12 +92,13 @@ pub(in crate::report) struct Chart {
 
 impl Chart {
     /// Draws the axes with their names, the level one first.
-    pub fn new(width: f64, axes: [Axis; 2], names: [&str; 2]) -> Self {
+    pub fn new(width: f64, axes: [Axis; 2], names: [impl AsRef<str>; 2]) -> Self {
         Self::with_room(RIGHT, axes, width, names)
     }
 
     /// Draws the axes with this room at their right.
-    pub fn with_room(room: f64, [across, up]: [Axis; 2], width: f64, names: [&str; 2]) -> Self {
+    pub fn with_room(room: f64, [across, up]: [Axis; 2], width: f64, names: [impl AsRef<str>; 2]) -> Self {
+        let names = [names[0].as_ref(), names[1].as_ref()];
         let height = if up.is_labelled() { ROW * up.length() } else { HEIGHT };
         let left = left_of(&up, names[1]);
         let frame = Frame { across, up, left, right: width - room, top: TOP, bottom: TOP + height };

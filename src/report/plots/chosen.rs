@@ -1,11 +1,7 @@
 //! Map of candidates and chosen positions (thesis, figure 4.7).
 
-use super::svg::{CALIBRATION, Look};
-use super::workspace::{Workspace, XY};
+use super::layer::*;
 use crate::document::{CandidatePlace, PlanDocument};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 use std::collections::BTreeSet;
 
 /// Positions beyond this (mm) are not positions of a robot.

@@ -1,11 +1,8 @@
 //! Correlation of every pair of identified parameters: strongly correlated ones are hardly separable.
 
 use super::intervals::shortened;
-use super::svg::{Look, NARROW, Svg, WIDE, widest};
+use super::layer::*;
 use crate::document::ParametersDocument;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 
 /// More parameters than this take the whole width.
 const FEW: usize = 14;

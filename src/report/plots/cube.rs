@@ -1,15 +1,8 @@
 //! Poses of a test in space or, of planar robots, in their plane, with the cube of ISO 9283:1998, 6, if they lie in one.
 
-use super::axis::range;
-use super::svg::CALIBRATION;
+use super::layer::*;
 use super::visits::of_pose;
-use super::workspace::{Seen, Workspace, XY};
-use crate::base::pose::{Vector, centroid, minus};
-use crate::base::pose_name::PoseName;
 use crate::document::Iso9283Document;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 
 /// Distance of P2 to P5 from the centre over half the diagonal: (10 ± 2) % of a diagonal from its ends.
 const FROM_CENTRE: f64 = 0.8;

@@ -1,12 +1,8 @@
 //! Index and condition number over the number of configurations (thesis, figure 4.6).
 
-use super::axis::{Axis, range};
-use super::chart::Chart;
-use super::svg::{CALIBRATION, NARROW, Place, VALIDATION};
+use super::layer::*;
 use crate::document::{CurvePoint, PlanDocument};
-use crate::report::model::Figure;
 use crate::report::number::significant;
-use crate::report::words::Words;
 
 /// Room at the right for the labels and the name of the second axis.
 const ROOM: f64 = 56.0;
@@ -18,7 +14,7 @@ pub(in crate::report) fn curve(plan: &PlanDocument, words: &Words) -> Option<Fig
     let index = Axis::over("", range(points.iter().map(|p| p.value))?, 0.1);
     let condition = Axis::from_zero("", range(points.iter().map(|p| p.condition))?.1);
     let axes = [Axis::over("", configurations, 0.03), index];
-    let mut chart = Chart::with_room(ROOM, axes, NARROW, [&words.say("configurations"), &plan.index]);
+    let mut chart = Chart::with_room(ROOM, axes, NARROW, [words.say("configurations"), plan.index.clone()]);
     chart.second(&condition, &words.say("condition number"));
     if let Some(knee) = plan.greedy.knee_configurations {
         chart.upright("knee", knee as f64);

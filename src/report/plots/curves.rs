@@ -1,11 +1,6 @@
 //! Curves over one axis, with marks.
 
-use super::axis::{Axis, drawable, range};
-use super::chart::Chart;
-use super::svg::{Look, VALIDATION, WIDE};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use super::layer::*;
 
 /// More marks of a curve than this hide each other.
 const LIMIT: usize = 300;

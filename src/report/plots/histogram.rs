@@ -1,13 +1,7 @@
 //! Sizes of the errors before and after calibration: calibration poses against validation poses.
 
-use super::axis::{Axis, range, step};
-use super::chart::Chart;
-use super::points;
-use super::svg::{Look, NARROW, Shape};
-use crate::document::{LimitVerdict, PointError};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use super::axis::step;
+use super::layer::*;
 use std::fmt::Display;
 
 const BINS: usize = 12;
@@ -43,7 +37,7 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
     let highest = sets.iter().flat_map(|set| (0..bins).map(|bin| share(set, bin))).fold(0.0, f64::max);
     let across = Axis::linear_in(shown, 0.0, bins as f64 * width);
     let names = [words.fill("position error in {0}", &[&shown.unit]), words.say("share of the set in %")];
-    let mut chart = Chart::new(NARROW, [across, Axis::from_zero("", highest)], [&names[0], &names[1]]);
+    let mut chart = Chart::new(NARROW, [across, Axis::from_zero("", highest)], names);
     let decimals = number::decimals(width, 1).unwrap_or(0);
     let edge = |bin: usize| number::fixed(bin as f64 * width, decimals);
     let bin_px = (chart.frame.right - chart.frame.left) / bins as f64;

@@ -1,12 +1,7 @@
 //! Influence of each pose: Cook's distances as bars, against the value from which a pose decides.
 
-use super::axis::{Axis, range};
-use super::chart::Chart;
-use super::svg::{CALIBRATION, NARROW};
+use super::layer::*;
 use crate::document::ReliabilitySummary;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 
 /// Room at the right for a distance in numbers.
 const ROOM: f64 = 60.0;
@@ -24,7 +19,7 @@ pub(in crate::report) fn picture(found: &ReliabilitySummary, words: &Words) -> O
     let labels = all.iter().enumerate().map(|(i, (pose, _))| (i as f64, pose.chars().take(LETTERS).collect()));
     let axes = [Axis::from_zero("", largest), Axis::rows(all.len(), labels.collect(), 0.5)];
     let names = [words.say("Cook's distance"), words.say("pose")];
-    let mut chart = Chart::with_room(ROOM, axes, NARROW, [&names[0], &names[1]]);
+    let mut chart = Chart::with_room(ROOM, axes, NARROW, names);
     for (i, (pose, distance)) in all.iter().enumerate() {
         let tip = words.fill("pose {0}: Cook's distance {1}", &[pose, &number::significant(*distance, 2)]);
         chart.bar_along(CALIBRATION, i, [0.0, *distance], &tip);

@@ -1,12 +1,7 @@
 //! Change of each parameter by calibration, as a point with its interval.
 
-use super::axis::{Axis, largest};
-use super::chart::Chart;
-use super::svg::{CALIBRATION, NARROW};
+use super::layer::*;
 use crate::document::{ParameterEntry, ParameterStatus};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 
 /// Room at the right for the half width of an interval in numbers.
 const ROOM: f64 = 84.0;
@@ -52,7 +47,7 @@ fn picture(
     };
     let labels = all.iter().enumerate().map(|(i, p)| (i as f64, shortened(&p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(all.len(), labels, 0.5)];
-    let mut chart = Chart::with_room(ROOM, axes, NARROW, [&along, ""]);
+    let mut chart = Chart::with_room(ROOM, axes, NARROW, [along.as_str(), ""]);
     chart.upright("axis", 0.0);
     let mut halves: Vec<String> = all.iter().map(|p| number::significant(expanded(p) * shown.factor, 2)).collect();
     number::one_notation(halves.iter_mut().collect());

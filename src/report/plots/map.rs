@@ -1,14 +1,7 @@
 //! Errors over the workspace (thesis, figures 3.8 to 3.10). The colour of a mark is its error on one scale for before and after,
 //! its size the error as a share of the largest of the picture. A page can show the colours on the picture's own scale.
 
-use super::axis::{Axis, largest};
-use super::points;
-use super::svg::{Look, NARROW, Place, Shape, Svg};
-use super::workspace::{Seen, Workspace};
-use crate::document::PointError;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use super::layer::*;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -50,10 +43,9 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
     let mut map = Workspace::new(seen, &errors.iter().map(|p| p.at_mm).collect::<Vec<_>>(), words);
     let (visible, drawn) = chosen(errors, size, |p| map.at(p.at_mm).at);
     for p in &drawn {
-        let look = Look::new(points::look(p).shape, "map");
         let class = class([common, &own], size(p));
         map.svg.mark(
-            Look { class: &class, ..look },
+            Look::new(points::look(p).shape, &class),
             map.at(p.at_mm),
             radius(own.share(size(p))),
             &points::tooltip(p, words),
@@ -98,44 +90,32 @@ pub(super) fn length(mm: f64) -> String {
     format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
 }
 
-/// Number of errors that no larger one hides, and the errors drawn, largest first: small marks lie on large ones.
+/// Number of errors that no larger one of the same set hides (repeats and orientations of a position), and the errors drawn,
+/// largest first: small marks lie on large ones.
 fn chosen<'a>(
     errors: &[&'a PointError],
     size: fn(&PointError) -> f64,
     at: impl Fn(&PointError) -> Place,
 ) -> (usize, Vec<&'a PointError>) {
-    let seen = seen(errors, size, at);
-    let mut drawn = points::readable(&seen);
-    largest_first(&mut drawn, size);
-    (seen.len(), drawn)
-}
-
-fn largest_first(errors: &mut [&PointError], size: fn(&PointError) -> f64) {
     // bits of numbers that are not negative are in the order of the numbers
-    errors.sort_by_cached_key(|p| Reverse(size(p).to_bits()));
-}
-
-/// Errors largest first, without repeats and orientations of a position, which a larger error of the same set hides.
-fn seen<'a>(
-    errors: &[&'a PointError],
-    size: fn(&PointError) -> f64,
-    at: impl Fn(&PointError) -> Place,
-) -> Vec<&'a PointError> {
-    let mut sorted = errors.to_vec();
-    largest_first(&mut sorted, size);
+    let largest_first = |errors: &mut [&PointError]| errors.sort_by_cached_key(|p| Reverse(size(p).to_bits()));
+    let mut visible = errors.to_vec();
+    largest_first(&mut visible);
     let mut taken: BTreeMap<(bool, i64, i64), Vec<Place>> = BTreeMap::new();
-    sorted.retain(|p| {
+    visible.retain(|p| {
         let (set, (x, y)) = (points::is_validation(p), at(p));
         let (column, row) = ((x / NEAR) as i64, (y / NEAR) as i64);
         let mut around = (column - 1..=column + 1).flat_map(|c| (row - 1..=row + 1).map(move |r| (set, c, r)));
-        let hidden = |other: &Place| (other.0 - x).powi(2) + (other.1 - y).powi(2) < NEAR * NEAR;
+        let hidden = |other: &Place| (other.0 - x).hypot(other.1 - y) < NEAR;
         let free = !around.any(|cell| taken.get(&cell).is_some_and(|places| places.iter().any(hidden)));
         if free {
             taken.entry((set, column, row)).or_default().push((x, y));
         }
         free
     });
-    sorted
+    let mut drawn = points::readable(&visible);
+    largest_first(&mut drawn);
+    (visible.len(), drawn)
 }
 
 /// Draws both scales, of which a page shows the chosen one, and paper the common one.

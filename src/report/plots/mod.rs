@@ -27,3 +27,18 @@ pub(super) mod trend;
 mod view;
 pub(super) mod visits;
 pub(super) mod workspace;
+
+/// Names that most pictures use.
+mod layer {
+    pub(super) use super::axis::{Axis, drawable, largest, range};
+    pub(super) use super::chart::Chart;
+    pub(super) use super::points;
+    pub(super) use super::svg::{CALIBRATION, COLOURS, Look, NARROW, Place, Shape, Svg, VALIDATION, WIDE, widest};
+    pub(super) use super::workspace::{Seen, Workspace, XY};
+    pub(super) use crate::base::pose::{Vector, centroid, minus, norm};
+    pub(super) use crate::base::pose_name::PoseName;
+    pub(super) use crate::document::{LimitVerdict, PointError};
+    pub(super) use crate::report::model::Figure;
+    pub(super) use crate::report::number;
+    pub(super) use crate::report::words::Words;
+}

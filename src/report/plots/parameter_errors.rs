@@ -1,12 +1,8 @@
 //! Errors of identified parameters after a simulated calibration (thesis, figure 4.8).
 
-use super::axis::{Axis, range};
-use super::chart::Chart;
-use super::svg::{CALIBRATION, NARROW};
+use super::layer::*;
 use crate::document::{StudiedParameter, StudyDocument};
-use crate::report::model::Figure;
-use crate::report::number::{self, Shown};
-use crate::report::words::Words;
+use crate::report::number::Shown;
 
 /// More names than this hide each other.
 const NAMED: usize = 16;

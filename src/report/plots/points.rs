@@ -1,11 +1,7 @@
 //! Errors of points as pictures show them: choice of the points drawn, looks and tooltips of their marks.
 
-use super::svg::{CALIBRATION, Look, Svg, VALIDATION};
-use crate::base::pose::norm;
-use crate::base::pose_name::PoseName;
-use crate::document::PointError;
-use crate::report::number;
-use crate::report::words::{Words, isolated};
+use super::layer::*;
+use crate::report::words::isolated;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 

@@ -1,14 +1,8 @@
 //! Error to expect at a point of the tool over the workspace: a cell for each node, the largest of nodes behind one another.
 
-use super::axis::Axis;
+use super::layer::*;
 use super::map::{class, length, scale, scales, top};
-use super::points;
-use super::svg::{Look, Shape};
-use super::workspace::{Seen, Workspace, XY};
 use crate::document::{MapNode, PredictionMap};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 use std::collections::BTreeMap;
 
 /// Nodes beyond this (mm) are not positions of a robot.

@@ -1,14 +1,7 @@
 //! Residuals after calibration: every component by pose, and those of the calibration poses against a normal distribution.
 
-use super::axis::{Axis, largest};
 use super::by_pose;
-use super::chart::Chart;
-use super::points;
-use super::svg::{CALIBRATION, Look, NARROW, WIDE};
-use crate::document::PointError;
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
+use super::layer::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 /// More marks than this hide each other.
@@ -31,7 +24,7 @@ fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Fi
     let drawn = points::readable(errors);
     let poses = by_pose::poses(&drawn);
     let name = words.fill("measured minus predicted in {0}", &[&up.shown().unit]);
-    let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [&words.say("pose"), &name]);
+    let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [words.say("pose"), name]);
     chart.level("axis", 0.0);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(axes) {
         // beside each other
@@ -69,7 +62,7 @@ fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> O
         words.say("quantile of the normal distribution"),
         words.fill("measured minus predicted in {0}", &[&shown.unit]),
     ];
-    let mut chart = Chart::new(NARROW, [across, up.clone()], [&names[0], &names[1]]);
+    let mut chart = Chart::new(NARROW, [across, up.clone()], names);
     // cut where it leaves the picture
     let end = |q: f64| if deviation > 0.0 { q.signum() * q.abs().min((reach - mean.abs()) / deviation) } else { q };
     let [from, to] = [-widest, widest].map(|q| chart.at(end(q), mean + deviation * end(q)));

@@ -1,12 +1,8 @@
 //! Shares of the sources in the variance of each parameter, as bars.
 
-use super::axis::Axis;
-use super::chart::Chart;
 use super::intervals::shortened;
-use super::svg::{COLOURS, Look, WIDE};
+use super::layer::*;
 use crate::document::{ParameterEntry, ParametersDocument, UncertaintySource};
-use crate::report::model::Figure;
-use crate::report::words::Words;
 
 /// Parameters that are drawn: base and targets are first in the list, and many.
 const MOST: usize = 40;

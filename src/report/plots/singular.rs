@@ -1,12 +1,8 @@
 //! Singular values of the identification in order, on a logarithmic axis: what the data determine well and what badly.
 
-use super::axis::Axis;
-use super::chart::Chart;
-use super::svg::{CALIBRATION, VALIDATION, WIDE};
+use super::layer::*;
 use crate::document::{ObservabilitySummary, SingularValueEntry};
-use crate::report::model::Figure;
 use crate::report::number::significant;
-use crate::report::words::Words;
 
 /// Decades below the largest that are drawn: values beyond are rounding errors.
 const DECADES: u8 = 18;
@@ -30,7 +26,7 @@ pub(in crate::report) fn picture(o: &ObservabilitySummary, words: &Words) -> Opt
     let labels = (0..all.len()).step_by(all.len().div_ceil(LABELS)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(all.len(), labels.collect(), 0.7);
     let names = [words.say("number of the singular value"), words.say("singular value")];
-    let mut chart = Chart::new(WIDE, [across, up], [&names[0], &names[1]]);
+    let mut chart = Chart::new(WIDE, [across, up], names);
     if is_cut_drawn {
         chart.level("knee", cut);
         let (x, y) = chart.at(-0.7, cut);

@@ -1,10 +1,8 @@
 //! Model of the robot as a line drawing with its parameters as dimensions.
 
-use super::svg::{NARROW, Place, Svg};
+use super::layer::*;
 use super::view::{ABOVE, ASLANT, Paper};
 use crate::base::sketch::{Sketch, StrokeKind};
-use crate::report::model::Figure;
-use crate::report::words::Words;
 
 const MOST_HIGH: f64 = 420.0;
 /// Room for letters around the lines.

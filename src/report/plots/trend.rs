@@ -1,12 +1,7 @@
 //! One quantity over the campaigns, with its intervals.
 
-use super::axis::{Axis, drawable, range};
-use super::chart::Chart;
-use super::svg::{CALIBRATION, NARROW, VALIDATION};
+use super::layer::*;
 use crate::document::{CompareTrend, CompareValue};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 use crate::report::words::comparison::{self, quantity};
 
 /// Label of a campaign: its date where it is short enough.
@@ -38,7 +33,7 @@ pub(in crate::report) fn picture(
     };
     let numbers = (0..labels.len()).step_by(labels.len().div_ceil(NUMBERED)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(labels.len(), numbers.collect(), 0.5);
-    let mut chart = Chart::new(NARROW, [across, up], [&words.say("campaign"), &name]);
+    let mut chart = Chart::new(NARROW, [across, up], [words.say("campaign"), name]);
     let places: Vec<_> = points.iter().map(|(i, value, _)| chart.at(*i as f64, *value)).collect();
     chart.svg.lines("grid", &places);
     for ((i, value, v), at) in points.iter().zip(places) {

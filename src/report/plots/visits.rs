@@ -1,13 +1,7 @@
 //! Visits of a pose by approach, in each plane (thesis, figure 2.7).
 
-use super::svg::{Look, Shape};
-use super::workspace::{Seen, Workspace, XY};
-use crate::base::pose::{Vector, centroid, minus, norm};
-use crate::base::pose_name::PoseName;
+use super::layer::*;
 use crate::document::{Iso9283Document, Iso9283Pose, Iso9283Visit};
-use crate::report::model::Figure;
-use crate::report::number;
-use crate::report::words::Words;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
