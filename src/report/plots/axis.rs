@@ -1,15 +1,24 @@
 //! Axes with round ticks: steps of 1, 2 or 5 times a power of ten.
 
-use crate::number;
+use crate::number::{self, Shown};
 
-/// An axis between two places of the picture.
-#[derive(Clone, Copy, Debug)]
+/// Scale of an axis. Values are in the unit of the documents; ends and labels are in the unit shown.
+#[derive(Clone, Debug)]
 pub(crate) struct Axis {
     low: f64,
     high: f64,
-    from: f64,
-    to: f64,
+    shown: Shown,
     logarithmic: bool,
+    /// labels in place of round numbers
+    labels: Option<Vec<(f64, String)>>,
+}
+
+/// Values beyond this are blunders that no picture can show.
+const DRAWABLE: f64 = 1e12;
+
+/// `true` for values that a picture can show.
+pub(crate) fn drawable(value: f64) -> bool {
+    value.abs() < DRAWABLE
 }
 
 /// Smallest and largest of the finite values.
@@ -20,7 +29,12 @@ pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)>
     })
 }
 
-/// The round step that cuts `span` into at most `count` parts.
+/// Largest of the finite values and zero.
+pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    range(values).map_or(0.0, |(_, high)| high.max(0.0))
+}
+
+/// Round step that cuts `span` into at most `count` parts.
 pub(crate) fn step(span: f64, count: usize) -> f64 {
     let exact = span / count.max(1) as f64;
     let below = number::round_down_125(exact);
@@ -29,79 +43,115 @@ pub(crate) fn step(span: f64, count: usize) -> f64 {
     if below >= exact * (1.0 - 1e-9) { below } else { next }
 }
 
-/// Room at the left of an upright axis for its name and these labels, the widest of which decides.
-pub(crate) fn left_margin(ticks: &[(f64, String)]) -> f64 {
-    const NAME: f64 = 24.0;
-    const GAP: f64 = 10.0;
-    // a digit of the reports' font is 0.6 of its 12 px wide
-    const DIGIT: f64 = 7.2;
-    let widest = ticks.iter().map(|(_, label)| label.chars().count()).max().unwrap_or(0);
-    NAME + GAP + DIGIT * widest as f64
-}
-
 impl Axis {
-    /// A linear axis from `low` (drawn at `from`) to `high` (drawn at `to`).
-    pub fn linear(low: f64, high: f64, from: f64, to: f64) -> Self {
+    /// Linear axis.
+    pub fn linear(low: f64, high: f64) -> Self {
         let (low, high) = if high > low { (low, high) } else { (low - 1.0, low + 1.0) };
-        Self { low, high, from, to, logarithmic: false }
+        Self { low, high, shown: number::shown("", 0.0), logarithmic: false, labels: None }
     }
 
-    /// A linear axis from zero to the first round tick at or over `largest`.
-    pub fn from_zero(largest: f64, from: f64, to: f64) -> Self {
-        let largest = if largest > 0.0 && largest.is_finite() { largest } else { 1.0 };
+    /// Linear axis whose ends are in the unit shown.
+    pub fn linear_in(shown: Shown, low: f64, high: f64) -> Self {
+        Self { shown, ..Self::linear(low, high) }
+    }
+
+    /// Linear axis over values of a unit, with a share of their range left free at either end.
+    pub fn over(unit: &str, (low, high): (f64, f64), margin: f64) -> Self {
+        let shown = number::shown(unit, low.abs().max(high.abs()));
+        let margin = margin * (high - low).max(1e-9 * high.abs().max(low.abs()));
+        Self::linear_in(shown, (low - margin) * shown.factor, (high + margin) * shown.factor)
+    }
+
+    /// Linear axis from zero to the first round tick at or over `largest`.
+    pub fn from_zero(unit: &str, largest: f64) -> Self {
+        Self::from_zero_in(number::shown(unit, largest), largest)
+    }
+
+    /// Linear axis from zero in a chosen unit.
+    pub fn from_zero_in(shown: Shown, largest: f64) -> Self {
+        let largest = if largest > 0.0 && largest.is_finite() { largest * shown.factor } else { 1.0 };
         let step = step(largest, 5);
-        Self::linear(0.0, step * (largest / step - 1e-9).ceil().max(1.0), from, to)
+        Self::linear_in(shown, 0.0, step * (largest / step - 1e-9).ceil().max(1.0))
     }
 
-    /// A logarithmic axis over whole decades, at most six below `largest`.
-    pub fn logarithmic(smallest: f64, largest: f64, from: f64, to: f64) -> Self {
-        Self::decades(smallest, largest, 6, from, to)
+    /// Linear axis that reaches as far below zero as above.
+    pub fn both_ways(shown: Shown, largest: f64) -> Self {
+        let high = Self::from_zero_in(shown, largest).high;
+        Self::linear_in(shown, -high, high)
     }
 
-    /// The same with at most `most` decades.
-    pub fn decades(smallest: f64, largest: f64, most: u8, from: f64, to: f64) -> Self {
-        let top = largest.log10().ceil();
-        let bottom = smallest.log10().floor().clamp(top - f64::from(most.max(1)), top - 1.0);
-        Self { low: bottom, high: top, from, to, logarithmic: true }
+    /// Logarithmic axis over whole decades, at most `most` of them below `largest`.
+    pub fn decades(unit: &str, (smallest, largest): (f64, f64), most: u8) -> Self {
+        let shown = number::shown(unit, largest);
+        let high = (largest * shown.factor).log10().ceil();
+        let low = (smallest * shown.factor).log10().floor().clamp(high - f64::from(most.max(1)), high - 1.0);
+        Self { low, high, shown, logarithmic: true, labels: None }
     }
 
-    /// Where a value is drawn; values off the axis are drawn at its end.
-    pub fn at(&self, value: f64) -> f64 {
+    /// Axis of rows or columns, numbered from zero, with their labels and this room at either end.
+    pub fn rows(count: usize, labels: Vec<(f64, String)>, room: f64) -> Self {
+        Self { labels: Some(labels), ..Self::linear(-room, count as f64 - 1.0 + room) }
+    }
+
+    /// Share of the axis at which a value is drawn; values off the axis are drawn at its end.
+    pub fn share(&self, value: f64) -> f64 {
+        let value = value * self.shown.factor;
         let value = match self.logarithmic {
             true if value > 0.0 => value.log10(),
             true => self.low,
             false => value,
         };
-        let share = ((value - self.low) / (self.high - self.low)).clamp(0.0, 1.0);
-        self.from + share * (self.to - self.from)
+        ((value - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
     }
 
-    /// The least value on the axis.
-    pub fn low(&self) -> f64 {
-        if self.logarithmic { 10f64.powf(self.low) } else { self.low }
+    /// `true` for values between the ends of the axis.
+    pub fn contains(&self, value: f64) -> bool {
+        let (low, high) = self.ends();
+        (low..=high).contains(&value)
     }
 
-    /// The largest value on the axis.
-    pub fn high(&self) -> f64 {
-        if self.logarithmic { 10f64.powf(self.high) } else { self.high }
+    /// Ends of the axis in the unit of the values.
+    pub fn ends(&self) -> (f64, f64) {
+        let of = |end: f64| if self.logarithmic { 10f64.powf(end) } else { end } / self.shown.factor;
+        (of(self.low), of(self.high))
     }
 
-    /// Round values on the axis with their labels, at most about `count`.
+    /// Unit of the labels, and its factor.
+    pub fn shown(&self) -> Shown {
+        self.shown
+    }
+
+    /// Number of rows or columns with the room at their ends.
+    pub fn length(&self) -> f64 {
+        self.high - self.low
+    }
+
+    /// `true` for an axis of rows or columns.
+    pub fn is_labelled(&self) -> bool {
+        self.labels.is_some()
+    }
+
+    /// Values on the axis with their labels: the given ones, or round numbers, at most about `count`.
     pub fn ticks(&self, count: usize) -> Vec<(f64, String)> {
+        if let Some(labels) = &self.labels {
+            return labels.clone();
+        }
+        let in_unit = |(v, label): (f64, String)| (v / self.shown.factor, label);
         if self.logarithmic {
             let decades = (self.high - self.low).round() as i32;
-            let low = self.low as i32;
             let multiples: &[f64] = if decades <= 2 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-            let all = (0..=decades).flat_map(|d| multiples.iter().map(move |m| m * 10f64.powi(low + d)));
-            let end = self.high() * (1.0 + 1e-9);
-            return all.filter(|&v| v <= end).map(|v| (v, number::significant(v, 1))).collect();
+            let exponents = (0..=decades).step_by((decades as usize).div_ceil(2 * count.max(1)).max(1));
+            let all = exponents.flat_map(|d| multiples.iter().map(move |m| m * 10f64.powi(self.low as i32 + d)));
+            let end = 10f64.powf(self.high) * (1.0 + 1e-9);
+            return all.filter(|&v| v <= end).map(|v| in_unit((v, number::significant(v, 1)))).collect();
         }
         let step = step(self.high - self.low, count);
         let decimals = number::decimals(step, 1).unwrap_or(0);
         let first = (self.low / step - 1e-9).ceil();
         let values = (0..=count + 1).map(|i| (first + i as f64) * step);
         let end = self.high + 1e-9 * step;
-        values.filter(|&v| v <= end).map(|v| (v, number::fixed(v, decimals))).collect()
+        let label = |v: f64| if v.abs() < 1e-9 * step { "0".to_owned() } else { number::fixed(v, decimals) };
+        values.filter(|&v| v <= end).map(|v| in_unit((v, label(v)))).collect()
     }
 }
 
@@ -115,25 +165,37 @@ mod tests {
 
     #[test]
     fn ticks_are_round() {
-        assert_eq!(labels(&Axis::linear(-85.0, 85.0, 0.0, 1.0), 5), ["-50", "0", "50"]);
-        assert_eq!(labels(&Axis::linear(0.1, 0.31, 0.0, 1.0), 5), ["0.10", "0.15", "0.20", "0.25", "0.30"]);
-        assert_eq!(labels(&Axis::from_zero(43.9, 0.0, 1.0), 5), ["0", "10", "20", "30", "40", "50"]);
-        assert_eq!(labels(&Axis::logarithmic(0.3, 900.0, 0.0, 1.0), 5), ["0.1", "1", "10", "100", "1000"]);
-        assert_eq!(labels(&Axis::logarithmic(3.0, 9.0, 0.0, 1.0), 5), ["1", "2", "5", "10"]);
+        assert_eq!(labels(&Axis::linear(-85.0, 85.0), 5), ["-50", "0", "50"]);
+        assert_eq!(labels(&Axis::linear(0.1, 0.31), 5), ["0.10", "0.15", "0.20", "0.25", "0.30"]);
+        assert_eq!(labels(&Axis::from_zero("", 43.9), 5), ["0", "10", "20", "30", "40", "50"]);
+        assert_eq!(labels(&Axis::decades("", (0.3, 900.0), 6), 5), ["0.1", "1", "10", "100", "1000"]);
+        assert_eq!(labels(&Axis::decades("", (3.0, 9.0), 6), 5), ["1", "2", "5", "10"]);
+    }
+
+    #[test]
+    fn labels_are_in_the_unit_shown() {
+        let axis = Axis::from_zero("mm", 0.0439);
+        assert_eq!(
+            (labels(&axis, 5), axis.shown().unit),
+            (["0", "10", "20", "30", "40", "50"].map(str::to_owned).to_vec(), "µm")
+        );
+        assert!((axis.share(0.025) - 0.5).abs() < 1e-12 && axis.contains(0.05) && !axis.contains(0.051));
+        assert!((axis.ticks(5)[1].0 - 0.01).abs() < 1e-12 && (axis.ends().1 - 0.05).abs() < 1e-12);
     }
 
     #[test]
     fn every_value_has_a_place_on_the_axis() {
         let axes = [
-            Axis::linear(3.0, 3.0, 0.0, 100.0),
-            Axis::from_zero(0.0, 0.0, 100.0),
-            Axis::from_zero(f64::NAN, 0.0, 100.0),
-            Axis::logarithmic(1e-300, 10.0, 0.0, 100.0),
-            Axis::logarithmic(10.0, 10.0, 0.0, 100.0),
+            Axis::linear(3.0, 3.0),
+            Axis::over("mm", (3.0, 3.0), 0.1),
+            Axis::from_zero("mm", 0.0),
+            Axis::from_zero("", f64::NAN),
+            Axis::decades("deg", (1e-300, 10.0), 6),
+            Axis::decades("", (10.0, 10.0), 6),
         ];
         for axis in axes {
             for value in [-1e9, 0.0, 3.0, 10.0, 1e9] {
-                assert!((0.0..=100.0).contains(&axis.at(value)), "{axis:?} {value}");
+                assert!((0.0..=1.0).contains(&axis.share(value)), "{axis:?} {value}");
             }
             assert!((1..20).contains(&axis.ticks(5).len()), "{axis:?}");
         }
@@ -142,6 +204,6 @@ mod tests {
     #[test]
     fn a_range_passes_over_what_is_not_a_number() {
         assert_eq!(range([f64::NAN, 2.0, -1.0, f64::INFINITY]), Some((-1.0, 2.0)));
-        assert_eq!(range([f64::NAN]), None);
+        assert_eq!((range([f64::NAN]), largest([f64::NAN]), largest([2.0])), (None, 0.0, 2.0));
     }
 }

@@ -1,119 +1,261 @@
-//! Curves over one axis, with marks and a legend.
+//! Layer under the pictures with two axes: frame, grid, labels, names, limit lines and legend. A picture adds its marks.
 
-use super::axis::{Axis, left_margin, range};
-use super::svg::{COLOURS, SHAPES, Shape, Svg};
+use super::axis::Axis;
+use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
-use crate::number;
-use crate::words::Words;
+use etalon_documents::LimitVerdict;
 
-const WIDTH: f64 = 760.0;
-const RIGHT: f64 = 744.0;
+/// Height between the axes.
+const HEIGHT: f64 = 240.0;
+/// Room above the frame, for the numbers of limits.
 const TOP: f64 = 16.0;
-const BOTTOM: f64 = 250.0;
-/// Values beyond this are blunders that no picture can show.
-const DRAWABLE: f64 = 1e12;
-/// More marks of a curve than this hide each other.
-const LIMIT: usize = 300;
-/// Curves that a legend names.
-const NAMED: usize = 12;
+/// Room at the right of the frame, for half of a label or the numbers of limits.
+const RIGHT: f64 = 20.0;
+/// Room under the frame, for the labels and the name of the axis.
+pub(super) const UNDER: f64 = 42.0;
+/// Least distance of the numbers at limit lines: their height or width with a gap.
+const APART: f64 = 12.0;
 
-pub(crate) struct Curve {
-    pub name: String,
-    pub points: Vec<(f64, f64)>,
+/// Two axes and where they are drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    pub across: Axis,
+    pub up: Axis,
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
 }
 
-/// A value that matters, with its interval.
-pub(crate) struct Mark {
-    pub at: (f64, f64),
-    pub interval: Option<(f64, f64)>,
-    pub name: String,
+impl Frame {
+    /// Place of a value of each axis; rows count from the top.
+    pub fn at(&self, across: f64, up: f64) -> Place {
+        (self.left + self.across.share(across) * (self.right - self.left), self.level(&self.up, up))
+    }
+
+    /// Height at which a value of an upright axis is drawn.
+    pub fn level(&self, axis: &Axis, value: f64) -> f64 {
+        let share = axis.share(value) * (self.bottom - self.top);
+        if axis.is_labelled() { self.top + share } else { self.bottom - share }
+    }
+
+    /// Draws the axes: with a grid on both where `grid`, otherwise on the one that has the values.
+    pub fn draw(&self, svg: &mut Svg, [along, upwards]: [&str; 2], grid: bool) {
+        let Self { left, right, top, bottom, .. } = *self;
+        let rows = self.up.is_labelled();
+        for (value, label) in upright_ticks(&self.up) {
+            let y = self.level(&self.up, value);
+            if !rows {
+                svg.line("grid", (left, y), (right, y));
+            }
+            svg.text("end", (left - 6.0, y + 4.0), &label);
+        }
+        for (value, label) in self.level_ticks() {
+            let x = self.at(value, 0.0).0;
+            match grid || rows {
+                true => svg.line("grid", (x, top), (x, bottom)),
+                false => svg.line("axis", (x, bottom), (x, bottom + 4.0)),
+            }
+            // the last label stays inside the picture
+            svg.text("mid", (x.min(svg.width - 0.5 * width(&label)), bottom + 17.0), &label);
+        }
+        svg.line("axis", (left, bottom), (right, bottom));
+        svg.line("axis", (left, top), (left, bottom));
+        if !along.is_empty() {
+            svg.text("mid", (0.5 * (left + right), bottom + 35.0), along);
+        }
+        if !upwards.is_empty() {
+            svg.text_upwards("mid", (13.0, 0.5 * (top + bottom)), upwards);
+        }
+    }
+
+    /// Ticks of the level axis: as many as have room for their labels, at least two.
+    fn level_ticks(&self) -> Vec<(f64, String)> {
+        let room = self.right - self.left;
+        let fits = |ticks: &Vec<(f64, String)>| {
+            let wide = widest(ticks.iter().map(|(_, label)| label.as_str())) + 6.0;
+            ticks.windows(2).all(|pair| (self.across.share(pair[1].0) - self.across.share(pair[0].0)) * room > wide)
+        };
+        let most = if room < NARROW { 6 } else { 8 };
+        let counts = if self.across.is_labelled() { 1..2 } else { 2..most + 1 };
+        let mut all: Vec<_> = counts.map(|count| self.across.ticks(count)).filter(|ticks| ticks.len() > 1).collect();
+        let most = all.iter().rposition(fits).unwrap_or(0);
+        if all.is_empty() { self.across.ticks(2) } else { all.swap_remove(most) }
+    }
 }
 
+/// Picture with two axes.
 pub(crate) struct Chart {
-    pub id: String,
-    pub title: String,
-    pub caption: String,
-    pub across: String,
-    pub up: String,
-    pub curves: Vec<Curve>,
-    pub marks: Vec<Mark>,
+    pub svg: Svg,
+    pub frame: Frame,
 }
 
 impl Chart {
-    /// The picture with its numbers; `None` where no curve has a point that can be drawn.
-    pub fn picture(self, words: &Words) -> Option<Figure> {
-        let drawable = |p: &&(f64, f64)| p.0.abs() < DRAWABLE && p.1.abs() < DRAWABLE;
-        let curves: Vec<(&Curve, Vec<(f64, f64)>)> = self
-            .curves
+    /// Draws the axes with their names, the level one first.
+    pub fn new(width: f64, axes: [Axis; 2], names: [impl AsRef<str>; 2]) -> Self {
+        Self::with_room(RIGHT, axes, width, names)
+    }
+
+    /// Draws the axes with this room at their right.
+    pub fn with_room(room: f64, [across, up]: [Axis; 2], width: f64, names: [impl AsRef<str>; 2]) -> Self {
+        let names = [names[0].as_ref(), names[1].as_ref()];
+        let height = if up.is_labelled() { ROW * up.length() } else { HEIGHT };
+        let left = left_of(&up, names[1]);
+        let frame = Frame { across, up, left, right: width - room, top: TOP, bottom: TOP + height };
+        let mut svg = Svg::new(width, frame.bottom + UNDER);
+        frame.draw(&mut svg, names, false);
+        Self { svg, frame }
+    }
+
+    /// Place of a value of each axis.
+    pub fn at(&self, across: f64, up: f64) -> Place {
+        self.frame.at(across, up)
+    }
+
+    /// Draws a line at a value of the level axis, from top to bottom.
+    pub fn upright(&mut self, class: &str, value: f64) {
+        let x = self.at(value, 0.0).0;
+        self.svg.line(class, (x, self.frame.top), (x, self.frame.bottom));
+    }
+
+    /// Draws a line at a value of the upright axis, from left to right.
+    pub fn level(&mut self, class: &str, value: f64) {
+        let y = self.at(0.0, value).1;
+        self.svg.line(class, (self.frame.left, y), (self.frame.right, y));
+    }
+
+    /// Draws a second upright axis at the right.
+    pub fn second(&mut self, axis: &Axis, name: &str) {
+        let Frame { right, top, bottom, .. } = self.frame;
+        for (value, label) in upright_ticks(axis) {
+            self.svg.text("start", (right + 5.0, self.frame.level(axis, value) + 4.0), &label);
+        }
+        self.svg.line("axis", (right, top), (right, bottom));
+        self.svg.text_upwards("mid", (self.svg.width - 6.0, 0.5 * (top + bottom)), name);
+    }
+
+    /// Draws a bar in a row, from one value to another.
+    pub fn bar_along(&mut self, look: Look, row: usize, ends: [f64; 2], tooltip: &str) {
+        let [(left, y), (right, _)] = ends.map(|v| self.at(v, row as f64));
+        self.svg.rect(look, (left, y - 0.35 * ROW), ((right - left).max(0.5), 0.7 * ROW), tooltip);
+    }
+
+    /// Draws a bar of a width that begins at `x`, from zero to a value.
+    pub fn bar_up(&mut self, look: Look, (x, width): Place, value: f64, tooltip: &str) {
+        let [zero, end] = [0.0, value].map(|v| self.at(0.0, v).1);
+        self.svg.rect(look, (x, end.min(zero)), (width, (end - zero).abs().max(0.5)), tooltip);
+    }
+
+    /// Draws the limits of a quantity that lie on its axis, which is the level one where `across`. Their names are in the
+    /// legend, where they cover no mark; several are numbered at the ends of their lines.
+    pub fn limits(&mut self, limits: &[LimitVerdict], quantity: &str, across: bool) {
+        let axis = if across { &self.frame.across } else { &self.frame.up };
+        let drawn = |l: &&LimitVerdict| l.name.starts_with(quantity) && l.limit.is_finite() && axis.contains(l.limit);
+        let all: Vec<&LimitVerdict> = limits.iter().filter(drawn).collect();
+        let place = |l: &LimitVerdict| if across { self.at(l.limit, 0.0).0 } else { self.at(0.0, l.limit).1 };
+        let mut order: Vec<(f64, usize)> = all.iter().enumerate().map(|(i, l)| (place(l), i + 1)).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (i, limit) in all.iter().enumerate() {
+            match across {
+                true => self.upright("limit", limit.limit),
+                false => self.level("limit", limit.limit),
+            }
+            let number = if all.len() > 1 { format!("{} ", i + 1) } else { String::new() };
+            self.svg.legend_line("limit", &format!("{number}{}", limit.name));
+        }
+        let places = spread(order.iter().map(|(place, _)| *place).collect());
+        for (place, (_, number)) in places.into_iter().zip(order).filter(|_| all.len() > 1) {
+            let (class, at) = match across {
+                true => ("mid", (place, TOP - 3.0)),
+                false => ("start", (self.frame.right + 3.0, place + 4.0)),
+            };
+            self.svg.text(class, at, &number.to_string());
+        }
+    }
+
+    /// Returns the picture with its description, which is its caption too.
+    pub fn figure(self, id: &str, title: String, description: String) -> Figure {
+        self.svg.figure(id, title, description)
+    }
+}
+
+/// Room at the left of an upright axis for its name and labels.
+pub(super) fn left_of(up: &Axis, name: &str) -> f64 {
+    let ticks = upright_ticks(up);
+    widest(ticks.iter().map(|(_, label)| label.as_str())) + if name.is_empty() { 14.0 } else { 34.0 }
+}
+
+fn upright_ticks(up: &Axis) -> Vec<(f64, String)> {
+    up.ticks(if up.ends().0 < 0.0 { 6 } else { 5 })
+}
+
+/// Moves places in ascending order apart, so that numbers at them can be read.
+fn spread(mut places: Vec<f64>) -> Vec<f64> {
+    for i in 1..places.len() {
+        let lack = APART - (places[i] - places[i - 1]);
+        if lack > 0.0 {
+            // half to either side of the first two, the rest behind them
+            places[i - 1] -= if i == 1 { 0.5 * lack } else { 0.0 };
+            places[i] = places[i - 1] + APART;
+        }
+    }
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::svg::{WIDE, numbers};
+    use super::*;
+
+    fn limits(width: f64, names: &[&str], across: bool) -> String {
+        let limits: Vec<_> = names
             .iter()
-            .map(|c| (c, c.points.iter().filter(drawable).copied().collect::<Vec<_>>()))
-            .filter(|(_, points)| !points.is_empty())
+            .map(|name| LimitVerdict::of(name, "mm", 0.001 * name.len() as f64, 0.0, None, Default::default()))
             .collect();
-        let points = || curves.iter().flat_map(|(_, points)| points);
-        let (from, to) = range(points().map(|p| p.0))?;
-        let ends = self.marks.iter().flat_map(|m| m.interval).flat_map(|(low, high)| [low, high]);
-        let (_, largest) = range(points().map(|p| p.1).chain(ends.filter(|e| e.abs() < DRAWABLE)))?;
-        let up = Axis::from_zero(largest, BOTTOM, TOP);
-        let ticks = up.ticks(5);
-        let left = left_margin(&ticks);
-        let across = Axis::linear(from, to, left + 6.0, RIGHT - 6.0);
-        let named = curves.len().min(NAMED);
-        let height = BOTTOM + 46.0 + 20.0 * named.div_ceil(3) as f64;
-        let mut svg = Svg::new(&self.id, WIDTH, height, &self.title, &self.caption);
-        for (value, label) in &ticks {
-            svg.line("grid", (left, up.at(*value)), (RIGHT, up.at(*value)));
-            svg.text("end", (left - 5.0, up.at(*value) + 4.0), label);
+        let axis = || Axis::from_zero("mm", 0.1);
+        let mut chart = Chart::new(width, [axis(), axis()], ["a", "b"]);
+        chart.limits(&limits, "position", across);
+        chart.figure("p", String::new(), String::new()).svg
+    }
+
+    #[test]
+    fn close_limits_have_numbers_that_stay_apart_and_names_below_the_picture() {
+        let names = ["position_mean_mm", "position_rms_mm", "position_max_mm"];
+        for across in [false, true] {
+            let svg = limits(NARROW, &names, across);
+            let key = if across { "x" } else { "y" };
+            let texts: Vec<&str> = svg.lines().filter(|l| l.starts_with("<text")).collect();
+            let place = |text: &str| {
+                let line = texts.iter().rev().find(|l| l.contains(&format!(">{text}</text>"))).unwrap();
+                (numbers(line, "text", key)[0], numbers(line, "text", "y")[0])
+            };
+            let mut at = ["1", "2", "3"].map(|n| place(n).0);
+            at.sort_by(f64::total_cmp);
+            assert!(at.windows(2).all(|pair| pair[1] - pair[0] >= APART - 0.11), "{at:?}");
+            let below = |name: &str| place(name).1 > TOP + HEIGHT + UNDER;
+            assert!(below("1 position_mean_mm") && below("3 position_max_mm"), "{svg}");
         }
-        for (value, label) in across.ticks(8) {
-            svg.line("axis", (across.at(value), BOTTOM), (across.at(value), BOTTOM + 4.0));
-            svg.text("mid", (across.at(value), BOTTOM + 17.0), &label);
+        let height = |svg: &str| svg.split(' ').nth(4).unwrap().trim_end_matches('"').parse::<f64>().unwrap();
+        let [none, narrow, wide] = [(NARROW, &names[..0]), (NARROW, &names[..]), (WIDE, &names[..])]
+            .map(|(width, names)| height(&limits(width, names, false)));
+        assert_eq!((narrow - none, wide - none), (2.0 * ROW, ROW));
+        assert!(!limits(NARROW, &names[..1], false).contains(">1 position"));
+    }
+
+    #[test]
+    fn labels_keep_their_distance() {
+        let across = Axis::both_ways(crate::number::shown("deg", 0.0), 0.000_27);
+        let chart = |left| Frame {
+            across: across.clone(),
+            up: Axis::linear(0.0, 1.0),
+            left,
+            right: 296.0,
+            top: 0.0,
+            bottom: 9.0,
+        };
+        for left in [121.0, 138.0] {
+            let labels: Vec<String> = chart(left).level_ticks().into_iter().map(|(_, label)| label).collect();
+            assert_eq!(labels, ["-0.0002", "0", "0.0002"]);
         }
-        svg.line("axis", (left, BOTTOM), (RIGHT, BOTTOM));
-        svg.line("axis", (left, TOP), (left, BOTTOM));
-        svg.text("mid", ((left + RIGHT) / 2.0, BOTTOM + 36.0), &self.across);
-        svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), &self.up);
-        for (i, (curve, points)) in curves.iter().enumerate() {
-            let at = |p: &(f64, f64)| (across.at(p.0), up.at(p.1));
-            let stride = points.len().div_ceil(LIMIT);
-            let drawn: Vec<&(f64, f64)> = points.iter().step_by(stride).collect();
-            for pair in drawn.windows(2) {
-                svg.line("grid", at(pair[0]), at(pair[1]));
-            }
-            for p in drawn {
-                let values = [number::significant(p.1, 4), number::significant(p.0, 4)];
-                let tip = words.fill("{0}: {1} at {2}", &[&curve.name, &values[0], &values[1]]);
-                svg.mark(SHAPES[i % SHAPES.len()], "map", at(p), 2.6, COLOURS[i % COLOURS.len()], &tip);
-            }
-        }
-        for mark in &self.marks {
-            let x = across.at(mark.at.0);
-            for end in mark.interval.iter().flat_map(|(low, high)| [*low, *high]) {
-                svg.line("axis", (x, up.at(mark.at.1)), (x, up.at(end)));
-                svg.line("axis", (x - 5.0, up.at(end)), (x + 5.0, up.at(end)));
-            }
-            let value = words.number(&number::significant(mark.at.1, 4));
-            let tip = format!("{}: {value} {}", mark.name, self.up);
-            svg.mark(Shape::Diamond, "val", (x, up.at(mark.at.1)), 5.5, "", &tip);
-            svg.text("over", (x + 8.0, up.at(mark.at.1) - 6.0), &mark.name);
-        }
-        for (i, (curve, _)) in curves.iter().take(NAMED).enumerate() {
-            let (x, y) = (left + 240.0 * (i % 3) as f64, BOTTOM + 56.0 + 20.0 * (i / 3) as f64);
-            svg.mark(SHAPES[i % SHAPES.len()], "map", (x, y), 4.5, COLOURS[i % COLOURS.len()], "");
-            svg.text("start", (x + 10.0, y + 4.0), &curve.name);
-        }
-        let rows = curves.iter().flat_map(|(c, points)| {
-            points.iter().map(|p| vec![c.name.clone(), number::significant(p.0, 5), number::significant(p.1, 4)])
-        });
-        let header = [words.say("curve"), self.across.clone(), self.up.clone()];
-        Some(Figure {
-            svg: svg.finish(),
-            wide: true,
-            table_title: words.say("Numbers of this picture"),
-            header: header.to_vec(),
-            rows: rows.take(2000).collect(),
-            title: self.title,
-            caption: self.caption,
-            ..Figure::default()
-        })
     }
 }

@@ -1,16 +1,14 @@
-//! The map of candidates and chosen positions (figure 4.7).
+//! Map of candidates and chosen positions (thesis, figure 4.7).
 
-use super::plane::{Plane, WIDTH};
-use super::svg::{Shape, Svg};
-use crate::model::Figure;
-use crate::number;
-use crate::words::Words;
+use super::layer::*;
 use etalon_documents::{CandidatePlace, PlanDocument};
+use std::collections::BTreeSet;
 
-/// Places beyond this are not places of a robot, mm.
+/// Positions beyond this (mm) are not positions of a robot.
 const DRAWABLE_MM: f64 = 1e7;
 /// More marks than this hide each other.
 const LIMIT: usize = 2000;
+const CANDIDATE: Look<'static> = Look { class: "before", ..CALIBRATION };
 
 /// Candidates, and those chosen with the number of their pose; `None` where no candidate has a place.
 pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
@@ -22,11 +20,7 @@ pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     if drawn.is_empty() {
         return None;
     }
-    let plane = Plane::around((0, 1), &drawn.iter().map(|p| p.at_mm).collect::<Vec<_>>());
-    let title = words.say("Candidates and chosen positions");
-    let description = words.say("Hollow marks: candidates; filled marks with the number of their pose: chosen.");
-    let mut svg = Svg::new("chosen", WIDTH, plane.height() + 26.0, &title, &description);
-    plane.draw(&mut svg, words);
+    let mut map = Workspace::new(XY, &drawn.iter().map(|p| p.at_mm).collect::<Vec<_>>(), words);
     let tip = |p: &CandidatePlace| {
         let [x, y, _] = p.at_mm.map(|v| number::fixed(v, 1));
         let values: [&dyn std::fmt::Display; 4] = [&p.pose, &p.configurations, &x, &y];
@@ -35,38 +29,26 @@ pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
             false => words.fill("pose {0}, {1} configurations: x {2}, y {3} mm", &values),
         }
     };
-    let radius = |p: &CandidatePlace| 1.6 + 0.7 * (p.configurations.min(6) as f64);
-    for p in drawn.iter().filter(|p| !p.chosen) {
-        svg.mark(Shape::Circle, "before", plane.at(p.at_mm), radius(p), "", &tip(p));
+    let radius = |configurations: usize| 1.6 + 0.7 * (configurations.min(6) as f64);
+    let (chosen, others): (Vec<&CandidatePlace>, Vec<_>) = drawn.iter().partition(|p| p.chosen);
+    for p in others {
+        map.svg.mark(CANDIDATE, map.at(p.at_mm), radius(p.configurations), &tip(p));
     }
-    for p in drawn.iter().filter(|p| p.chosen) {
-        let (x, y) = plane.at(p.at_mm);
-        svg.mark(Shape::Circle, "cal", (x, y), radius(p) + 1.2, "", &tip(p));
-        svg.text("mid over", (x, y - radius(p) - 5.0), &p.pose.to_string());
+    for p in chosen {
+        let (spot, radius) = (map.at(p.at_mm), radius(p.configurations));
+        map.svg.mark(CALIBRATION, spot, radius + 1.2, &tip(p));
+        map.svg.text("mid over", spot.beside(0.0, -radius - 5.0), &p.pose.to_string());
     }
-    let mut counts: Vec<usize> = drawn.iter().map(|p| p.configurations).collect();
-    counts.sort_unstable();
-    counts.dedup();
-    for (i, count) in counts.iter().take(4).enumerate() {
-        let x = 30.0 + 84.0 * i as f64;
-        let size = 1.6 + 0.7 * (*count).min(6) as f64;
-        svg.mark(Shape::Circle, "before", (x, plane.height() + 12.0), size, "", "");
-        svg.text(
-            "start",
-            (x + 10.0, plane.height() + 16.0),
-            &match count {
-                1 => words.say("1 mode"),
-                count => words.fill("{0} modes", &[count]),
-            },
-        );
+    let counts: BTreeSet<usize> = drawn.iter().map(|p| p.configurations).collect();
+    for count in counts.into_iter().take(4) {
+        let name = if count == 1 { words.say("1 mode") } else { words.fill("{0} modes", &[&count]) };
+        map.svg.legend_of(CANDIDATE, radius(count), &name);
     }
-    Some(Figure {
-        title,
-        svg: svg.finish(),
-        caption: words.fill(
-            "{0} of {1} candidates are chosen; the larger a mark, the more configurations reach it.",
-            &[&plan.chosen.len(), &plan.candidates],
-        ),
-        ..Figure::default()
-    })
+    let title = words.say("Candidates and chosen positions");
+    let description = words.say("Hollow marks: candidates; filled marks with the number of their pose: chosen.");
+    let caption = words.fill(
+        "{0} of {1} candidates are chosen; the larger a mark, the more configurations reach it.",
+        &[&plan.chosen.len(), &plan.candidates],
+    );
+    Some(Figure { caption, ..map.figure("chosen", title, description) })
 }

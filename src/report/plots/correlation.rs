@@ -1,55 +1,49 @@
-//! Which parameters are hardly separable: the correlation of every pair.
+//! Correlation of every pair of identified parameters: strongly correlated ones are hardly separable.
 
-use super::intervals::{LETTERS, shortened};
-use super::svg::Svg;
-use crate::model::Figure;
-use crate::number;
-use crate::words::Words;
+use super::intervals::shortened;
+use super::layer::*;
 use etalon_documents::ParametersDocument;
 
-/// Of few parameters; of more a picture takes the whole width.
-const NARROW: (usize, f64) = (14, 380.0);
-const WIDE: f64 = 760.0;
-/// Of more than this every second is lettered, of twice as many every third.
+/// More parameters than this take the whole width.
+const FEW: usize = 14;
+/// Of more parameters than this every second is lettered, of twice as many every third.
 const LETTERED: usize = 48;
-/// Pairs from here on are named.
+/// Least absolute correlation of pairs that are named.
 const STRONG: f64 = 0.9;
+const TOP: f64 = 4.0;
 
-/// The matrix of correlations; `None` without a covariance of the identified parameters.
+/// Matrix of correlations; `None` without a covariance of the identified parameters.
 pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
     let names: Vec<&str> = document.identified().map(|p| p.name.as_str()).collect();
     let (covariance, n) = (&document.covariance, names.len());
     if n < 2 || covariance.len() != n || covariance.iter().any(|row| row.len() != n) {
         return None;
     }
-    let r = |i: usize, j: usize| covariance[i][j] / (covariance[i][i] * covariance[j][j]).sqrt();
+    let r = |i: usize, j: usize| {
+        if i == j { 1.0 } else { covariance[i][j] / (covariance[i][i] * covariance[j][j]).sqrt() }
+    };
     let pairs = || (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
     if pairs().any(|(i, j)| !r(i, j).is_finite()) {
         return None;
     }
-    let title = words.say("Correlation of the identified parameters");
-    let description =
-        words.say("One cell for each pair: blue where they rise together, orange where one falls as the other rises.");
-    let longest = names.iter().map(|name| name.chars().count().min(LETTERS)).max().unwrap_or(0);
-    let wide = n > NARROW.0;
-    let width = if wide { WIDE } else { NARROW.1 };
-    let margin = 12.0 + 7.2 * longest as f64;
+    let letters: Vec<String> = names.iter().map(|name| shortened(name)).collect();
+    let margin = 12.0 + widest(letters.iter().map(String::as_str));
+    let width = if n > FEW { WIDE } else { NARROW };
     let cell = (width - margin - 4.0) / n as f64;
-    let mut svg = Svg::new("correlation", width, 4.0 + cell * n as f64 + margin, &title, &description);
+    let mut svg = Svg::new(width, TOP + cell * n as f64 + margin);
     for (i, name) in names.iter().enumerate() {
         for (j, other) in names.iter().enumerate().take(i + 1) {
-            let value = if i == j { 1.0 } else { r(i, j) };
-            let at = (margin + cell * j as f64, 4.0 + cell * i as f64);
-            let tip = words.fill("{0} and {1}: {2}", &[name, other, &number::fixed(value, 3)]);
-            svg.cell(at, cell - 1.0, &colour(value), &tip);
+            let at = (margin + cell * j as f64, TOP + cell * i as f64);
+            let tip = words.fill("{0} and {1}: {2}", &[name, other, &number::fixed(r(i, j), 3)]);
+            svg.rect(Look::colour(&colour(r(i, j))), at, (cell - 1.0, cell - 1.0), &tip);
         }
         if i.is_multiple_of(n.div_ceil(LETTERED)) {
-            let middle = 4.0 + cell * (i as f64 + 0.5);
-            svg.text("end", (margin - 6.0, middle + 4.0), &shortened(name));
-            svg.text_below((margin + cell * (i as f64 + 0.5) + 4.0, 4.0 + cell * n as f64 + 6.0), &shortened(name));
+            let middle = cell * (i as f64 + 0.5) + 4.0;
+            svg.text("end", (margin - 6.0, TOP + middle), &letters[i]);
+            svg.text_upwards("end", (margin + middle, TOP + cell * n as f64 + 6.0), &letters[i]);
         }
     }
-    scale(&mut svg, width, words);
+    scale(&mut svg, words);
     let mut strong: Vec<(usize, usize)> = pairs().filter(|&(i, j)| r(i, j).abs() >= STRONG).collect();
     strong.sort_by(|a, b| r(b.0, b.1).abs().total_cmp(&r(a.0, a.1).abs()));
     let said =
@@ -60,36 +54,32 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
         1..=6 => words.fill("Correlated by 0.9 or more: {0}.", &[&listed]),
         n => words.fill("{0} pairs are correlated by 0.9 or more, the strongest: {1}.", &[&n, &listed]),
     };
-    let caption = format!("{description} {caption}");
-    let row = |i: usize| {
-        std::iter::once(names[i].to_owned())
-            .chain((0..n).map(|j| number::fixed(if i == j { 1.0 } else { r(i, j) }, 3)))
-            .collect()
-    };
+    let title = words.say("Correlation of the identified parameters");
+    let description =
+        words.say("One cell for each pair: blue where they rise together, orange where one falls as the other rises.");
+    let row =
+        |i: usize| std::iter::once(names[i].to_owned()).chain((0..n).map(|j| number::fixed(r(i, j), 3))).collect();
     Some(Figure {
-        title,
-        svg: svg.finish(),
-        caption,
-        wide,
-        // of many the workbook has the numbers
+        caption: format!("{description} {caption}"),
         table_title: words.say("Numbers of this picture"),
         header: std::iter::once(words.say("name")).chain(names.iter().map(|name| (*name).to_owned())).collect(),
-        rows: if wide { Vec::new() } else { (0..n).map(row).collect() },
-        ..Figure::default()
+        // of many the workbook has the numbers
+        rows: if n > FEW { Vec::new() } else { (0..n).map(row).collect() },
+        ..svg.figure("correlation", title, description)
     })
 }
 
-/// What the colours mean, where the triangle leaves room.
-fn scale(svg: &mut Svg, width: f64, words: &Words) {
+/// Draws the scale of colours where the triangle leaves room.
+fn scale(svg: &mut Svg, words: &Words) {
     for (i, r) in [1.0, 0.5, 0.0, -0.5, -1.0].into_iter().enumerate() {
-        let y = 4.0 + 16.0 * i as f64;
-        svg.rect("axis", (width - 58.0, y), (14.0, 14.0), "");
-        svg.bar((width - 57.5, y + 0.5), (13.0, 13.0), &colour(r), "");
-        svg.text("end", (width - 6.0, y + 11.5), &words.number(&number::fixed(r, 1)));
+        let (right, y, fill) = (svg.width, TOP + 16.0 * i as f64, colour(r));
+        let edge = Look { class: "axis", ..Look::colour(&fill) };
+        svg.rect(edge, (right - 58.0, y), (13.0, 13.0), "");
+        svg.text("end", (right - 6.0, y + 11.0), &words.number(&number::fixed(r, 1)));
     }
 }
 
-/// White at nought, blue at one, orange at minus one: both dark enough where the other is not seen.
+/// White at zero, blue at one, orange at minus one; both ends are dark enough for eyes that miss the other.
 fn colour(r: f64) -> String {
     let end = if r > 0.0 { [0.0, 90.0, 160.0] } else { [200.0, 90.0, 0.0] };
     let [red, green, blue] = end.map(|c| (255.0 + r.abs().min(1.0) * (c - 255.0)).round() as u8);

@@ -1,15 +1,7 @@
-//! The poses of a test in space or, of planar robots, in their plane; with the cube of ISO 9283:1998, 6, where they are laid into one.
+//! Poses of a test in space or, of planar robots, in their plane, with the cube of ISO 9283:1998, 6, if they lie in one.
 
-use super::axis::range;
-use super::map::Space;
-use super::plane::{Plane, WIDTH};
-use super::svg::{Shape, Svg};
+use super::layer::*;
 use super::visits::of_pose;
-use crate::model::Figure;
-use crate::number;
-use crate::words::Words;
-use etalon_base::pose::{Vector, centroid, minus};
-use etalon_base::pose_name::PoseName;
 use etalon_documents::Iso9283Document;
 
 /// Distance of P2 to P5 from the centre over half the diagonal: (10 ± 2) % of a diagonal from its ends.
@@ -55,8 +47,28 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     if places.len() < 2 || !around.iter().flatten().all(|v| v.abs() < 1e7) {
         return None;
     }
-    let title = words.say("Poses of the test");
-    let caption = match cube {
+    if let Some((centre, half)) = cube {
+        around = [-half, half].iter().map(|d| centre.map(|v| v + d)).collect();
+    }
+    let mut map = Workspace::new(if planar { XY } else { Seen::Space }, &around, words);
+    // the square around the poses of a plane, the test plane through those of space
+    let (class, corners) = match (cube, &around[..]) {
+        (None, _) => ("axis", Vec::new()),
+        (_, [low, high]) if planar => ("axis", vec![*low, [high[0], low[1], 0.0], *high, [low[0], high[1], 0.0]]),
+        _ => ("arrow-cal", places.iter().skip(1).map(|(_, p)| *p).collect()),
+    };
+    for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+        map.svg.line(class, map.at(*from), map.at(*to));
+    }
+    for (pose, p) in &places {
+        let [x, y, z] = p.map(|v| number::fixed(v, 3));
+        let tip = words.fill("pose {0}: x {1}, y {2}, z {3} mm", &[pose, &x, &y, &z]);
+        map.svg.mark(CALIBRATION, map.at(*p), 4.0, &tip);
+        if places.len() <= NAMED {
+            map.svg.text("start over", map.at(*p).beside(7.0, -5.0), &format!("P{pose}"));
+        }
+    }
+    let description = match cube {
         Some((_, half)) if planar => words.fill(
             "P1 is the centre of a square of {0} mm, P2 to P5 are on its diagonals (ISO 9283:1998, 6).",
             &[&number::fixed(2.0 * half, 1)],
@@ -67,49 +79,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
         ),
         None => words.say("The box is that of the poses, its edges are parallel to the axes."),
     };
-    if let Some((centre, half)) = cube {
-        around = [-half, half].iter().map(|d| centre.map(|v| v + d)).collect();
-    }
-    let tip = |(pose, p): &(PoseName, Vector)| {
-        let [x, y, z] = p.map(|v| number::fixed(v, 3));
-        words.fill("pose {0}: x {1}, y {2}, z {3} mm", &[pose, &x, &y, &z])
-    };
-    let named = |pose: &PoseName| if places.len() > NAMED { String::new() } else { format!("P{pose}") };
-    // round the test plane
-    let sides = || (1..5).map(|k| [places[k].1, places[k % 4 + 1].1]);
-    let mut svg;
-    if planar {
-        let plane = Plane::around((0, 1), &around);
-        svg = Svg::new("poses", WIDTH, plane.height(), &title, &caption);
-        plane.draw(&mut svg, words);
-        if let (Some(_), [low, high]) = (cube, &around[..]) {
-            let corners = [*low, [high[0], low[1], 0.0], *high, [low[0], high[1], 0.0]];
-            (0..4).for_each(|k| svg.line("axis", plane.at(corners[k]), plane.at(corners[(k + 1) % 4])));
-        }
-        for place in &places {
-            let (x, y) = plane.at(place.1);
-            svg.mark(Shape::Circle, "cal", (x, y), 4.0, "", &tip(place));
-            svg.text("start over", (x + 7.0, y - 5.0), &named(&place.0));
-        }
-    } else {
-        let space = Space::around(&around);
-        svg = Svg::new("poses", WIDTH, WIDTH, &title, &caption);
-        space.draw(&mut svg);
-        let from_middle = |p: Vector| minus(p, space.middle);
-        if cube.is_some() {
-            for ends in sides().map(|ends| ends.map(from_middle)) {
-                svg.line_in_space("arrow-cal", space.at(ends[0]), space.at(ends[1]), ends);
-            }
-        }
-        for place in &places {
-            let from = from_middle(place.1);
-            let (x, y) = space.at(from);
-            svg.mark_in_space(Shape::Circle, "cal", (x, y), 4.0, from, &tip(place));
-            svg.text_in_space("start over", (x + 7.0, y - 5.0), from, &named(&place.0));
-        }
-        space.name_ends(&mut svg);
-    }
-    Some(Figure { title, svg: svg.finish(), caption, ..Figure::default() })
+    Some(map.figure("poses", words.say("Poses of the test"), description))
 }
 
 #[cfg(test)]

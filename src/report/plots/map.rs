@@ -1,251 +1,143 @@
-//! Errors over the workspace (thesis, figures 3.8 to 3.10): the colour of a mark is its error on one scale for before and after, its size
-//! the error as a share of the largest of the picture. On a page the colours can have the picture's own scale.
+//! Errors over the workspace (thesis, figures 3.8 to 3.10). The colour of a mark is its error on one scale for before and after,
+//! its size the error as a share of the largest of the picture. A page can show the colours on the picture's own scale.
 
-use super::axis::{Axis, range};
-use super::plane::{self, Plane, WIDTH};
-use super::points;
-use super::svg::{Place, Shape, Svg};
-use super::view::{ASLANT, Paper, View};
-use crate::model::Figure;
-use crate::number::{self, Shown};
-use crate::words::Words;
-use etalon_base::pose::{Vector, minus};
-use etalon_documents::PointError;
+use super::layer::*;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Marks nearer than this, in units of the picture, lie on one another.
+/// Marks nearer than this (units of the picture) lie on one another.
 const NEAR: f64 = 2.0;
-
 /// Colours from no error to the largest: classes `o0` to `o15` of the common scale, `w0` to `w15` of a picture's own.
 const LEVELS: usize = 16;
 
-/// How a map shows the workspace.
-#[derive(Clone, Copy)]
-enum Seen {
-    Plane((usize, usize)),
-    Space,
-}
-
 /// Before and after, side by side: every plane of the workspace, and space where it has a third dimension.
 pub(crate) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
-    let planes = plane::planes(planar).iter().map(|&axes| Seen::Plane(axes));
-    let all = planes.chain((!planar).then_some(Seen::Space));
-    let largest = |size: fn(&PointError) -> f64| range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
-    let common_mm = largest(points::before_mm).max(largest(points::after_mm));
-    all.flat_map(|seen| [false, true].map(|after| map(errors, seen, after, common_mm, words))).collect()
+    let all = Seen::planes(planar).iter().copied().chain((!planar).then_some(Seen::Space));
+    let common = scale(errors.iter().flat_map(|p| [points::before_mm(p), points::after_mm(p)]));
+    all.flat_map(|seen| [false, true].map(|after| map(errors, seen, after, &common, words))).collect()
 }
 
-/// A scale of errors from zero, and the unit that it is in.
-pub(super) struct Scale {
-    axis: Axis,
-    shown: Shown,
+/// Scale of colours from zero to the largest length (mm).
+pub(super) fn scale(lengths_mm: impl IntoIterator<Item = f64>) -> Axis {
+    Axis::from_zero("mm", largest(lengths_mm))
 }
 
-impl Scale {
-    pub fn to(largest_mm: f64) -> Self {
-        let shown = number::shown("mm", largest_mm);
-        Self { axis: Axis::from_zero(largest_mm * shown.factor, 0.0, 1.0), shown }
-    }
-
-    pub fn share(&self, mm: f64) -> f64 {
-        self.axis.at(mm * self.shown.factor)
-    }
-
-    pub fn top(&self) -> String {
-        format!("{} {}", number::significant(self.axis.high(), 2), self.shown.unit)
-    }
+/// Largest length of a scale, with its unit.
+pub(super) fn top(scale: &Axis) -> String {
+    let shown = scale.shown();
+    format!("{} {}", number::significant(scale.ends().1 * shown.factor, 2), shown.unit)
 }
 
-pub(super) fn level(share: f64) -> usize {
+/// Class of a length on the common scale and on the picture's own.
+pub(super) fn class([common, own]: [&Axis; 2], mm: f64) -> String {
+    format!("map o{} w{}", level(common.share(mm)), level(own.share(mm)))
+}
+
+fn level(share: f64) -> usize {
     (share.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize
 }
 
-fn map(errors: &[&PointError], seen_from: Seen, after: bool, common_mm: f64, words: &Words) -> Figure {
-    let size: fn(&PointError) -> f64 = if after { points::after_mm } else { points::before_mm };
-    let places: Vec<_> = errors.iter().map(|p| p.at_mm).collect();
-    let largest_mm = range(errors.iter().map(|p| size(p))).map_or(0.0, |r| r.1);
-    let (common, own) = (Scale::to(common_mm), Scale::to(largest_mm));
-    let name = match seen_from {
-        Seen::Plane(axes) => words.fill("{0} plane", &[&plane::name(axes)]),
+fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &Words) -> Figure {
+    let size = points::size(after);
+    let own = scale(errors.iter().map(|p| size(p)));
+    let mut map = Workspace::new(seen, &errors.iter().map(|p| p.at_mm).collect::<Vec<_>>(), words);
+    let (visible, drawn) = chosen(errors, size, |p| map.at(p.at_mm).at);
+    for p in &drawn {
+        let class = class([common, &own], size(p));
+        map.svg.mark(
+            Look::new(points::look(p).shape, &class),
+            map.at(p.at_mm),
+            radius(own.share(size(p))),
+            &points::tooltip(p, words),
+        );
+    }
+    scales(&mut map.svg, [common, &own]);
+    for (look, name) in points::sets(errors) {
+        map.svg.legend(Look { class: "map", fill: "#ffffff", ..look }, &words.say(name));
+    }
+    let name = match seen {
+        Seen::Plane(_) => words.fill("{0} plane", &[&seen.name()]),
         Seen::Space => words.say("in space"),
     };
     let title = match after {
         false => words.fill("Position error before calibration, {0}", &[&name]),
         true => words.fill("Position error after calibration, {0}", &[&name]),
     };
-    let largest = format!("{} {}", number::significant(largest_mm * own.shown.factor, 3), own.shown.unit);
     let description = words.fill(
         "Marks at the measured positions: colour from 0 to {0}, one scale before and after; size from 0 to {1}, that of this picture; largest error {2}.",
-        &[&common.top(), &own.top(), &largest],
+        &[&top(common), &top(&own), &length(largest(errors.iter().map(|p| size(p))))],
     );
-    let key = match seen_from {
-        Seen::Plane(axes) => plane::name(axes),
-        Seen::Space => "space".to_owned(),
-    };
-    let id = format!("map-{}-{key}", if after { "after" } else { "before" });
-    let class = |p: &PointError| format!("map o{} w{}", level(common.share(size(p))), level(own.share(size(p))));
-    let (mut svg, drawn, seen, bottom) = match seen_from {
-        Seen::Plane(axes) => {
-            let plane = Plane::around(axes, &places);
-            let mut svg = Svg::new(&id, WIDTH, plane.height() + 48.0, &title, &description);
-            plane.draw(&mut svg, words);
-            let (seen, drawn) = chosen(errors, size, |p| plane.at(p.at_mm));
-            for p in &drawn {
-                let tip = points::tooltip(p, words);
-                svg.mark(points::shape(p), &class(p), plane.at(p.at_mm), radius(own.share(size(p))), "", &tip);
-            }
-            (svg, drawn.len(), seen, plane.height())
-        }
-        Seen::Space => {
-            let space = Space::around(&places);
-            let mut svg = Svg::new(&id, WIDTH, WIDTH + 48.0, &title, &description);
-            space.draw(&mut svg);
-            let (seen, drawn) = chosen(errors, size, |p| space.at(minus(p.at_mm, space.middle)));
-            for p in &drawn {
-                let (tip, place) = (points::tooltip(p, words), minus(p.at_mm, space.middle));
-                let radius = radius(own.share(size(p)));
-                svg.mark_in_space(points::shape(p), &class(p), space.at(place), radius, place, &tip);
-            }
-            space.name_ends(&mut svg);
-            (svg, drawn.len(), seen, WIDTH)
-        }
-    };
-    scales(&mut svg, [&common, &own], bottom);
-    for (i, (shape, _, name)) in points::sets(errors).into_iter().enumerate() {
-        let x = 30.0 + 120.0 * i as f64;
-        svg.mark(shape, "map", (x, bottom + 36.0), 4.5, "#ffffff", "");
-        svg.text("start", (x + 10.0, bottom + 40.0), &words.say(name));
-    }
-    let hidden = match seen < errors.len() && drawn == seen {
+    let hidden = match visible < errors.len() && drawn.len() == visible {
         true => {
-            let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &seen];
+            let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &visible];
             format!(" {}", words.fill("Of {0} errors the largest is drawn at each of {1} places.", &counts))
         }
-        false => points::how_many(drawn, errors.len(), words),
+        false => points::how_many(drawn.len(), errors.len(), words),
     };
+    let (key, side) = (seen.name(), points::side(after));
     Figure {
-        title,
         pair: format!("map-{key}"),
-        side: if after { "after" } else { "before" },
+        side,
         scaled: true,
-        svg: svg.finish(),
-        caption: description + &hidden,
-        ..Figure::default()
+        caption: description.clone() + &hidden,
+        ..map.figure(&format!("map-{side}-{key}"), title, description)
     }
 }
 
-/// How many errors no larger one hides, and those that are drawn, largest first: the small ones lie on top of the large ones.
+/// Length with three digits and its unit.
+pub(super) fn length(mm: f64) -> String {
+    let shown = number::shown("mm", mm);
+    format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
+}
+
+/// Number of errors that no larger one of the same set hides (repeats and orientations of a position), and the errors drawn,
+/// largest first: small marks lie on large ones.
 fn chosen<'a>(
     errors: &[&'a PointError],
     size: fn(&PointError) -> f64,
     at: impl Fn(&PointError) -> Place,
 ) -> (usize, Vec<&'a PointError>) {
-    let seen = seen(errors, size, at);
-    let mut drawn = points::readable(&seen);
-    largest_first(&mut drawn, size);
-    (seen.len(), drawn)
-}
-
-fn largest_first(errors: &mut [&PointError], size: fn(&PointError) -> f64) {
     // bits of numbers that are not negative are in the order of the numbers
-    errors.sort_by_cached_key(|p| Reverse(size(p).to_bits()));
-}
-
-/// The workspace from a direction, within a sphere, so that it can be turned.
-pub(super) struct Space {
-    pub middle: Vector,
-    half: Vector,
-    paper: Paper,
-}
-
-impl Space {
-    const VIEW: View = ASLANT;
-
-    pub fn around(places: &[Vector]) -> Self {
-        let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or((0.0, 0.0)));
-        let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
-        let radius = half.iter().map(|v| v * v).sum::<f64>().sqrt();
-        // a square around a sphere: whichever way it is turned
-        let paper = Paper::square(radius, WIDTH, 44.0);
-        Self { middle, half, paper }
-    }
-
-    pub fn at(&self, from_middle: Vector) -> Place {
-        self.paper.at(Self::VIEW.flat(from_middle))
-    }
-
-    /// The box around all places.
-    pub fn draw(&self, svg: &mut Svg) {
-        svg.turns(Self::VIEW.azimuth_rad, Self::VIEW.elevation_rad, self.paper.scale);
-        let corner = |signs: [f64; 3]| [0, 1, 2].map(|i| signs[i] * self.half[i]);
-        for axis in 0..3 {
-            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-            for (sj, sk) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
-                let mut from = [0.0; 3];
-                (from[axis], from[j], from[k]) = (-1.0, sj, sk);
-                let mut to = from;
-                to[axis] = 1.0;
-                let ends = [corner(from), corner(to)];
-                let class = if sj < 0.0 && sk < 0.0 { "axis" } else { "grid" };
-                svg.line_in_space(class, self.at(ends[0]), self.at(ends[1]), ends);
-            }
-        }
-    }
-
-    /// The names of its axes with their ends in mm, after the marks, which would cover them.
-    pub fn name_ends(&self, svg: &mut Svg) {
-        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-            let mut at = self.half.map(|v| -v);
-            at[axis] = self.half[axis];
-            let value = number::fixed(self.middle[axis] + at[axis], 0);
-            let (x, y) = self.at(at);
-            svg.text_in_space("mid over", (x, y + 4.0), at, &format!("{name} {value} mm"));
-        }
-    }
-}
-
-/// The errors largest first, without those that a larger one of the same set hides: repeats and orientations of a position.
-fn seen<'a>(
-    errors: &[&'a PointError],
-    size: fn(&PointError) -> f64,
-    at: impl Fn(&PointError) -> Place,
-) -> Vec<&'a PointError> {
-    let mut sorted = errors.to_vec();
-    largest_first(&mut sorted, size);
+    let largest_first = |errors: &mut [&PointError]| errors.sort_by_cached_key(|p| Reverse(size(p).to_bits()));
+    let mut visible = errors.to_vec();
+    largest_first(&mut visible);
     let mut taken: BTreeMap<(bool, i64, i64), Vec<Place>> = BTreeMap::new();
-    sorted.retain(|p| {
+    visible.retain(|p| {
         let (set, (x, y)) = (points::is_validation(p), at(p));
         let (column, row) = ((x / NEAR) as i64, (y / NEAR) as i64);
         let mut around = (column - 1..=column + 1).flat_map(|c| (row - 1..=row + 1).map(move |r| (set, c, r)));
-        let hidden = |other: &Place| (other.0 - x).powi(2) + (other.1 - y).powi(2) < NEAR * NEAR;
+        let hidden = |other: &Place| (other.0 - x).hypot(other.1 - y) < NEAR;
         let free = !around.any(|cell| taken.get(&cell).is_some_and(|places| places.iter().any(hidden)));
         if free {
             taken.entry((set, column, row)).or_default().push((x, y));
         }
         free
     });
-    sorted
+    let mut drawn = points::readable(&visible);
+    largest_first(&mut drawn);
+    (visible.len(), drawn)
 }
 
-/// Both scales, of which a page shows the chosen one, and paper the common one.
-pub(super) fn scales(svg: &mut Svg, [common, own]: [&Scale; 2], top: f64) {
+/// Draws both scales, of which a page shows the chosen one, and paper the common one.
+pub(super) fn scales(svg: &mut Svg, [common, own]: [&Axis; 2]) {
+    let y = svg.row();
     for (scale, class, letter) in [(common, "common", 'o'), (own, "own", 'w')] {
-        svg.begin(class);
-        let ticks = scale.axis.ticks(5);
-        let pitch = (WIDTH - 60.0) / ticks.len().max(1) as f64;
-        for (i, (value, label)) in ticks.iter().enumerate() {
-            let (x, share) = (30.0 + pitch * i as f64, scale.axis.at(*value));
-            let size = if letter == 'w' { radius(share) } else { 5.0 };
-            svg.mark(Shape::Circle, &format!("map {letter}{}", level(share)), (x, top + 14.0), size, "", "");
-            svg.text("start", (x + 10.0, top + 18.0), label);
-        }
-        svg.text("end", (WIDTH - 4.0, top + 18.0), scale.shown.unit);
-        svg.end();
+        svg.group(class, |svg| {
+            let ticks = scale.ticks(5);
+            let pitch = (NARROW - 60.0) / ticks.len().max(1) as f64;
+            for (i, (value, label)) in ticks.iter().enumerate() {
+                let (x, share) = (30.0 + pitch * i as f64, scale.share(*value));
+                let size = if letter == 'w' { radius(share) } else { 5.0 };
+                let class = format!("map {letter}{}", level(share));
+                svg.mark(Look::new(Shape::Circle, &class), (x, y), size, "");
+                svg.text("start", (x + 10.0, y + 4.0), label);
+            }
+            svg.text("end", (NARROW - 4.0, y + 4.0), scale.shown().unit);
+        });
     }
 }
 
-/// The mark's area grows with the error.
+/// Radius of a mark, whose area grows with the error.
 fn radius(share: f64) -> f64 {
     1.8 + 5.0 * share.sqrt()
 }

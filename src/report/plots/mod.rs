@@ -1,21 +1,21 @@
-//! The pictures, as SVG that is made once: what a pointer or a screen reader reads off them is in it.
+//! The pictures of reports as SVG, with the texts that a pointer or a screen reader reads off them. `svg` draws elements and legends,
+//! `axis` scales, `chart` the frame of pictures with two axes, `workspace` that of planes and space; each other file is one picture.
 
 pub(super) mod against;
 pub(super) mod arrows;
 mod axis;
 pub(super) mod by_pose;
-pub(super) mod chart;
+mod chart;
 pub(super) mod chosen;
 pub(super) mod correlation;
 pub(super) mod cube;
 pub(super) mod curve;
+pub(super) mod curves;
 pub(super) mod histogram;
 pub(super) mod influence;
 pub(super) mod intervals;
-mod limit_lines;
 pub(super) mod map;
 pub(super) mod parameter_errors;
-pub(super) mod plane;
 pub(super) mod points;
 pub(super) mod prediction;
 pub(super) mod residuals;
@@ -26,3 +26,19 @@ pub(super) mod svg;
 pub(super) mod trend;
 mod view;
 pub(super) mod visits;
+pub(super) mod workspace;
+
+/// Names that most pictures use.
+mod layer {
+    pub(super) use super::axis::{Axis, drawable, largest, range};
+    pub(super) use super::chart::Chart;
+    pub(super) use super::points;
+    pub(super) use super::svg::{CALIBRATION, COLOURS, Look, NARROW, Place, Shape, Svg, VALIDATION, WIDE, widest};
+    pub(super) use super::workspace::{Seen, Workspace, XY};
+    pub(super) use crate::model::Figure;
+    pub(super) use crate::number;
+    pub(super) use crate::words::Words;
+    pub(super) use etalon_base::pose::{Vector, centroid, minus, norm};
+    pub(super) use etalon_base::pose_name::PoseName;
+    pub(super) use etalon_documents::{LimitVerdict, PointError};
+}

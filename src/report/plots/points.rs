@@ -1,11 +1,7 @@
-//! The errors as the pictures need them: what can be drawn, how much of it, and what a pointer reads off a mark.
+//! Errors of points as pictures show them: choice of the points drawn, looks and tooltips of their marks.
 
-use super::svg::Shape;
-use crate::number;
-use crate::words::{Words, isolated};
-use etalon_base::pose::norm;
-use etalon_base::pose_name::PoseName;
-use etalon_documents::{LimitVerdict, PointError};
+use super::layer::*;
+use crate::words::isolated;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
@@ -19,13 +15,13 @@ pub(crate) fn drawable(errors: &[PointError]) -> Vec<&PointError> {
     errors.iter().filter(whole).collect()
 }
 
-/// Whether the points lie in a plane, as those of a planar robot do.
+/// `true` if the points lie in a plane, as those of a planar robot do.
 pub(crate) fn planar(points: &[&PointError], world: bool) -> bool {
     let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
     world || points.iter().all(flat)
 }
 
-/// At most about `limit` points, evenly chosen; the largest is always among them.
+/// Chooses at most about `limit` points evenly, the largest always among them.
 pub(crate) fn thin<'a>(
     points: &[&'a PointError],
     limit: usize,
@@ -37,11 +33,11 @@ pub(crate) fn thin<'a>(
     (0..points.len()).filter(chosen).map(|i| points[i]).collect()
 }
 
-/// Marks of a picture, about: more hide each other, and make a page slow.
+/// Number of marks of a picture: more hide each other and make a page slow.
 const MARKS: usize = 380;
 
-/// All points where they are few. Of more, of each pose the one with the largest error after, the same in every picture: all
-/// validation poses as far as they can be drawn, and calibration poses evenly chosen.
+/// Returns all points where they are few. Otherwise each pose counts with its largest error after: all validation poses as far
+/// as they can be drawn, and calibration poses evenly chosen. Every picture has the same choice.
 pub(crate) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
     if points.len() <= MARKS {
         return points.to_vec();
@@ -60,66 +56,61 @@ pub(crate) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
     [calibration, validation].concat()
 }
 
-/// A limit that belongs into a picture of errors: its name in the campaign, and its value in mm or deg.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Limit<'a> {
-    pub name: &'a str,
-    pub value: f64,
-}
-
-/// The limits of a quantity, `position` or `orientation`.
-pub(crate) fn limits_of<'a>(limits: &'a [LimitVerdict], quantity: &str) -> Vec<Limit<'a>> {
-    let of = limits.iter().filter(|l| l.name.starts_with(quantity) && l.limit.is_finite());
-    of.map(|l| Limit { name: &l.name, value: l.limit }).collect()
-}
-
-/// A sentence on how many of the points are drawn; empty where all are.
+/// Sentence on how many of the points are drawn; empty where all are.
 pub(crate) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
-    match drawn < all {
-        true => {
-            format!(
-                " {}",
-                words.fill("{0} of {1} errors are drawn: of each pose the largest after calibration; all validation poses as far as there is room, calibration poses evenly chosen.", &[&drawn, &all])
-            )
-        }
-        false => String::new(),
+    if drawn == all {
+        return String::new();
     }
+    let counts: [&dyn Display; 2] = [&drawn, &all];
+    format!(
+        " {}",
+        words.fill("{0} of {1} errors are drawn: of each pose the largest after calibration; all validation poses as far as there is room, calibration poses evenly chosen.", &counts)
+    )
 }
 
-/// Size of the position error before.
+/// Name of a picture before or after calibration.
+pub(crate) fn side(after: bool) -> &'static str {
+    if after { "after" } else { "before" }
+}
+
+/// Size of the position error before or after.
+pub(crate) fn size(after: bool) -> fn(&PointError) -> f64 {
+    if after { after_mm } else { before_mm }
+}
+
+/// Size of the position error before (mm).
 pub(crate) fn before_mm(p: &PointError) -> f64 {
     norm(p.before_mm)
 }
 
-/// Size of the position error after.
+/// Size of the position error after (mm).
 pub(crate) fn after_mm(p: &PointError) -> f64 {
     norm(p.after_mm)
 }
 
-/// Validation poses are diamonds.
+/// `true` for a point of a validation pose.
 pub(crate) fn is_validation(p: &PointError) -> bool {
     p.set == "validation"
 }
 
-/// Form of the mark of a point.
-pub(crate) fn shape(p: &PointError) -> Shape {
-    if is_validation(p) { Shape::Diamond } else { Shape::Circle }
+/// Look of the mark of a point.
+pub(crate) fn look(p: &PointError) -> Look<'static> {
+    if is_validation(p) { VALIDATION } else { CALIBRATION }
 }
 
-/// Style of the mark of a point.
-pub(crate) fn class(p: &PointError) -> &'static str {
-    if is_validation(p) { "val" } else { "cal" }
+/// Look and name of each set that occurs.
+pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, &'static str)> {
+    let all = [(CALIBRATION, "calibration"), (VALIDATION, "validation")];
+    all.into_iter().filter(|(set, _)| points.iter().any(|p| look(p) == *set)).collect()
 }
 
-/// Form and style of each set that occurs, for legends.
-pub(crate) fn sets(points: &[&PointError]) -> Vec<(Shape, &'static str, &'static str)> {
-    let all = [(false, Shape::Circle, "cal", "calibration"), (true, Shape::Diamond, "val", "validation")];
-    let occurs = |validation: bool| points.iter().any(|p| is_validation(p) == validation);
-    all.into_iter().filter(|s| occurs(s.0)).map(|(_, shape, class, name)| (shape, class, name)).collect()
+/// Adds the sets that occur to the legend.
+pub(crate) fn legend(svg: &mut Svg, points: &[&PointError], words: &Words) {
+    sets(points).into_iter().for_each(|(look, name)| svg.legend(look, &words.say(name)));
 }
 
-/// Which point, and its errors before and after: the same text in every picture, so that a page has it once. The target's name is
-/// isolated from its surroundings (right-to-left).
+/// Name of a point with its errors before and after. All pictures have this text, so that a page holds it once. The target's
+/// name is isolated from its surroundings (right-to-left).
 pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     // one unit and one number of decimals, so that all lengths compare: two digits of the error after
     let (before, after) = (before_mm(p), after_mm(p));
@@ -143,8 +134,7 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     text + &words.number(&format!(" (x {x}, y {y}, z {z} {}){turned}", shown.unit))
 }
 
-/// Decimals that show two significant digits of the error after, of which no more than five matter to a reader; those of
-/// the error before where the one after is zero.
+/// Decimals, at most five, that show two significant digits of the error after, or of the error before where it is zero.
 fn decimals(after: f64, before: f64) -> usize {
     let of = |v: f64| if v > 0.0 { number::decimals(v, 2) } else { None };
     of(after).or_else(|| of(before)).unwrap_or(0).clamp(0, 5)

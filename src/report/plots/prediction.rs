@@ -1,36 +1,24 @@
-//! The error to expect at a point of the tool over the workspace: a cell for each node, of nodes behind one another the largest.
+//! Error to expect at a point of the tool over the workspace: a cell for each node, the largest of nodes behind one another.
 
-use super::axis::range;
-use super::map::{Scale, level, scales};
-use super::plane::{self, Plane, WIDTH};
-use super::svg::{Place, Svg};
-use crate::model::Figure;
-use crate::number;
-use crate::words::Words;
+use super::layer::*;
+use super::map::{class, length, scale, scales, top};
 use etalon_documents::{MapNode, PredictionMap};
 use std::collections::BTreeMap;
 
-/// Nodes beyond this are not places of a robot, mm.
+/// Nodes beyond this (mm) are not positions of a robot.
 const DRAWABLE_MM: f64 = 1e7;
-/// Nodes less apart than this, in units of the picture, lie behind one another.
+/// Nodes nearer than this (units of the picture) lie behind one another.
 const NEAR: f64 = 1.0;
 
 /// Nominal minus identified model, and expected error with the identified one, in every plane of the workspace.
 pub(crate) fn pictures(map: &PredictionMap, planar: bool, words: &Words) -> Vec<Figure> {
     let small = |n: &&MapNode| n.at_mm.iter().chain([&n.before_mm, &n.p95_mm]).all(|v| v.abs() < DRAWABLE_MM);
     let nodes: Vec<&MapNode> = map.nodes.iter().filter(small).collect();
-    let largest = |size: fn(&MapNode) -> f64| range(nodes.iter().map(|n| size(n))).map_or(0.0, |r| r.1);
-    let sides = [false, true].map(|identified| Side { identified, largest_mm: largest(size(identified)) });
-    let common = Scale::to(sides.iter().map(|s| s.largest_mm).fold(0.0, f64::max));
-    let drawn = if nodes.is_empty() { &[][..] } else { plane::planes(planar) };
-    let pair = |&axes| sides.each_ref().map(|side| picture(&nodes, map.spacing_mm, axes, side, &common, words));
+    let common = scale(nodes.iter().flat_map(|n| [size(false)(n), size(true)(n)]));
+    let drawn = if nodes.is_empty() { &[][..] } else { Seen::planes(planar) };
+    let pair =
+        |&seen| [false, true].map(|identified| picture((&nodes, map.spacing_mm), seen, identified, &common, words));
     drawn.iter().flat_map(pair).collect()
-}
-
-/// One of the two pictures.
-struct Side {
-    identified: bool,
-    largest_mm: f64,
 }
 
 fn size(identified: bool) -> fn(&MapNode) -> f64 {
@@ -38,59 +26,49 @@ fn size(identified: bool) -> fn(&MapNode) -> f64 {
 }
 
 fn picture(
-    nodes: &[&MapNode],
-    spacing_mm: f64,
-    axes: (usize, usize),
-    side: &Side,
-    common: &Scale,
+    (nodes, spacing_mm): (&[&MapNode], f64),
+    seen: Seen,
+    identified: bool,
+    common: &Axis,
     words: &Words,
 ) -> Figure {
-    let (size, own, name) = (size(side.identified), Scale::to(side.largest_mm), plane::name(axes));
-    let title = match side.identified {
-        false => words.fill("Tool point: nominal minus identified model, {0} plane", &[&name]),
-        true => words.fill("Tool point: error to expect with the identified parameters, {0} plane", &[&name]),
-    };
-    let largest = length(side.largest_mm);
-    let mut description = words.fill("A cell every {0} mm in the base frame, where the calibration poses reach; colour from 0 to {1}, one scale for both pictures; largest {2}.", &[&number::stated(spacing_mm), &common.top(), &largest]);
-    if axes != (0, 1) || nodes.iter().any(|n| n.at_mm[2] != nodes[0].at_mm[2]) {
-        description += &format!(" {}", words.say("Of cells behind one another the largest is drawn."));
-    }
-    let places: Vec<_> = nodes.iter().map(|n| n.at_mm).collect();
-    let plane = Plane::around(axes, &places);
-    let key = if side.identified { "identified" } else { "nominal" };
-    let id = format!("prediction-{key}-{name}");
-    let mut svg = Svg::new(&id, WIDTH, plane.height() + 26.0, &title, &description);
-    plane.draw(&mut svg, words);
+    let size = size(identified);
+    let own = scale(nodes.iter().map(|n| size(n)));
+    let mut map = Workspace::new(seen, &nodes.iter().map(|n| n.at_mm).collect::<Vec<_>>(), words);
     let mut cells: BTreeMap<(i64, i64), &MapNode> = BTreeMap::new();
     for node in nodes {
-        let (x, y) = plane.at(node.at_mm);
+        let (x, y) = map.at(node.at_mm).at;
         let cell = cells.entry(((x / NEAR) as i64, (y / NEAR) as i64)).or_insert(node);
         if size(node) > size(cell) {
             *cell = node;
         }
     }
-    let edge = (plane.scale * spacing_mm).clamp(4.0, 40.0);
+    let edge = (map.scale * spacing_mm).clamp(4.0, 40.0);
     for node in cells.values() {
-        let (x, y): Place = plane.at(node.at_mm);
-        let class = format!("map o{} w{}", level(common.share(size(node))), level(own.share(size(node))));
-        svg.rect(&class, (x - 0.5 * edge, y - 0.5 * edge), (edge, edge), &tooltip(node, words));
+        let (x, y) = map.at(node.at_mm).at;
+        let class = class([common, &own], size(node));
+        let look = Look::new(Shape::Square, &class);
+        map.svg.rect(look, (x - 0.5 * edge, y - 0.5 * edge), (edge, edge), &tooltip(node, words));
     }
-    scales(&mut svg, [common, &own], plane.height());
+    scales(&mut map.svg, [common, &own]);
+    let name = seen.name();
+    let title = match identified {
+        false => words.fill("Tool point: nominal minus identified model, {0} plane", &[&name]),
+        true => words.fill("Tool point: error to expect with the identified parameters, {0} plane", &[&name]),
+    };
+    let largest = length(super::axis::largest(nodes.iter().map(|n| size(n))));
+    let mut description = words.fill("A cell every {0} mm in the base frame, where the calibration poses reach; colour from 0 to {1}, one scale for both pictures; largest {2}.", &[&number::stated(spacing_mm), &top(common), &largest]);
+    if seen != XY || nodes.iter().any(|n| n.at_mm[2] != nodes[0].at_mm[2]) {
+        description += &format!(" {}", words.say("Of cells behind one another the largest is drawn."));
+    }
+    let key = if identified { "identified" } else { "nominal" };
     Figure {
-        title,
         pair: format!("prediction-{name}"),
-        side: if side.identified { "after" } else { "before" },
+        side: points::side(identified),
         sides: Some(["nominal minus identified", "expected"]),
         scaled: true,
-        svg: svg.finish(),
-        caption: description,
-        ..Figure::default()
+        ..map.figure(&format!("prediction-{key}-{name}"), title, description)
     }
-}
-
-fn length(mm: f64) -> String {
-    let shown = number::shown("mm", mm);
-    format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
 }
 
 fn tooltip(n: &MapNode, words: &Words) -> String {

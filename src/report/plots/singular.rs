@@ -1,17 +1,10 @@
-//! What the data determine well and what badly: the singular values of the identification, in order, on a logarithmic axis.
+//! Singular values of the identification in order, on a logarithmic axis: what the data determine well and what badly.
 
-use super::axis::{Axis, left_margin};
-use super::svg::{Shape, Svg};
-use crate::model::Figure;
+use super::layer::*;
 use crate::number::significant;
-use crate::words::Words;
 use etalon_documents::{ObservabilitySummary, SingularValueEntry};
 
-const WIDTH: f64 = 760.0;
-const RIGHT: f64 = 744.0;
-const TOP: f64 = 16.0;
-const BOTTOM: f64 = 250.0;
-/// Decades below the largest that are drawn: beyond is rounding.
+/// Decades below the largest that are drawn: values beyond are rounding errors.
 const DECADES: u8 = 18;
 /// Labels of an axis that do not run into each other.
 const LABELS: usize = 20;
@@ -21,58 +14,42 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     let identified = o.singular_values.iter().map(|s| (s, false));
     let all: Vec<(&SingularValueEntry, bool)> =
         identified.chain(o.held_singular_values.iter().map(|s| (s, true))).collect();
-    let drawable = |(s, _): &&(&SingularValueEntry, bool)| s.value >= 0.0 && s.value < 1e300;
-    let largest = all.iter().filter(drawable).map(|(s, _)| s.value).fold(0.0, f64::max);
-    if !(largest > 0.0 && all.iter().all(|s| drawable(&s))) {
+    let values = || all.iter().map(|(s, _)| s.value);
+    let largest = super::axis::largest(values().filter(|v| *v < 1e300));
+    if !(largest > 0.0 && values().all(|v| (0.0..1e300).contains(&v))) {
         return None;
     }
     let cut = o.rank_cut * largest;
     let is_cut_drawn = cut > 0.0 && cut < largest && !o.held_singular_values.is_empty();
-    let smallest = all.iter().map(|(s, _)| s.value).fold(if is_cut_drawn { cut } else { largest }, f64::min);
-    let up = Axis::decades(smallest, largest, DECADES, BOTTOM, TOP);
-    let title = words.say("Singular values of the identification");
-    let description = words.say("One mark for each singular value in descending order, on a logarithmic axis: high is well observable, low is badly observable.");
-    let mut svg = Svg::new("singular-values", WIDTH, BOTTOM + 46.0, &title, &description);
-    let ticks = up.ticks(6);
-    let left = left_margin(&ticks);
-    let across = Axis::linear(0.3, all.len() as f64 + 0.7, left, RIGHT);
-    for (value, label) in ticks.iter().step_by(ticks.len().div_ceil(LABELS / 2)) {
-        svg.line("grid", (left, up.at(*value)), (RIGHT, up.at(*value)));
-        svg.text("end", (left - 5.0, up.at(*value) + 4.0), label);
-    }
-    for i in (0..all.len()).step_by(all.len().div_ceil(LABELS)) {
-        svg.text("mid", (across.at(i as f64 + 1.0), BOTTOM + 17.0), &(i + 1).to_string());
-    }
-    svg.line("axis", (left, BOTTOM), (RIGHT, BOTTOM));
-    svg.line("axis", (left, TOP), (left, BOTTOM));
-    svg.text("mid", ((left + RIGHT) / 2.0, BOTTOM + 36.0), &words.say("number of the singular value"));
-    svg.text_upwards((12.0, (TOP + BOTTOM) / 2.0), &words.say("singular value"));
+    let smallest = values().fold(if is_cut_drawn { cut } else { largest }, f64::min);
+    let up = Axis::decades("", (smallest, largest), DECADES);
+    let labels = (0..all.len()).step_by(all.len().div_ceil(LABELS)).map(|i| (i as f64, (i + 1).to_string()));
+    let across = Axis::rows(all.len(), labels.collect(), 0.7);
+    let names = [words.say("number of the singular value"), words.say("singular value")];
+    let mut chart = Chart::new(WIDE, [across, up], names);
     if is_cut_drawn {
-        svg.line("knee", (left, up.at(cut)), (RIGHT, up.at(cut)));
-        let label = words.fill("rank cut {0}", &[&significant(cut, 2)]);
-        svg.text("start", (left + 8.0, up.at(cut) - 6.0), &label);
+        chart.level("knee", cut);
+        let (x, y) = chart.at(-0.7, cut);
+        chart.svg.text("start", (x + 8.0, y - 6.0), &words.fill("rank cut {0}", &[&significant(cut, 2)]));
     }
     for (i, (s, held)) in all.iter().enumerate() {
-        let at = (across.at(i as f64 + 1.0), up.at(s.value));
+        let at = chart.at(i as f64, s.value);
+        let (look, radius) = if *held { (VALIDATION, 5.0) } else { (CALIBRATION, 4.0) };
         let tip = format!("{}: {} {}", i + 1, significant(s.value, 3), s.parameters.join(", "));
-        match held {
-            true => svg.mark(Shape::Diamond, "val", at, 5.0, "", tip.trim_end()),
-            false => svg.mark(Shape::Circle, "cal", at, 4.0, "", tip.trim_end()),
-        }
+        chart.svg.mark(look, at, radius, tip.trim_end());
     }
     let row = |(i, (s, held)): (usize, &(&SingularValueEntry, bool))| {
         let direction = if *held { words.say("held") } else { words.say("identified") };
         vec![(i + 1).to_string(), significant(s.value, 4), direction, s.parameters.join(", ")]
     };
+    let title = words.say("Singular values of the identification");
+    let description = words.say("One mark for each singular value in descending order, on a logarithmic axis: high is well observable, low is badly observable.");
     Some(Figure {
-        title,
-        svg: svg.finish(),
         caption: caption(o, words),
-        wide: true,
         table_title: words.say("Numbers of this picture"),
         header: vec![words.say("number"), words.say("singular value"), words.say("direction"), words.say("parameters")],
         rows: all.iter().enumerate().map(row).collect(),
-        ..Figure::default()
+        ..chart.figure("singular-values", title, description)
     })
 }
 

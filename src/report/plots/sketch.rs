@@ -1,13 +1,10 @@
-//! The model of the robot as a line drawing, its parameters as dimensions.
+//! Model of the robot as a line drawing with its parameters as dimensions.
 
-use super::svg::{Place, Svg};
+use super::layer::*;
 use super::view::{ABOVE, ASLANT, Paper};
-use crate::model::Figure;
-use crate::words::Words;
 use etalon_base::sketch::{Sketch, StrokeKind};
 use std::borrow::Cow;
 
-const WIDTH: f64 = 380.0;
 const MOST_HIGH: f64 = 420.0;
 /// Room for letters around the lines.
 const MARGIN: f64 = 46.0;
@@ -29,14 +26,12 @@ pub(crate) fn pictures(sketches: &[Sketch], words: &Words) -> Vec<Figure> {
 fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     let view = if sketch.planar { ABOVE } else { ASLANT };
     let places = || sketch.strokes.iter().flat_map(|s| &s.points_mm);
-    if !places().flatten().all(|v| v.abs() < REACH) {
+    if places().next().is_none() || !places().flatten().all(|v| v.abs() < REACH) {
         return None;
     }
     let flat: Vec<Place> = places().map(|p| view.flat(*p)).collect();
-    let paper = Paper::around(&flat, WIDTH, MOST_HIGH, MARGIN)?;
-    let title = words.say("The model and its parameters");
-    let description = words.say(&sketch.title);
-    let mut svg = Svg::new(&format!("sketch-{index}"), WIDTH, paper.height, &title, &description);
+    let paper = Paper::around(&flat, NARROW, MOST_HIGH, MARGIN);
+    let mut svg = Svg::new(NARROW, paper.height);
     let drawn: Vec<Vec<Place>> =
         sketch.strokes.iter().map(|s| s.points_mm.iter().map(|p| paper.at(view.flat(*p))).collect()).collect();
     for (stroke, line) in sketch.strokes.iter().zip(&drawn) {
@@ -46,15 +41,12 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
             StrokeKind::Axis => "line-axis",
             StrokeKind::Length | StrokeKind::Direction => "dimension",
         };
-        let Some(((last, before), (first, second))) = ends(&line) else { continue };
-        line.windows(2).take(line.len().saturating_sub(2)).for_each(|pair| svg.line(class, pair[0], pair[1]));
+        svg.lines(class, &line);
+        let ([first, second, ..], [.., before, last]) = (&line[..], &line[..]) else { continue };
         match stroke.kind {
-            StrokeKind::Part | StrokeKind::Axis => svg.line(class, before, last),
-            StrokeKind::Direction => svg.arrow(class, before, last),
-            StrokeKind::Length => {
-                svg.arrow(class, before, last);
-                svg.arrow(class, second, first);
-            }
+            StrokeKind::Part | StrokeKind::Axis => {}
+            StrokeKind::Direction => svg.arrows(class, &[[*before, *last]]),
+            StrokeKind::Length => svg.arrows(class, &[[*before, *last], [*second, *first]]),
         }
     }
     let parts = sketch.strokes.iter().zip(&drawn).filter(|(s, _)| s.kind == StrokeKind::Part);
@@ -75,17 +67,11 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
         }
         svg.text(class, at, name);
     }
-    Some(Figure { title, svg: svg.finish(), caption: description, ..Figure::default() })
+    let title = words.say("The model and its parameters");
+    Some(svg.figure(&format!("sketch-{index}"), title, words.say(&sketch.title)))
 }
 
-/// The last place and the one before it, and the first and the one behind it.
-fn ends(line: &[Place]) -> Option<((Place, Place), (Place, Place))> {
-    let [.., before, last] = line else { return None };
-    let [first, second, ..] = line else { return None };
-    Some(((*last, *before), (*first, *second)))
-}
-
-/// Across a line from one place to another, of length one; nothing where they are one.
+/// Unit normal of the line from one place to another; zero where they coincide.
 fn across(from: Place, to: Place) -> Place {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy);
@@ -93,8 +79,8 @@ fn across(from: Place, to: Place) -> Place {
 }
 
 fn aside(line: &[Place]) -> Vec<Place> {
-    let Some(((last, _), (first, _))) = ends(line) else { return Vec::new() };
-    let (nx, ny) = across(first, last);
+    let [first, .., last] = line else { return Vec::new() };
+    let (nx, ny) = across(*first, *last);
     line.iter().map(|p| (p.0 + ASIDE * nx, p.1 + ASIDE * ny)).collect()
 }
 
@@ -139,7 +125,7 @@ fn on_axis(first: Place, last: Place) -> Place {
     (first.0 + SHARE * (last.0 - first.0), first.1 + SHARE * (last.1 - first.1))
 }
 
-/// Whether a line from one place to another meets a frame: it is cut to the part inside of each pair of edges.
+/// `true` if a line from one place to another meets a frame: the line is cut to the part inside of each pair of edges.
 fn meets([a, b]: [Place; 2], [left, right, top, bottom]: [f64; 4]) -> bool {
     let (mut from, mut to) = (0.0f64, 1.0f64);
     for (start, along, low, high) in [(a.0, b.0 - a.0, left, right), (a.1, b.1 - a.1, top, bottom)] {
@@ -205,9 +191,13 @@ impl Labels {
         let free = |at: &&Place| {
             let [left, right, top, bottom] = frame(**at, name);
             let apart = |b: &[f64; 4]| right < b[0] || b[1] < left || bottom < b[2] || b[3] < top;
-            left > 1.0 && right < WIDTH - 1.0 && top > 1.0 && bottom < self.height - 1.0 && self.taken.iter().all(apart)
+            left > 1.0
+                && right < NARROW - 1.0
+                && top > 1.0
+                && bottom < self.height - 1.0
+                && self.taken.iter().all(apart)
         };
-        let inside = |(x, y): Place| (x.clamp(half + 1.0, WIDTH - half - 1.0), y.clamp(14.0, self.height - 4.0));
+        let inside = |(x, y): Place| (x.clamp(half + 1.0, NARROW - half - 1.0), y.clamp(14.0, self.height - 4.0));
         let clear = |at: &&Place| !self.parts.iter().any(|part| meets(*part, frame(**at, name)));
         let beside = choices.iter().find(|at| free(at) && clear(at)).or_else(|| choices.iter().find(free));
         let at = beside.copied().unwrap_or_else(|| inside(choices[0]));
@@ -218,6 +208,7 @@ impl Labels {
 
 #[cfg(test)]
 mod tests {
+    use super::super::svg::numbers;
     use super::*;
 
     #[test]
@@ -225,13 +216,10 @@ mod tests {
         let mut sketch = Sketch::new("Twelve lengths on one line.", true);
         (0..12).for_each(|i| sketch.add(StrokeKind::Length, format!("length_{i}"), &[[0.0; 3], [100.0, 60.0, 0.0]]));
         let svg = &pictures(&[sketch], &Words::default())[0].svg;
-        let number =
-            |l: &str, name: &str| l.split(name).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
-        let texts: Vec<_> =
-            svg.lines().filter(|l| l.starts_with("<text")).map(|l| (number(l, " x=\""), number(l, " y=\""))).collect();
+        let texts: Vec<_> = numbers(svg, "text", "x").into_iter().zip(numbers(svg, "text", "y")).collect();
         assert_eq!(texts.len(), 12);
         for (i, a) in texts.iter().enumerate() {
-            assert!(a.0 > 20.0 && a.0 < WIDTH - 20.0);
+            assert!(a.0 > 20.0 && a.0 < NARROW - 20.0);
             assert!(texts[..i].iter().all(|b| (a.0 - b.0).abs() > 40.0 || (a.1 - b.1).abs() > 10.0), "{texts:?}");
         }
     }
@@ -246,14 +234,13 @@ mod tests {
             sketch.add(StrokeKind::Axis, format!("wrist_{i}"), &[at(share), at(share + 0.22)]);
         }
         let svg = &pictures(&[sketch], &Words::default())[0].svg;
-        let number =
-            |l: &str, key: &str| l.split(key).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
-        let ends = |l: &str| [(number(l, " x1=\""), number(l, " y1=\"")), (number(l, " x2=\""), number(l, " y2=\""))];
+        let number = |l: &str, key: &str| numbers(l, &l[1..5], key)[0];
+        let ends = |l: &str| [(number(l, "x1"), number(l, "y1")), (number(l, "x2"), number(l, "y2"))];
         let part = ends(svg.lines().find(|l| l.contains("class=\"part\"")).unwrap());
         let texts: Vec<&str> = svg.lines().filter(|l| l.starts_with("<text")).collect();
         assert_eq!(texts.len(), 6);
         for text in &texts {
-            let at = (number(text, " x=\""), number(text, " y=\""));
+            let at = (number(text, "x"), number(text, "y"));
             assert!(!meets(part, frame(at, "wrist_0")), "{text}");
         }
         let leaders: Vec<_> = svg.lines().filter(|l| l.contains("leader")).map(ends).collect();

@@ -1,256 +1,322 @@
-//! Inline SVG, one mark at a time; every text is escaped here and nowhere else.
+//! Inline SVG, one element at a time; texts are escaped here and nowhere else.
 
+use crate::model::Figure;
 use etalon_base::pose::Vector;
 use std::fmt::Write;
 
 /// Colours that every eye distinguishes (Okabe & Ito 2008).
 pub(crate) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
 
-/// A place in the picture, in its own units.
+/// Position in the picture, in its own units.
 pub(crate) type Place = (f64, f64);
 
-/// Form of a mark: calibration and validation differ by more than colour.
+/// Position on paper and, in a picture that turns, in space (mm from the middle).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spot {
+    pub at: Place,
+    pub space: Option<Vector>,
+}
+
+impl From<Place> for Spot {
+    fn from(at: Place) -> Self {
+        Self { at, space: None }
+    }
+}
+
+impl Spot {
+    /// Returns the spot moved on paper; in space it stays where it is.
+    pub fn beside(self, right: f64, down: f64) -> Self {
+        Self { at: (self.at.0 + right, self.at.1 + down), ..self }
+    }
+}
+
+/// Form of a mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
     Circle,
     Diamond,
     Square,
     Triangle,
-    /// A triangle on its corner.
+    /// Triangle on its corner.
     Inverted,
     Plus,
 }
 
-/// Forms of groups, which differ by more than their colour.
-pub(crate) const SHAPES: [Shape; 6] =
+const SHAPES: [Shape; 6] =
     [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle, Shape::Inverted, Shape::Plus];
 
-/// A picture being drawn.
+/// Form, class and colour of a mark; the class decides where the colour is empty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Look<'a> {
+    pub shape: Shape,
+    pub class: &'a str,
+    pub fill: &'a str,
+}
+
+/// Look of calibration poses.
+pub(crate) const CALIBRATION: Look<'static> = Look::new(Shape::Circle, "cal");
+/// Look of validation poses, and of what stands out.
+pub(crate) const VALIDATION: Look<'static> = Look::new(Shape::Diamond, "val");
+
+impl<'a> Look<'a> {
+    pub const fn new(shape: Shape, class: &'a str) -> Self {
+        Self { shape, class, fill: "" }
+    }
+
+    /// Returns the look of a group by its number: groups differ by form as well as colour.
+    pub fn group(i: usize) -> Self {
+        Self { shape: SHAPES[i % SHAPES.len()], class: "map", fill: COLOURS[i % COLOURS.len()] }
+    }
+
+    /// Returns a coloured square without a class.
+    pub fn colour(fill: &'a str) -> Self {
+        Self { shape: Shape::Square, class: "", fill }
+    }
+
+    fn attributes(self) -> String {
+        [("class", self.class), ("fill", self.fill)]
+            .iter()
+            .filter(|(_, value)| !value.is_empty())
+            .map(|(name, value)| format!("{name}=\"{value}\" "))
+            .collect()
+    }
+
+    /// Corners of the mark; forms have about the area of the circle. A circle has none.
+    fn corners(self, (x, y): Place, radius: f64) -> Vec<Place> {
+        let triangle = |up: f64| vec![(0.0, -1.35 * up), (1.35, 0.9855 * up), (-1.35, 0.9855 * up)];
+        let unit = match self.shape {
+            Shape::Circle => vec![],
+            Shape::Diamond => vec![(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
+            Shape::Square => vec![(-0.89, -0.89), (0.89, -0.89), (0.89, 0.89), (-0.89, 0.89)],
+            Shape::Triangle => triangle(1.0),
+            Shape::Inverted => triangle(-1.0),
+            Shape::Plus => {
+                let arm = [(0.4, -1.19), (0.4, -0.4), (1.19, -0.4)];
+                let turned = |arm: &[Place; 3]| Some(arm.map(|(u, v)| (-v, u)));
+                std::iter::successors(Some(arm), turned).take(4).flatten().collect()
+            }
+        };
+        unit.into_iter().map(|(u, v)| (x + radius * u, y + radius * v)).collect()
+    }
+}
+
+/// Width of a picture (units of the picture): that of a phone, so that letters keep their size there.
+pub(crate) const NARROW: f64 = 380.0;
+/// Width of a picture that takes a whole row.
+pub(crate) const WIDE: f64 = 760.0;
+/// Height of a row of a legend or of bars.
+pub(crate) const ROW: f64 = 20.0;
+/// Width of a letter: 0.6 of its 12 px.
+pub(crate) const LETTER: f64 = 7.2;
+/// Left end of a legend.
+const LEGEND: f64 = 30.0;
+
+/// Width of a text.
+pub(crate) fn width(text: &str) -> f64 {
+    LETTER * text.chars().count() as f64
+}
+
+/// Width of the longest text.
+pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>) -> f64 {
+    texts.into_iter().map(width).fold(0.0, f64::max)
+}
+
+/// Picture being drawn, with its legend below.
 pub(crate) struct Svg {
     out: String,
+    /// attribute that lets a script turn the picture
+    turn: String,
+    pub width: f64,
+    height: f64,
+    /// left end of the next entry of the legend in the last row
+    next: f64,
 }
 
 impl Svg {
-    /// An empty picture with what it is and what it shows.
-    pub fn new(id: &str, width: f64, height: f64, title: &str, description: &str) -> Self {
-        let mut out = format!(
-            "<svg viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n"
-        );
-        let _ = writeln!(out, "<title id=\"{id}-title\">{}</title>", escape(title));
-        let _ = writeln!(out, "<desc id=\"{id}-desc\">{}</desc>", escape(description));
-        Self { out }
+    pub fn new(width: f64, height: f64) -> Self {
+        Self { out: String::new(), turn: String::new(), width, height, next: f64::INFINITY }
     }
 
-    /// A straight line.
-    pub fn line(&mut self, class: &str, a: Place, b: Place) {
-        let (x1, y1, x2, y2) = (px(a.0), px(a.1), px(b.0), px(b.1));
-        let _ = writeln!(self.out, "<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>");
+    /// Draws a straight line.
+    pub fn line(&mut self, class: &str, a: impl Into<Spot>, b: impl Into<Spot>) {
+        let spots = [a.into(), b.into()];
+        let [(x1, y1), (x2, y2)] = spots.map(|s| (px(s.at.0), px(s.at.1)));
+        let attributes = format!("class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"");
+        self.element("line", &attributes, &spots, "");
     }
 
-    /// A rectangle with a tooltip.
-    pub fn rect(&mut self, class: &str, corner: Place, size: Place, tooltip: &str) {
-        let (x, y, w, h) = (px(corner.0), px(corner.1), px(size.0), px(size.1));
-        let _ = write!(self.out, "<rect class=\"{class}\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"");
-        self.close("rect", tooltip);
+    /// Draws lines from each place to the next.
+    pub fn lines(&mut self, class: &str, places: &[Place]) {
+        places.windows(2).for_each(|pair| self.line(class, pair[0], pair[1]));
     }
 
-    /// A square of a colour of the program's own, with a tooltip.
-    pub fn cell(&mut self, corner: Place, side: f64, fill: &str, tooltip: &str) {
-        self.bar(corner, (side, side), fill, tooltip);
+    /// Draws a rectangle with a tooltip.
+    pub fn rect(&mut self, look: Look, corner: Place, size: Place, tooltip: &str) {
+        let [x, y, w, h] = [corner.0, corner.1, size.0, size.1].map(px);
+        let attributes = format!("{}x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"", look.attributes());
+        self.element("rect", &attributes, &[], tooltip);
     }
 
-    /// The same of a rectangle.
-    pub fn bar(&mut self, corner: Place, size: Place, fill: &str, tooltip: &str) {
-        let (x, y, w, h) = (px(corner.0), px(corner.1), px(size.0), px(size.1));
-        let _ = write!(self.out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" fill=\"{fill}\"");
-        self.close("rect", tooltip);
+    /// Draws a mark with a tooltip.
+    pub fn mark(&mut self, look: Look, spot: impl Into<Spot>, radius: f64, tooltip: &str) {
+        let (spot, look_of) = (spot.into(), look.attributes());
+        if look.shape == Shape::Circle {
+            let [x, y, r] = [spot.at.0, spot.at.1, radius].map(px);
+            return self.element("circle", &format!("{look_of}cx=\"{x}\" cy=\"{y}\" r=\"{r}\""), &[spot], tooltip);
+        }
+        let path = outline(&look.corners(spot.at, radius));
+        self.element("path", &format!("{look_of}d=\"{path}\""), &[spot], tooltip);
     }
 
-    /// A circle or diamond with a tooltip; `fill` is a colour of the program's own, empty to leave it to the class.
-    pub fn mark(&mut self, shape: Shape, class: &str, at: Place, radius: f64, fill: &str, tooltip: &str) {
-        let fill = if fill.is_empty() { String::new() } else { format!(" fill=\"{fill}\"") };
-        self.shaped(shape, class, at, radius, &fill, tooltip);
-    }
-
-    /// A mark of a picture that turns, and its place from the middle in mm.
-    pub fn mark_in_space(&mut self, shape: Shape, class: &str, at: Place, radius: f64, place: Vector, tooltip: &str) {
-        self.shaped(shape, class, at, radius, &in_space(&[place]), tooltip);
-    }
-
-    /// A line of a picture that turns, and the places of its ends from the middle in mm.
-    pub fn line_in_space(&mut self, class: &str, a: Place, b: Place, ends: [Vector; 2]) {
-        let (x1, y1, x2, y2) = (px(a.0), px(a.1), px(b.0), px(b.1));
-        let ends = in_space(&ends);
-        let _ = writeln!(self.out, "<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"{ends}/>");
-    }
-
-    /// A text of a picture that turns.
-    pub fn text_in_space(&mut self, class: &str, (x, y): Place, place: Vector, text: &str) {
-        let (x, y, at) = (px(x), px(y), in_space(&[place]));
-        let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{at}>{}</text>", escape(text));
-    }
-
-    /// Lets a script turn the picture: azimuth and elevation in rad, units for each mm.
-    pub fn turns(&mut self, azimuth_rad: f64, elevation_rad: f64, scale: f64) {
-        let data = format!("<svg data-turn=\"{azimuth_rad} {elevation_rad} {scale:.6}\" ");
-        self.out = self.out.replacen("<svg ", &data, 1);
-    }
-
-    /// What stands between these is shown where one of two ways to colour the marks is chosen.
-    pub fn begin(&mut self, class: &str) {
-        let _ = writeln!(self.out, "<g class=\"{class}\">");
-    }
-
-    pub fn end(&mut self) {
-        self.out.push_str("</g>\n");
-    }
-
-    fn shaped(&mut self, shape: Shape, class: &str, (x, y): Place, radius: f64, fill: &str, tooltip: &str) {
-        let corners: Vec<Place> = match shape {
-            Shape::Circle => {
-                let (x, y, r) = (px(x), px(y), px(radius));
-                let _ = write!(self.out, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}");
-                return self.close("circle", tooltip);
-            }
-            // all have about the area of the circle
-            Shape::Diamond => {
-                let half = 1.25 * radius;
-                vec![(x, y - half), (x + half, y), (x, y + half), (x - half, y)]
-            }
-            Shape::Square => {
-                let half = 0.89 * radius;
-                vec![(x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half)]
-            }
-            Shape::Triangle => {
-                let half = 1.35 * radius;
-                vec![(x, y - half), (x + half, y + 0.73 * half), (x - half, y + 0.73 * half)]
-            }
-            Shape::Inverted => {
-                let half = 1.35 * radius;
-                vec![(x, y + half), (x + half, y - 0.73 * half), (x - half, y - 0.73 * half)]
-            }
-            Shape::Plus => {
-                let (arm, half) = (1.19 * radius, 0.4 * radius);
-                let quarter = [(half, -arm), (half, -half), (arm, -half)];
-                let turned = |k: u8, (u, v): Place| match k {
-                    0 => (x + u, y + v),
-                    1 => (x - v, y + u),
-                    2 => (x - u, y - v),
-                    _ => (x + v, y - u),
-                };
-                (0..4).flat_map(|k| quarter.map(|corner| turned(k, corner))).collect()
-            }
-        };
-        let _ = write!(self.out, "<path class=\"{class}\" d=\"{}\"{fill}", outline(&corners));
-        self.close("path", tooltip);
-    }
-
-    /// Arrows of one class as one path, each head shorter than its arrow.
+    /// Draws arrows of one class as one path, each head shorter than its arrow.
     pub fn arrows(&mut self, class: &str, all: &[[Place; 2]]) {
         let mut path = String::new();
+        let to = |(x, y): Place| format!("{} {}", px(x), px(y));
         for [a, b] in all {
             let length = (b.0 - a.0).hypot(b.1 - a.1);
-            let _ = write!(path, "M{} {}L{} {}", px(a.0), px(a.1), px(b.0), px(b.1));
+            let _ = write!(path, "M{}L{}", to(*a), to(*b));
             if length > 0.5 {
                 let (ux, uy, head) = ((b.0 - a.0) / length, (b.1 - a.1) / length, 4.5f64.min(0.6 * length));
-                let back = |side: f64| (px(b.0 - head * ux - side * head * uy), px(b.1 - head * uy + side * head * ux));
-                let ((x1, y1), (x2, y2)) = (back(0.4), back(-0.4));
-                let _ = write!(path, "M{x1} {y1}L{} {}L{x2} {y2}", px(b.0), px(b.1));
+                let back = |side: f64| to((b.0 - head * (ux + side * uy), b.1 - head * (uy - side * ux)));
+                let _ = write!(path, "M{}L{}L{}", back(0.4), to(*b), back(-0.4));
             }
         }
         if !all.is_empty() {
-            let _ = writeln!(self.out, "<path class=\"{class}\" fill=\"none\" d=\"{path}\"/>");
+            self.element("path", &format!("class=\"{class}\" fill=\"none\" d=\"{path}\""), &[], "");
         }
     }
 
-    /// An upright cross.
+    /// Draws an upright cross.
     pub fn cross(&mut self, class: &str, (x, y): Place, half: f64) {
         self.line(class, (x - half, y), (x + half, y));
         self.line(class, (x, y - half), (x, y + half));
     }
 
-    /// An arrow from `a` to `b`, its head shorter than the arrow.
-    pub fn arrow(&mut self, class: &str, a: Place, b: Place) {
-        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let length = dx.hypot(dy);
-        if length > 0.0 {
-            self.line(class, a, b);
-        }
-        if length > 0.5 {
-            let (ux, uy) = (dx / length, dy / length);
-            let head = 4.5f64.min(0.6 * length);
-            let back = |side: f64| (b.0 - head * ux - side * head * uy, b.1 - head * uy + side * head * ux);
-            self.line(class, b, back(0.4));
-            self.line(class, b, back(-0.4));
+    /// Draws the ends of an interval of a mark, if there are any, each with a bar across.
+    pub fn interval(&mut self, class: &str, at: Place, ends: impl IntoIterator<Item = Place>) {
+        for (x, y) in ends {
+            self.line(class, at, (x, y));
+            self.line(class, (x - 4.0, y), (x + 4.0, y));
         }
     }
 
-    /// A text; the class states where it is anchored.
-    pub fn text(&mut self, class: &str, (x, y): Place, text: &str) {
-        let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y), escape(text));
+    /// Writes a text; the class states its anchor.
+    pub fn text(&mut self, class: &str, spot: impl Into<Spot>, text: &str) {
+        let spot = spot.into();
+        let (x, y, at) = (px(spot.at.0), px(spot.at.1), in_space(&[spot]));
+        let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{at}>{}</text>", escape(text));
     }
 
-    /// A text that reads upwards, around its middle.
-    pub fn text_upwards(&mut self, (x, y): Place, text: &str) {
-        let (x, y) = (px(x), px(y));
+    /// Writes a text that reads upwards.
+    pub fn text_upwards(&mut self, class: &str, (x, y): Place, text: &str) {
+        let (x, y, text) = (px(x), px(y), escape(text));
         let turn = format!("transform=\"rotate(-90 {x} {y})\"");
-        let _ = writeln!(self.out, "<text class=\"mid\" x=\"{x}\" y=\"{y}\" {turn}>{}</text>", escape(text));
+        let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\" {turn}>{text}</text>");
     }
 
-    /// A text that reads upwards and ends here.
-    pub fn text_below(&mut self, (x, y): Place, text: &str) {
-        let (x, y) = (px(x), px(y));
-        let turn = format!("transform=\"rotate(-90 {x} {y})\"");
-        let _ = writeln!(self.out, "<text class=\"end\" x=\"{x}\" y=\"{y}\" {turn}>{}</text>", escape(text));
+    /// Adds a mark with its name to the legend.
+    pub fn legend(&mut self, look: Look, name: &str) {
+        self.legend_of(look, 4.5, name);
     }
 
-    /// The whole element.
-    pub fn finish(mut self) -> String {
-        self.out.push_str("</svg>");
-        self.out
+    /// Adds a mark of this radius with its name to the legend.
+    pub fn legend_of(&mut self, look: Look, radius: f64, name: &str) {
+        let (x, y) = self.entry(30.0, name);
+        self.mark(look, (x, y), radius, "");
+        self.text("start", (x + 10.0, y + 4.0), name);
     }
 
-    fn close(&mut self, element: &str, tooltip: &str) {
+    /// Adds a line with its name to the legend.
+    pub fn legend_line(&mut self, class: &str, name: &str) {
+        let (x, y) = self.entry(48.0, name);
+        self.line(class, (x - 5.0, y), (x + 17.0, y));
+        self.text("start", (x + 24.0, y + 4.0), name);
+    }
+
+    /// Begins a row below the picture and returns its middle.
+    pub fn row(&mut self) -> f64 {
+        self.height += ROW;
+        self.next = f64::INFINITY;
+        self.height - 0.5 * ROW
+    }
+
+    /// Place of the next entry of the legend, in a new row where this one has no room for it.
+    fn entry(&mut self, around: f64, name: &str) -> Place {
+        let wide = around + width(name);
+        if self.next + wide > self.width + 10.0 {
+            self.row();
+            self.next = LEGEND;
+        }
+        let x = self.next;
+        self.next += wide;
+        (x, self.height - 0.5 * ROW)
+    }
+
+    /// Draws what a page shows or hides as one.
+    pub fn group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
+        let _ = writeln!(self.out, "<g class=\"{class}\">");
+        draw(self);
+        self.out.push_str("</g>\n");
+    }
+
+    /// Lets a script turn the picture: azimuth and elevation (rad), units of the picture per mm.
+    pub fn turns(&mut self, azimuth_rad: f64, elevation_rad: f64, scale: f64) {
+        self.turn = format!("data-turn=\"{azimuth_rad} {elevation_rad} {scale:.6}\" ");
+    }
+
+    /// Returns the picture, described to those who cannot see it; the description is its caption too.
+    pub fn figure(self, id: &str, title: String, description: String) -> Figure {
+        let Self { out, turn, width, .. } = self;
+        // room under the last row of the legend
+        let height = self.height + 4.0;
+        let svg = format!(
+            "<svg {turn}viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
+             <title id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{out}</svg>",
+            escape(&title),
+            escape(&description)
+        );
+        Figure { title, svg, caption: description, wide: width > NARROW, ..Figure::default() }
+    }
+
+    fn element(&mut self, name: &str, attributes: &str, spots: &[Spot], tooltip: &str) {
+        let at = in_space(spots);
         let _ = match tooltip {
-            "" => writeln!(self.out, "/>"),
-            _ => writeln!(self.out, "><title>{}</title></{element}>", escape(tooltip)),
+            "" => writeln!(self.out, "<{name} {attributes}{at}/>"),
+            _ => writeln!(self.out, "<{name} {attributes}{at}><title>{}</title></{name}>", escape(tooltip)),
         };
     }
 }
 
-/// Places from the middle, in whole millimetres or their tenths, which a script turns.
-fn in_space(places: &[Vector]) -> String {
-    let all: Vec<String> = places.iter().flatten().map(|v| px(*v)).collect();
-    format!(" data-at=\"{}\"", all.join(" "))
+/// Attribute with positions in space, which a script turns: mm from the middle, to a tenth.
+fn in_space(spots: &[Spot]) -> String {
+    let all: Vec<String> = spots.iter().filter_map(|s| s.space).flatten().map(px).collect();
+    if all.is_empty() { String::new() } else { format!(" data-at=\"{}\"", all.join(" ")) }
 }
 
-/// A closed path, each corner from the one before it: a third shorter than with all places in full.
+/// Closed path in relative coordinates, which are a third shorter than absolute ones.
 fn outline(corners: &[Place]) -> String {
-    let mut out = String::new();
-    for (i, corner) in corners.iter().enumerate() {
-        let (mark, from) = match i.checked_sub(1).and_then(|before| corners.get(before)) {
-            Some(before) => (if i == 1 { "l" } else { " " }, *before),
-            None => ("M", (0.0, 0.0)),
-        };
-        let y = px(corner.1 - from.1);
-        let gap = if y.starts_with('-') { "" } else { " " };
-        let x = px(corner.0 - from.0);
-        let mark = if mark == " " && x.starts_with('-') { "" } else { mark };
-        out.extend([mark, &x, gap, &y]);
-    }
-    out + "z"
+    let steps = corners.windows(2).map(|pair| format!("{} {}", px(pair[1].0 - pair[0].0), px(pair[1].1 - pair[0].1)));
+    let steps = steps.collect::<Vec<_>>().join(" ").replace(" -", "-");
+    corners.first().map_or_else(String::new, |(x, y)| format!("M{} {}l{steps}z", px(*x), px(*y)))
 }
 
-/// One decimal is a tenth of a dot of the screen.
+/// Coordinate with one decimal, a tenth of a dot of the screen.
 fn px(value: f64) -> String {
     let value = crate::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 1);
     value.strip_suffix(".0").map_or_else(|| value.clone(), str::to_owned)
 }
 
-/// Text as it may stand between tags and in quotes; control characters replaced.
+/// Text escaped for element content and quoted attributes; control characters are replaced.
 pub(crate) fn escape(text: &str) -> String {
     let printable: String = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     quick_xml::escape::escape(printable).into_owned()
+}
+
+/// Numbers of an attribute of every element of a name, in order.
+#[cfg(test)]
+pub(crate) fn numbers(svg: &str, element: &str, attribute: &str) -> Vec<f64> {
+    let number = |l: &str| l.split(&format!(" {attribute}=\"")).nth(1)?.split('"').next()?.parse().ok();
+    svg.lines().filter(|l| l.starts_with(&format!("<{element}"))).filter_map(number).collect()
 }
 
 #[cfg(test)]
@@ -260,13 +326,13 @@ mod tests {
     #[test]
     fn texts_cannot_leave_their_element() {
         let hostile = "</title><script>alert(\"1\")</script>&'\0";
-        let mut svg = Svg::new("p", 10.0, 10.0, hostile, hostile);
+        let mut svg = Svg::new(10.0, 10.0);
         svg.text("mid", (0.0, 0.0), hostile);
-        svg.text_upwards((0.0, 0.0), hostile);
-        svg.mark(Shape::Circle, "c", (0.0, 0.0), 1.0, "", hostile);
-        svg.mark(Shape::Diamond, "c", (0.0, 0.0), 1.0, "#fff", hostile);
-        svg.rect("bar", (0.0, 0.0), (1.0, 1.0), hostile);
-        let out = svg.finish();
+        svg.text_upwards("mid", (0.0, 0.0), hostile);
+        svg.mark(CALIBRATION, (0.0, 0.0), 1.0, hostile);
+        svg.mark(Look::group(1), (0.0, 0.0), 1.0, hostile);
+        svg.rect(CALIBRATION, (0.0, 0.0), (1.0, 1.0), hostile);
+        let out = svg.figure("p", hostile.to_owned(), hostile.to_owned()).svg;
         let safe = "&lt;/title&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&apos;\u{fffd}";
         assert_eq!(out.matches(safe).count(), 7);
         assert!(!out.contains("<script") && !out.contains('\0'));
@@ -274,11 +340,12 @@ mod tests {
 
     #[test]
     fn it_is_well_formed_xml() {
-        let mut svg = Svg::new("p", 10.0, 10.0, "a & b", "<c>");
-        svg.arrow("a", (0.0, 1.0), (1e300, 3.0));
+        let mut svg = Svg::new(10.0, 10.0);
+        svg.arrows("a", &[[(0.0, 1.0), (1e300, 3.0)]]);
         svg.line("a", (0.0, f64::NAN), (1.0, 1.0));
-        svg.mark(Shape::Diamond, "c", (f64::INFINITY, 0.0), 1.0, "#fff", "tip");
-        let text = svg.finish();
+        (0..6).for_each(|i| svg.mark(Look::group(i), (f64::INFINITY, 0.0), 1.0, "tip"));
+        svg.group("own", |svg| svg.text("mid", (0.0, 0.0), "a < b"));
+        let text = svg.figure("p", "a & b".to_owned(), "<c>".to_owned()).svg;
         let mut reader = quick_xml::Reader::from_str(&text);
         let mut elements = 0;
         loop {
@@ -288,7 +355,7 @@ mod tests {
                 _ => {}
             }
         }
-        assert_eq!(elements, 1 + 2 + 3 + 1 + 2);
+        assert_eq!(elements, 1 + 2 + 1 + 1 + 6 * 2 + 2);
         assert!(!text.contains("NaN") && !text.contains("inf") && !text.contains("xmlns"), "{text}");
     }
 }

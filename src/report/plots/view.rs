@@ -1,4 +1,4 @@
-//! Space on paper, without perspective: where a point is drawn that is seen from a direction.
+//! Parallel projection: places on paper of points that are seen from a direction.
 
 use super::axis::range;
 use super::svg::Place;
@@ -6,16 +6,16 @@ use etalon_base::pose::Vector;
 
 /// A direction of view.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
-    /// Of the one who looks, about z from x, rad; and above the horizon, rad.
+pub(super) struct View {
+    /// Azimuth of the viewer about z from x, and elevation above the horizon (rad).
     pub azimuth_rad: f64,
     pub elevation_rad: f64,
 }
 
 /// From the front, the right and above: x to the right, y away, z up.
-pub(crate) const ASLANT: View = View { azimuth_rad: -1.0, elevation_rad: 0.5 };
+pub(super) const ASLANT: View = View { azimuth_rad: -1.0, elevation_rad: 0.5 };
 /// Onto the plane z = 0.
-pub(crate) const ABOVE: View =
+pub(super) const ABOVE: View =
     View { azimuth_rad: -std::f64::consts::FRAC_PI_2, elevation_rad: std::f64::consts::FRAC_PI_2 };
 
 impl View {
@@ -28,7 +28,7 @@ impl View {
 
 /// Places on paper, fitted into a width.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Paper {
+pub(super) struct Paper {
     /// units of the picture per mm
     pub scale: f64,
     middle: Place,
@@ -37,22 +37,17 @@ pub(crate) struct Paper {
 }
 
 impl Paper {
-    /// All of `flat` (mm) within `width` units less a margin on every side, and at most `most` high.
-    pub fn around(flat: &[Place], width: f64, most: f64, margin: f64) -> Option<Self> {
-        let (x0, x1) = range(flat.iter().map(|p| p.0))?;
-        let (y0, y1) = range(flat.iter().map(|p| p.1))?;
+    /// Fits `flat` (mm) into `width` units less a margin on every side, and at most `most` units of height.
+    pub fn around(flat: &[Place], width: f64, most: f64, margin: f64) -> Self {
+        let (x0, x1) = range(flat.iter().map(|p| p.0)).unwrap_or_default();
+        let (y0, y1) = range(flat.iter().map(|p| p.1)).unwrap_or_default();
         let room = |units: f64, mm: f64| (units - 2.0 * margin) / mm.max(1e-9);
         let scale = room(width, x1 - x0).min(room(most, y1 - y0)).min(1e6);
         let height = (y1 - y0) * scale + 2.0 * margin;
-        Some(Self { scale, middle: ((x0 + x1) / 2.0, (y0 + y1) / 2.0), centre: (width / 2.0, height / 2.0), height })
+        Self { scale, middle: ((x0 + x1) / 2.0, (y0 + y1) / 2.0), centre: (width / 2.0, height / 2.0), height }
     }
 
-    /// A square around a sphere of this radius in mm.
-    pub fn square(radius_mm: f64, width: f64, margin: f64) -> Self {
-        let half = width / 2.0;
-        Self { scale: (half - margin) / radius_mm, middle: (0.0, 0.0), centre: (half, half), height: width }
-    }
-
+    /// Place of a point on paper.
     pub fn at(&self, flat: Place) -> Place {
         let along = |k: f64, middle: f64| self.scale * (k - middle);
         (self.centre.0 + along(flat.0, self.middle.0), self.centre.1 - along(flat.1, self.middle.1))

@@ -1,7 +1,7 @@
 //! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
 
 use crate::model::{Columns, Figure, Section, Table, term, um};
-use crate::plots::chart::{Chart, Curve};
+use crate::plots::curves::{Curve, Curves};
 use crate::words::Words;
 use etalon_documents::{Characteristics, Iso9283Document, Iso9283Drift, Iso9283Epoch};
 
@@ -68,7 +68,7 @@ fn by_set(
     let (across, up) = (words.say("set of cycles"), words.fill("{0} in {1}", &[&quantity, &"µm"]));
     let curves = drifts.iter().map(curve).collect();
     let id = format!("drift-{}", quantity.to_lowercase());
-    Chart { id, title, caption, across, up, curves, marks: vec![] }.picture(words)
+    Curves { id, title, caption, across, up, curves, marks: vec![] }.picture(words)
 }
 
 fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
@@ -84,7 +84,7 @@ fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {
         name,
         points: epochs.iter().map(|e| (e.cycle as f64, 1e3 * value(e))).collect(),
     };
-    Chart {
+    Curves {
         id: "reference".to_owned(),
         title: words.say("Reference targets"),
         caption: words

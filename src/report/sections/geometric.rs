@@ -3,8 +3,7 @@
 use crate::Report;
 use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
 use crate::number;
-use crate::plots::plane::{Plane, WIDTH};
-use crate::plots::svg::Svg;
+use crate::plots::workspace::{Workspace, XY};
 use crate::words::Words;
 use etalon_documents::{
     BarVerdict, GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable,
@@ -197,19 +196,18 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
     if corners.is_empty() || !corners.iter().flatten().all(|v| v.abs() < 1e7) {
         return None;
     }
-    let plane = Plane::around((0, 1), &corners);
+    let mut map = Workspace::new(XY, &corners, words);
     let title = words.fill("Workspace of the platform's centre C, {0} plane", &[&"xy"]);
     let names = regions
         .iter()
         .map(|r| format!("{}: {} mm²", Text::document(&r.name, words).plain(), number::fixed(r.area_mm2, 0)));
-    let mut svg = Svg::new("workspace", WIDTH, plane.height(), &title, &names.collect::<Vec<_>>().join("; "));
-    plane.draw(&mut svg, words);
     for region in &regions {
         let last = document.workspace.last().is_some_and(|l| l.name == region.name);
         for (a, b) in region.corners_mm.iter().zip(region.corners_mm.iter().cycle().skip(1)) {
-            svg.line(if last { "arrow-scale" } else { "arrow-cal" }, plane.at(*a), plane.at(*b));
+            map.svg.line(if last { "arrow-scale" } else { "arrow-cal" }, map.at(*a), map.at(*b));
         }
     }
     let caption = words.say("Outlines of these regions; the heavier one is reached with every orientation.");
-    Some(Figure { title: words.say("Workspace"), svg: svg.finish(), caption, ..Figure::default() })
+    let drawn = map.figure("workspace", title, names.collect::<Vec<_>>().join("; "));
+    Some(Figure { title: words.say("Workspace"), caption, ..drawn })
 }

@@ -2,7 +2,7 @@
 
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers};
 use crate::number;
-use crate::plots::chart::{Chart, Curve, Mark};
+use crate::plots::curves::{Curve, Curves, Mark};
 use crate::words::Words;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
@@ -158,7 +158,7 @@ fn path_picture(index: usize, path: Option<&Iso9283Path>, words: &Words) -> Opti
     if let (Some(along), Some(rt)) = (path.rt_along_mm, path.rt_mm) {
         marks.push(mark(along, rt, path.rt_interval, "RT"));
     }
-    Chart {
+    Curves {
         id: format!("path-{index}"),
         title: words.say("Deviation along the path"),
         caption: words.say("Diamonds: AT and RT, the largest of each, with their intervals. The largest of many values that scatter lies high: RT may be above the interval of what infinitely many passes would give."),
@@ -188,7 +188,7 @@ fn drift(index: usize, standstills: &[Iso9283Standstill], words: &Words) -> Opti
         (visits.len() > 2).then(|| Curve { name: words.fill("pose {0}", &[&pose]), points })
     };
     let curves: Vec<Curve> = by_pose.into_iter().filter_map(curve).collect();
-    Chart {
+    Curves {
         id: format!("drift-{index}"),
         title: words.say("Visits over time"),
         caption: words.say("How far the mean of each standstill lies from that of the first at its pose: drift where it grows, repeatability where it does not."),
@@ -211,7 +211,7 @@ fn arrivals(index: usize, named: &Iso9283NamedStream, words: &Words) -> Option<F
     );
     let band =
         named.band_mm.map(|band| words.fill("The limit band is {0} µm.", &[&micrometres(band)])).unwrap_or_default();
-    Chart {
+    Curves {
         id: format!("arrivals-{index}"),
         title: words.say("Arrivals"),
         caption: format!("{shown} {band}").trim_end().to_owned(),
