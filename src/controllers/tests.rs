@@ -422,7 +422,7 @@ fn effects_that_a_format_cannot_hold_are_named() {
     let joint = "[[joint]]\nalpha_deg = 90.0\na_mm = 100.0\ntheta_deg = 0.0\nd_mm = 290.0\n";
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("robot.toml"), text.to_owned() + &joint.repeat(3)).unwrap();
-    let file = crate::campaign::read_robot(&folder.path().join("robot.toml")).unwrap();
+    let file = etalon_campaign::read_robot(&folder.path().join("robot.toml")).unwrap();
     let robot = file.build(&["tool".to_owned()]).unwrap();
     let with = |value: f64| {
         let names =
