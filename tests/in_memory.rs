@@ -1,5 +1,4 @@
-use etalon::base::message::Result;
-use etalon::identify::{Observation, Settings, identify};
+use etalon::identify::{Observation, Result, Settings, identify};
 use etalon::robots::{Prexyt, Robot};
 
 #[test]

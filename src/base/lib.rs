@@ -1,5 +1,5 @@
 //! What every room may use: messages, files, patterns of names, poses, numbers that carry derivatives, random
-//! numbers, dates, order statistics, line drawings.
+//! numbers, dates, line drawings.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod bounds;
@@ -15,4 +15,3 @@ pub mod pose;
 pub mod pose_name;
 pub mod scalar;
 pub mod sketch;
-pub mod statistics;

@@ -167,7 +167,7 @@ impl Campaign {
         let instrument = self.file.instrument.standard_uncertainty_mm();
         let contact = self.file.contact.as_ref().map(Contact::standard_uncertainty_mm);
         Settings {
-            kind: identify.residuals,
+            kind: identify.residuals.into(),
             standard_uncertainty_mm: Some(contact.unwrap_or(instrument)),
             common_uncertainty_mm: contact.map(|_| instrument),
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),

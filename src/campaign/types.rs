@@ -4,9 +4,10 @@ use super::{Join, JoinBy, StatedPoses};
 use etalon_base::country::Country;
 use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Language};
+use etalon_documents::{ResidualKind, ToolFrame};
 use etalon_formats::dialect::{Decimal, Delimiter, Encoding, FromRow};
 use etalon_formats::{Export, Layout, Log};
-use etalon_identify::{ResidualKind, RigidPart, ToolFrame, ToolPoint};
+use etalon_identify::{RigidPart, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -380,7 +381,7 @@ impl ToolDefinition {
     /// The point with its standard uncertainty.
     pub fn point(&self) -> ToolPoint {
         let standard_uncertainty_mm = self.expanded_uncertainty_um / self.coverage_factor / 1000.0;
-        ToolPoint { point_mm: self.point_mm, frame: self.frame, standard_uncertainty_mm }
+        ToolPoint { point_mm: self.point_mm, frame: self.frame.into(), standard_uncertainty_mm }
     }
 }
 
@@ -481,7 +482,7 @@ pub enum EachPose {
 #[serde(deny_unknown_fields)]
 pub struct Identify {
     /// Residuals of `targets`, or of the `pose` (planar robots, thesis eq. 3.26).
-    #[serde(default = "default_residuals")]
+    #[serde(default)]
     pub residuals: ResidualKind,
     /// Poses to identify with: names and ranges (`"1-8, 12, home"` or `["home", "P3", "5-9"]`), `all`, or `index mod 10 < 7` (index
     /// from 0).
@@ -531,10 +532,6 @@ pub struct Exclude {
     pub target: Option<String>,
     /// Why, for the report.
     pub reason: String,
-}
-
-fn default_residuals() -> ResidualKind {
-    ResidualKind::Targets
 }
 
 /// What the result must meet, on the validation poses if there are any.

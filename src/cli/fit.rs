@@ -251,7 +251,14 @@ impl Fit {
             name => {
                 let element: Element = name.parse()?;
                 if self.minimum_zone {
-                    return Ok(FitDocument::minimum_zone(label, &etalon_fit::minimum_zone(element, &all())?));
+                    let zone = etalon_fit::minimum_zone(element, &all()).map_err(|mut problems| {
+                        let first = problems.0.first_mut().filter(|_| !element.has_minimum_zone());
+                        if let Some(first) = first {
+                            first.hint = Some("leave --minimum-zone out: the fit is by least squares then".to_owned());
+                        }
+                        problems
+                    })?;
+                    return Ok(FitDocument::minimum_zone(label, &zone));
                 }
                 Ok(FitDocument::new(label, &etalon_fit::element(element, points, &self.settings(self.probe()?))?))
             }

@@ -8,6 +8,7 @@ use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{self, Observed, Stated};
 use crate::stages::plausible::plausibility;
+use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, count};
@@ -104,10 +105,10 @@ impl Identify {
         let Observed { mut observations, mut settings } =
             kinds::observed(robot.as_mut(), &observed.table, without, settings, &mut messages).map_err(here)?;
         messages.extend(exclude(&exclusions, robot.as_ref(), &mut observations, &mut settings.conditions)?);
-        messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(here)?);
+        messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(remedied).map_err(here)?);
         messages.extend(stale(robot.as_ref(), &observations));
-        let before = fit_frames(robot.as_ref(), &observations, &settings)?;
-        let mut found = identify_from(robot.as_ref(), &observations, &settings, &before)?;
+        let before = fit_frames(robot.as_ref(), &observations, &settings).map_err(remedied)?;
+        let mut found = identify_from(robot.as_ref(), &observations, &settings, &before).map_err(remedied)?;
         found.warnings.splice(0..0, messages);
         let calibration_conditions = settings.conditions.clone();
         let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };

@@ -4,9 +4,9 @@ use super::{Verdict, print};
 use crate::stages::table_file::TableFile;
 use etalon_base::message::{Message, Result};
 use etalon_controllers::axis_tables::{self, Deviation};
-use etalon_documents::{AxisDocument, to_json};
+use etalon_documents::{AxisDocument, AxisPositioning, to_json};
 use etalon_formats::table;
-use etalon_math::axis::{Approach, AxisPosition, AxisPositioning};
+use etalon_math::axis::{Approach, AxisPosition};
 use std::path::PathBuf;
 
 /// Accuracy and repeatability of positioning of a linear axis (ISO 230-2:2014), and its compensation table
@@ -49,8 +49,7 @@ impl Iso230 {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let file = TableFile::read(&self.table)?;
         let positions = positions(&file).map_err(|problems| file.place(problems))?;
-        let document =
-            AxisDocument { schema: "etalon/iso230/1".to_owned(), axis: AxisPositioning::new(&positions), positions };
+        let document = AxisDocument::new(&positions);
         let deviations: Vec<Deviation> = document.positions.iter().map(Deviation::from).collect();
         axis_tables::plausible(&deviations).map_err(|problems| file.place(problems))?;
         let header = |units: &str| axis_tables::header([], units, "the measured positions", file.text().as_bytes());

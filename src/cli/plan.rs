@@ -6,6 +6,7 @@ use super::{Verdict, answer, progress, remark};
 use crate::simulate::true_values;
 use crate::stages::candidates::configurations;
 use crate::stages::joint_range::{self, Joints};
+use crate::stages::remedies::remedied;
 use etalon_base::bounds::option_at_most;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -140,7 +141,7 @@ impl Plan {
             nodes: self.nodes,
         };
         let planned = plan(robot.as_ref(), &observations, &settings, &request, &progress)
-            .map_err(|more| Problems(beyond.iter().cloned().chain(more.0).collect()))?;
+            .map_err(|error| Problems(beyond.iter().cloned().chain(remedied(error).0).collect()))?;
         let study = self.study(robot.as_ref(), &robot_file, &observations, &planned, &settings)?;
         let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;
         document.messages.splice(0..0, beyond);
@@ -178,7 +179,7 @@ impl Plan {
         let elsewhere = self.workspace.as_ref().map(|path| read(robot_file, path)).transpose()?;
         let everywhere = elsewhere.as_ref().map_or(observations, |(_, all)| &all.observations);
         let setting = Setting { truth, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
-        let studies = study(robot, planned, observations, everywhere, settings, &setting)?;
+        let studies = study(robot, planned, observations, everywhere, settings, &setting).map_err(remedied)?;
         Ok(study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
     }
 }

@@ -4,7 +4,6 @@ use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
 use etalon_documents::*;
-use etalon_identify::UncertaintyFrom;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 use std::collections::BTreeSet;

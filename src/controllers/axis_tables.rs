@@ -3,7 +3,7 @@
 
 use etalon_base::files;
 use etalon_base::message::{Message, Result};
-use etalon_math::axis::AxisPosition;
+use etalon_documents::AxisPosition;
 use std::fmt::Write;
 
 /// Most rows of LinuxCNC's `COMP_FILE`.

@@ -1,9 +1,9 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
+use super::{Figure, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_identify::{Figure, ReadingReliability, ToolFrame, UncertaintySource};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

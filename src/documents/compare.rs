@@ -1,8 +1,8 @@
 //! What `etalon compare` answers.
 
+use super::UncertaintyFrom;
 use super::{Conditions, Provenance};
 use etalon_base::message::Message;
-use etalon_identify::UncertaintyFrom;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

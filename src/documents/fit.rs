@@ -1,9 +1,9 @@
 //! What `etalon fit` answers: an element, the probe, and the values that a file states.
 
+use super::Termination;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
-use etalon_math::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -214,7 +214,7 @@ impl FitDocument {
             solver: FitSolver {
                 method: fit.method.to_owned(),
                 iterations: fit.iterations,
-                termination: fit.termination,
+                termination: fit.termination.into(),
                 degrees_of_freedom: fit.degrees_of_freedom,
                 condition: Some(fit.condition).filter(|c| c.is_finite()),
             },

@@ -2,9 +2,7 @@
 
 use crate::*;
 use etalon_base::message::Severity;
-use etalon_identify::{
-    Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status, UncertaintySource,
-};
+use etalon_identify::{Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status};
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
 
@@ -61,7 +59,7 @@ pub fn parameters_document(
         covariance_without: found.eliminated.iter().map(name).collect(),
         budget: budget(found, &written, &factor),
         residuals: ResidualSummary {
-            kind: settings.kind,
+            kind: settings.kind.into(),
             count: found.degrees_of_freedom + n,
             rms: found.rms,
             max: found.max,
@@ -72,8 +70,8 @@ pub fn parameters_document(
             chi_square_rejected: found
                 .chi_square
                 .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.degrees_of_freedom)),
-            repeats: found.replicates,
-            uncertainties_from: found.uncertainty_from,
+            repeats: found.replicates.map(Into::into),
+            uncertainties_from: found.uncertainty_from.into(),
             uncertainties_enlarged_by: found.inflation_factor,
         },
         reliability: None,
@@ -82,7 +80,7 @@ pub fn parameters_document(
         solver: SolverSummary {
             method: "Levenberg-Marquardt on block QR with scaled columns, Gauss-Newton finish".to_owned(),
             iterations: found.iterations,
-            termination: found.termination,
+            termination: found.termination.into(),
             meaning: found.termination.to_string(),
         },
         messages: found.warnings.clone(),
@@ -95,7 +93,8 @@ fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f
     let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
     for (row, &k) in written.iter().enumerate().filter(|_| found.covariance.is_some()) {
         for (source, variance) in found.budget.of_parameter(k) {
-            by_source.entry(source).or_insert_with(|| vec![0.0; written.len()])[row] = variance.sqrt() * factor(k);
+            by_source.entry(source.into()).or_insert_with(|| vec![0.0; written.len()])[row] =
+                variance.sqrt() * factor(k);
         }
     }
     let entry = |(source, standard_uncertainties)| BudgetSource { source, standard_uncertainties };

@@ -23,6 +23,7 @@ mod mirror;
 mod parameters;
 mod plan;
 mod recommendation;
+mod results;
 mod roles;
 pub mod schema;
 mod study;
@@ -48,14 +49,13 @@ pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
 pub use recommendation::*;
+pub use results::*;
 pub use roles::{Effect, Role};
 pub use study::*;
 pub use uncertainty::*;
 pub use verification::*;
 
 use etalon_base::message::{Message, Result};
-pub use etalon_identify::{Figure, Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
-pub use etalon_math::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,11 +1,9 @@
 //! `parameters.json`: identified parameters with all that is needed to judge them.
 
-use super::{Provenance, Role};
+use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
-use etalon_identify::{Replicates, ResidualKind, UncertaintyFrom, UncertaintySource};
-use etalon_math::Termination;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;

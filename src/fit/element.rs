@@ -2,13 +2,11 @@
 
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, unit};
-use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
 /// A geometric element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
     /// Straight line in the plane.
     Line2d,
@@ -86,6 +84,11 @@ impl Element {
         matches!(self, Self::Circle2d | Self::Sphere).then_some(self.span())
     }
 
+    /// `true` if [`minimum_zone`](crate::minimum_zone) fits the element.
+    pub fn has_minimum_zone(self) -> bool {
+        !matches!(self, Self::Line | Self::Torus)
+    }
+
     fn has_radius(self) -> bool {
         matches!(self, Self::Circle2d | Self::Circle3d | Self::Sphere | Self::Cylinder)
     }
@@ -112,8 +115,7 @@ impl FromStr for Element {
 }
 
 /// How a circle in space is fitted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CircleMethod {
     /// Least-squares plane, projection onto it, circle in it: as NIST's reference pairs and most CMM software.
     #[default]

@@ -12,7 +12,7 @@ use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
 use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
-use etalon_base::message::Result;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -30,11 +30,9 @@ pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> 
         Element::Sphere => narrower_than_a_plane(sphere(points)?, points),
         Element::Cylinder => narrower_than_a_plane(cylinder_zone(points)?, points),
         Element::Cone => narrower_than_a_plane(cone_zone(points)?, points),
-        Element::Line | Element::Torus => Err(refuse(
-            format!("there is no minimum zone of a {element}"),
-            "line2d, plane, circle2d, circle3d, sphere, cylinder or cone",
-            "leave --minimum-zone out: the fit is by least squares then",
-        )),
+        Element::Line | Element::Torus => Err(Message::error(format!("there is no minimum zone of a {element}"))
+            .expected("line2d, plane, circle2d, circle3d, sphere, cylinder or cone")
+            .into()),
     }
 }
 

@@ -4,6 +4,7 @@ use super::cloud::{Cloud, Source};
 use super::element::refuse;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, dot, minus, norm};
+use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
 /// A rigid transform fitted by least squares, with what is left.
@@ -31,8 +32,7 @@ impl RigidFit {
 
     /// Root of the mean square of the distances.
     pub fn rms_mm(&self) -> f64 {
-        let squares: f64 = self.residuals_mm.iter().map(|&r| dot(r, r)).sum();
-        (squares / self.residuals_mm.len().max(1) as f64).sqrt()
+        mean(self.residuals_mm.iter().map(|&r| dot(r, r))).sqrt()
     }
 }
 

@@ -1,15 +1,17 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+mod error;
 pub mod geometric;
 mod judgement;
 mod model;
 pub mod plan;
 mod solution;
 
+pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
-pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit, WRONG_READINGS};
+pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::reliability::{
@@ -42,12 +44,15 @@ pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
 
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
 use etalon_math::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
 use solution::solver::solve_identifiable;
+
+/// A value, or why there is none.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// What is identified from which residuals.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -301,26 +306,18 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
         return Err(Message::error("there are no observations to identify from").into());
     }
     if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
-        return Err(Message::error(
-            "pose residuals mix mm and rad: they need the standard uncertainty of a coordinate",
-        )
-        .hint("state it (--standard-uncertainty-um), or compare targets")
-        .into());
+        return Err(Error::PoseWithoutUncertainty);
     }
     let whole = settings.kind == ResidualKind::Targets && settings.standard_uncertainty_mm.is_some();
     if settings.common_uncertainty_mm.is_some() && !whole {
-        return Err(Message::error(
-            "an uncertainty common to several observations is for residuals of targets, beside one that each has of its own",
-        )
-        .hint("state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets")
-        .into());
+        return Err(Error::CommonUncertaintyAlone);
     }
     model::kinds::check(robot, settings)?;
     let names = || robot.parameters().iter().map(|p| p.name.as_str());
     for pattern in &settings.hold {
         if !names().any(|name| matches_pattern(pattern, name)) {
-            let what = format!("`hold` names `{pattern}`, which is not a parameter of this robot");
-            return Err(Message::error(what).hint_names(pattern, names()).into());
+            let names = names().map(str::to_owned).collect();
+            return Err(Error::UnknownParameter { pattern: pattern.clone(), names });
         }
     }
     let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));

@@ -1,12 +1,10 @@
 //! Positioning of a linear axis by ISO 230-2:2014 (terms and formulas of its clause 3): deviations of measured from programmed positions,
 //! approached n times from either side.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use crate::statistics::{mean, standard_deviation};
 
 /// The runs to one position from one side.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// Runs, n.
     pub runs: usize,
@@ -19,8 +17,7 @@ pub struct Approach {
 }
 
 /// One position of the axis, approached from both sides.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisPosition {
     /// Programmed position.
     pub position_mm: f64,
@@ -37,8 +34,7 @@ pub struct AxisPosition {
 }
 
 /// A quantity of both directions together, and of each.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directions {
     /// Bidirectional.
     pub both_mm: f64,
@@ -49,8 +45,7 @@ pub struct Directions {
 }
 
 /// Positioning of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisPositioning {
     /// Reversal error B = max |Bi|.
     pub reversal_mm: f64,
@@ -70,10 +65,8 @@ impl Approach {
     /// Of deviations in mm; `None` of fewer than two.
     pub fn new(deviations_mm: &[f64]) -> Option<Self> {
         let runs = deviations_mm.len();
-        let mean_mm = deviations_mm.iter().sum::<f64>() / runs as f64;
-        let square: f64 = deviations_mm.iter().map(|x| (x - mean_mm).powi(2)).sum();
-        let estimator_mm = (runs > 1).then(|| (square / (runs - 1) as f64).sqrt())?;
-        Some(Self { runs, mean_mm, estimator_mm, repeatability_mm: 4.0 * estimator_mm })
+        let (mean_mm, estimator_mm) = (mean(deviations_mm.iter().copied()), standard_deviation(deviations_mm));
+        (runs > 1).then_some(Self { runs, mean_mm, estimator_mm, repeatability_mm: 4.0 * estimator_mm })
     }
 }
 
@@ -109,7 +102,7 @@ impl AxisPositioning {
         let limits = |a: Approach| [a.mean_mm - 2.0 * a.estimator_mm, a.mean_mm + 2.0 * a.estimator_mm];
         Self {
             reversal_mm: largest(&mut positions.iter().map(|p| p.reversal_mm.abs())),
-            mean_reversal_mm: positions.iter().map(|p| p.reversal_mm).sum::<f64>() / positions.len().max(1) as f64,
+            mean_reversal_mm: mean(positions.iter().map(|p| p.reversal_mm)),
             repeatability: Directions {
                 both_mm: largest(&mut positions.iter().map(|p| p.repeatability_mm)),
                 forward_mm: largest(&mut forward().map(|a| a.repeatability_mm)),

@@ -13,6 +13,7 @@ mod factor;
 mod least_squares;
 mod loss;
 mod priors;
+pub mod statistics;
 mod svd;
 mod trust_region;
 
@@ -26,7 +27,6 @@ pub use priors::{Prior, WithPriors};
 pub use svd::{Svd, svd};
 pub use trust_region::{TrustRegion, norm};
 
-use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Residuals r(x) of `m` equations in `n` parameters and their Jacobian; the sum of squares of r is minimised.
@@ -73,8 +73,7 @@ impl Default for Options {
 }
 
 /// Why the solver stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Termination {
     /// The last step no longer changed the parameters.
     StepVanished,

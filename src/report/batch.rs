@@ -2,10 +2,9 @@
 //! script draws, as ten thousand of them are no page; without a script it shows the worst as a plain table.
 
 use super::html;
-use super::number::{significant, with_uncertainty};
+use super::number::{quantile, significant, with_uncertainty};
 use super::words::Words;
 use etalon_base::message::one_line;
-use etalon_base::statistics::median;
 use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, Presentation};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -177,11 +176,12 @@ fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) 
 /// Fills in the modified z-scores of a quantity in a group of campaigns.
 fn score(rows: &mut [Row], group: &[usize], quantity: usize) {
     let values = || group.iter().filter_map(|&i| Some(rows[i].figures[quantity]?.0.value));
-    let Some(middle) = median(values()).filter(|_| values().count() >= FEWEST) else { return };
-    let Some(mad) = median(values().map(|v| (v - middle).abs())).filter(|mad| *mad > 0.0) else { return };
-    for &i in group {
+    let median = quantile(values(), 0.5);
+    let mad = quantile(values().map(|v| (v - median).abs()), 0.5);
+    let scored = values().count() >= FEWEST && mad > 0.0;
+    for &i in group.iter().filter(|_| scored) {
         if let Some((value, score)) = &mut rows[i].figures[quantity] {
-            *score = MAD_NORMAL * (value.value - middle).abs() / mad;
+            *score = MAD_NORMAL * (value.value - median).abs() / mad;
         }
     }
 }

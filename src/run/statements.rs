@@ -3,10 +3,10 @@
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
+use etalon_documents::ResidualKind;
 use etalon_formats::Export;
 use etalon_formats::dialect::Role;
 use etalon_formats::table::LABEL;
-use etalon_identify::ResidualKind;
 use etalon_robots::Quantity;
 use std::path::{Path, PathBuf};
 use toml::Spanned;

@@ -5,6 +5,7 @@ mod geometric;
 mod log;
 mod observed;
 mod repeatability;
+pub mod setup;
 pub mod study;
 mod table;
 mod truth;

@@ -2,6 +2,7 @@
 
 use super::truth::{Circle, stated_joints, true_values};
 use crate::stages::candidates::configurations;
+use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::files;
@@ -10,8 +11,9 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::parse;
-use etalon_documents::{DesignError, DesignParameter, Spread, StudiedDesign};
-use etalon_identify::{Observation, ResidualKind, Settings, identify_from};
+use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
+use etalon_identify::{Observation, Settings, identify_from};
+use etalon_math::statistics::rms;
 use etalon_robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -59,7 +61,8 @@ impl Study<'_> {
             let mut noise = Noise::new(self.seed, draw * self.runs + run);
             let measured: Vec<Observation> =
                 observations.iter().map(|o| self.measured(o, noise_mm, &mut noise)).collect();
-            let found = identify_from(self.robot, &measured, &self.settings, &self.robot.nominal())?;
+            let found =
+                identify_from(self.robot, &measured, &self.settings, &self.robot.nominal()).map_err(remedied)?;
             if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
                 return Err(Message::error("too few poses to identify all parameters").into());
             }
@@ -382,7 +385,7 @@ impl StudyFile {
             for &noise_um in &self.noise_um {
                 progress(&format!("{}, {noise_um} um", set.name));
                 let settings = Settings {
-                    kind: self.residuals,
+                    kind: self.residuals.into(),
                     standard_uncertainty_mm: Some(noise_um / 1e3),
                     hold: self.hold.clone(),
                     ..Settings::default()
@@ -436,8 +439,7 @@ fn error_spreads(draws: &[Vec<Landing>]) -> Vec<DesignError> {
     ];
     let one = |(quantity, unit, size): (&str, &str, Size)| {
         let largest = |all: &Vec<Landing>| all.iter().map(|l| size(l).abs()).fold(0.0, f64::max);
-        let rms =
-            |all: &Vec<Landing>| (all.iter().map(|l| size(l).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt();
+        let rms = |all: &Vec<Landing>| rms(all.iter().map(size));
         DesignError {
             quantity: quantity.to_owned(),
             unit: unit.to_owned(),

@@ -1,12 +1,12 @@
 //! What is true in a simulation, and what is measured.
 
+use super::setup::Setup;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_campaign::parse;
-use etalon_identify::geometric::Setup;
 use etalon_robots::{PlanarPose, Robot};
 use serde::Deserialize;
 use std::collections::BTreeMap;

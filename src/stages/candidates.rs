@@ -1,5 +1,6 @@
 //! Candidates of a table: poses with joint values, or positions that the robot finds its own joint values for.
 
+use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table;
@@ -16,7 +17,7 @@ pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates
     let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
     let by_joints = robot.joints().iter().any(stated) || table.column("x_mm").is_err();
     let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
-    within_reach(robot, all)
+    within_reach(robot, all).map_err(remedied)
 }
 
 /// One configuration a row; rows that differ in the target alone are one configuration of several targets.

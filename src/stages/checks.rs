@@ -1,16 +1,17 @@
 //! Checks of the model by what it leaves: trends of the residuals, how well readings control each other, which poses decide.
 
+use crate::stages::remedies::WRONG_READINGS;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
 use etalon_documents::{
-    InfluenceEntry, PointError, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary,
+    InfluenceEntry, PointError, ReadingReliability, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose,
+    RobustSummary,
 };
 use etalon_identify::{
-    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, ReadingReliability, Reliability, RobustChange,
-    RobustComparison, Variance, WRONG_READINGS, holm,
+    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, Reliability, RobustChange, RobustComparison, Variance, holm,
 };
+use etalon_math::statistics::median;
 use etalon_robots::Robot;
 use nalgebra::DVector;
 use std::collections::BTreeMap;
@@ -100,7 +101,7 @@ pub fn with_reliability(robot: &dyn Robot, found: &Reliability, errors: &mut [Po
     for readings in &found.readings {
         if robot.platform().is_none() {
             for reading in readings.iter().flatten() {
-                errors.by_ref().take(1).for_each(|e| e.reliability = Some(*reading));
+                errors.by_ref().take(1).for_each(|e| e.reliability = Some((*reading).into()));
             }
             continue;
         }

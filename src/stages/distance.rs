@@ -3,9 +3,9 @@
 use crate::stages::evaluate::Sets;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
 use etalon_documents::ValidationDistance;
 use etalon_identify::Observation;
+use etalon_math::statistics::median;
 use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;

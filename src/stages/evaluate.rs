@@ -9,12 +9,11 @@ use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
-    Statistics,
+    ReadingReliability, Statistics,
 };
 use etalon_formats::table::{self, XYZ};
-use etalon_identify::{
-    Condition, Contributions, Figure, Kind, Observation, ReadingReliability, Settings, UncertaintySource,
-};
+use etalon_identify::{self as identify, Condition, Contributions, Kind, Observation, Settings};
+use etalon_math::statistics::{mean, quantile, rms};
 use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
 use std::collections::{BTreeMap, BTreeSet};
@@ -331,13 +330,13 @@ fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: Er
 }
 
 /// The budgets of figures, from the variances that each source contributes (mm²).
-pub fn budgets(figures: Vec<(Figure, Contributions)>) -> Vec<FigureBudget> {
-    let contribution = |(source, variance): (UncertaintySource, f64)| FigureContribution {
-        source,
+pub fn budgets(figures: Vec<(identify::Figure, Contributions)>) -> Vec<FigureBudget> {
+    let contribution = |(source, variance): (identify::UncertaintySource, f64)| FigureContribution {
+        source: source.into(),
         standard_uncertainty_mm: variance.sqrt(),
     };
-    let of = |(figure, variances): (Figure, Contributions)| FigureBudget {
-        figure,
+    let of = |(figure, variances): (identify::Figure, Contributions)| FigureBudget {
+        figure: figure.into(),
         standard_uncertainty_mm: variances.iter().map(|(_, v)| v).sum::<f64>().sqrt(),
         contributions: variances.into_iter().map(contribution).collect(),
     };
@@ -360,13 +359,8 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
 /// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     sizes.sort_by(f64::total_cmp);
-    let n = sizes.len() as f64;
-    let Some(&max) = sizes.last() else { return Statistics::default() };
-    let rank = 0.95 * (n - 1.0);
-    let (low, part) = (rank.floor() as usize, rank.fract());
-    let p95 = sizes[low] + part * (sizes.get(low + 1).unwrap_or(&max) - sizes[low]);
-    let sum_of_squares: f64 = sizes.iter().map(|s| s * s).sum();
-    Statistics { mean: sizes.iter().sum::<f64>() / n, rms: (sum_of_squares / n).sqrt(), p95, max }
+    let (Some(&max), Some(p95)) = (sizes.last(), quantile(&sizes, 0.95)) else { return Statistics::default() };
+    Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
 }
 
 /// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, and `redundancy w detectable_mm`.

@@ -9,6 +9,7 @@ use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, Stated};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
+use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
 use crate::stages::tool::Expected;
 use etalon_base::message::{Message, Place, Problems, Result, count};
@@ -50,16 +51,18 @@ pub fn identify(
     let robot: &dyn Robot = robot;
     selected.leave_unplaced_out(robot)?;
     let Selected { mut sets, settings, poses, selections, mut messages } = selected;
-    let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
+    let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
-    let mut found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
+    let mut found =
+        etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic).map_err(remedied)?;
     if stated.outliers == OutlierRule::Exclude {
         let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
         let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
         while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
             messages.push(left_out);
-            before = etalon_identify::fit_frames(robot, &sets.calibration, &settings)?;
-            found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)?;
+            before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
+            found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)
+                .map_err(remedied)?;
         }
     }
     for (name, log) in joined.observations.iter().skip(1) {
@@ -67,7 +70,7 @@ pub fn identify(
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
         leave_out(campaign, stated, robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
-        let theirs = etalon_identify::identify(robot, &others.calibration, &settings)?;
+        let theirs = etalon_identify::identify(robot, &others.calibration, &settings).map_err(remedied)?;
         let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
         let other = LogFit { name, sets: &others, found: &theirs };
         let warnings =
@@ -86,7 +89,8 @@ pub fn identify(
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
     if sets.validation_conditions.is_empty() {
-        let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)?;
+        let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)
+            .map_err(remedied)?;
         accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
     }
     let tool = campaign.file.tool.map(|tool| tool.point());
@@ -96,11 +100,13 @@ pub fn identify(
         accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
-    let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found)?;
+    let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)));
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
-    if let Some(reliability) = etalon_identify::reliability(robot, &sets.calibration, &settings, &found)? {
+    if let Some(reliability) =
+        etalon_identify::reliability(robot, &sets.calibration, &settings, &found).map_err(remedied)?
+    {
         with_reliability(robot, &reliability, &mut errors);
         parameters.reliability = reliability_summary(robot, &reliability);
     }
@@ -181,7 +187,7 @@ pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joi
     let sets = evaluate::split(&observed, &poses, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
-    messages.extend(weighted.map_err(|problems| problems.at(&campaign.place_of(&["identify", "residuals"])))?);
+    messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
     Ok(Selected { sets, settings, poses, selections, messages })
 }
 
@@ -293,7 +299,7 @@ fn leave_outliers_out(
         observations[outlier.observation].targets[outlier.target] = None;
     }
     observations.retain(|o| o.targets.iter().any(Option::is_some));
-    let left_out = robust.message(robot);
+    let left_out = readings_to_check(&robust, robot);
     Ok(Some(Message::warning(format!("excluded by `outliers = \"exclude\"`: {}", left_out.what))))
 }
 

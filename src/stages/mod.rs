@@ -21,6 +21,7 @@ pub mod plausible;
 pub mod positions;
 pub mod qif_fit;
 pub mod recommendation;
+pub mod remedies;
 pub mod repeats;
 pub(crate) mod table_file;
 pub mod tool;

@@ -10,11 +10,10 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{
-    DistributionEntry, FramePose, FramesDocument, Provenance, UncertaintyDocument, UncertaintySource,
-};
+use etalon_documents::{DistributionEntry, Figure, FramePose, FramesDocument, Provenance, UncertaintyDocument};
 use etalon_formats::Point;
-use etalon_identify::{Figure, Identification, Observation, Repeated, Settings};
+use etalon_identify::{Identification, Observation, Repeated, Settings, UncertaintySource};
+use etalon_math::statistics::{mean, standard_deviation};
 use etalon_robots::{Quantity, Robot};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
@@ -155,7 +154,7 @@ pub fn distributions(
         draws: monte_carlo.len(),
         two_digits_reached: digits,
         resamples: bootstrap.as_ref().map_or(0, Vec::len),
-        uncertainties_from: found.uncertainty_from,
+        uncertainties_from: found.uncertainty_from.into(),
         parameters: (0..n).map(entry).collect(),
         errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
         messages: found.warnings.clone(),
@@ -387,10 +386,8 @@ struct Distribution {
 impl Distribution {
     fn of(mut drawn: Vec<f64>) -> Self {
         drawn.sort_by(f64::total_cmp);
-        let n = drawn.len();
-        let mean = drawn.iter().sum::<f64>() / n as f64;
-        let sd = (drawn.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / (n.max(2) - 1) as f64).sqrt();
-        let at = |p: f64| drawn.get((p * n as f64) as usize).or(drawn.last()).copied().unwrap_or(f64::NAN);
+        let (mean, sd) = (mean(drawn.iter().copied()), standard_deviation(&drawn));
+        let at = |p: f64| drawn.get((p * drawn.len() as f64) as usize).or(drawn.last()).copied().unwrap_or(f64::NAN);
         Self { mean, sd, interval: [at(0.025), at(0.975)] }
     }
 }

@@ -1,14 +1,15 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
+use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
 use etalon_base::message::{Message, count};
 use etalon_base::pose::{centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
 use etalon_documents::PointError;
 use etalon_identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, WRONG_READINGS, allowed_mm, chi_square_exceeds, explain,
+    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
     far_from_nominal, moved_between,
 };
+use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::collections::BTreeSet;
@@ -75,7 +76,7 @@ pub fn plausibility(
     {
         // a few wrong readings explain what follows, the largest residuals of a wrong model do not
         let place = if robust.outliers().is_empty() { messages.len() } else { 0 };
-        messages.insert(place, robust.message(robot));
+        messages.insert(place, readings_to_check(&robust, robot));
     }
     messages
 }
@@ -156,8 +157,7 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     // relative deviations, and their scatter about the mean
     let off: Vec<f64> = all.iter().map(|&i| found.values[i] / robot.parameters()[i].nominal - 1.0).collect();
     let n = off.len() as f64;
-    let mean = off.iter().sum::<f64>() / n;
-    let deviation = (off.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
+    let (mean, deviation) = (mean(off.iter().copied()), standard_deviation(&off));
     let quantile = StudentsT::new(0.0, 1.0, n - 1.0).ok()?.inverse_cdf(1.0 - 0.5 * CHANCE);
     (mean.abs() > LEAST_SCALE && mean.abs() > quantile * deviation / n.sqrt()).then(|| {
         let names: Vec<String> = all.iter().map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
@@ -216,7 +216,7 @@ fn far_before(
         return None;
     }
     let left: Vec<f64> = errors.iter().filter(|e| e.set == "calibration").map(|e| norm(e.before_mm)).collect();
-    let rms_mm = (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt();
+    let rms_mm = rms(left.iter().copied());
     let allowed_mm = allowed_mm(robot, observations, before, settings.coordinate_uncertainty_mm())?;
     (median(left)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
 }
@@ -232,13 +232,10 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
     let mut described = false;
     for set in ["calibration", "validation"] {
         let of = || errors.iter().filter(|e| e.set == set);
-        let rms = |size: &dyn Fn(&PointError) -> f64| {
-            (of().map(|e| size(e).powi(2)).sum::<f64>() / of().count().max(1) as f64).sqrt()
-        };
-        let (before, after) = (rms(&|e| norm(e.before_mm)), rms(&|e| norm(e.after_mm)));
+        let (before, after) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
         let all: Vec<_> = of().map(|e| e.at_mm).collect();
         let middle = centroid(&all).unwrap_or_default();
-        let spread = rms(&|e| norm(minus(e.at_mm, middle)));
+        let spread = rms(of().map(|e| norm(minus(e.at_mm, middle))));
         let fails = after > LEFT * spread && of().count() > 1;
         if fails {
             let hint = match described {

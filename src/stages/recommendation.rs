@@ -8,6 +8,7 @@
 use super::evaluate::{self, Sets, summarise};
 use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
+use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::noise::Noise;
 use etalon_base::pose::norm;
@@ -16,6 +17,7 @@ use etalon_campaign::{Campaign, Identify};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
 use etalon_identify::{Identification, Observation, Settings, Stability, Status, Variance, effects};
+use etalon_math::statistics::{mean, variance};
 use etalon_robots::{Effect, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
@@ -94,7 +96,7 @@ impl<'a> Study<'a> {
             Noise::new(SEED, repeat as u64).shuffle(&mut names);
             folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
         }
-        let before = etalon_identify::fit_frames(robot, observations, &settings)?;
+        let before = etalon_identify::fit_frames(robot, observations, &settings).map_err(remedied)?;
         Ok(Self { robot, observations, effects: effects(robot, observations), before, folds, poses, settings })
     }
 
@@ -112,7 +114,7 @@ impl<'a> Study<'a> {
 
     /// Identifies from some of the poses, from where base and targets are.
     fn identify(&self, observations: &[Observation], settings: &Settings) -> Result<Identification> {
-        etalon_identify::identify_from(self.robot, observations, settings, &self.before)
+        etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
     /// Tries a choice of parameters, which may be made anew in each fold from what that identifies.
@@ -132,7 +134,6 @@ impl<'a> Study<'a> {
         for errors in self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()? {
             errors.into_iter().for_each(|(pose, squared)| left_out.entry(pose).or_default().push(squared));
         }
-        let mean = |all: Vec<f64>| all.iter().sum::<f64>() / all.len() as f64;
         let left_out = left_out.into_iter().map(|(pose, all)| (pose, mean(all))).collect();
         Ok(Tried { found: choose(self.observations)?, left_out })
     }
@@ -249,6 +250,7 @@ impl<'a> Study<'a> {
         let mut left_out = self.folds[..self.folds.len() / repeats(self.poses)].to_vec();
         left_out.extend(etalon_identify::halves(self.observations));
         etalon_identify::stability(self.robot, self.observations, model, found, (&of_robot, &left_out))
+            .map_err(remedied)
     }
 
     /// Parameters that are proven and stable.
@@ -327,8 +329,7 @@ impl<'a> Study<'a> {
             let stability = stability.iter().find(|s| s.parameter == c.index);
             let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
-            let mean = values.iter().sum::<f64>() / values.len() as f64;
-            let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
+            let variance = variance(&values);
             // two folds share all but two parts of their poses: their values differ by less than independent ones
             let u_fold = judged.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
             Some(ParameterVerdict {
@@ -369,17 +370,14 @@ const ALL: [Effect; 7] = [
 
 impl Tried {
     fn mean_square(&self) -> f64 {
-        self.left_out.values().sum::<f64>() / self.left_out.len() as f64
+        mean(self.left_out.values().copied())
     }
 
     /// By how much the mean square at poses that were left out is smaller than `before`, and its standard uncertainty, from the poses.
     fn gain(&self, before: &Self) -> [f64; 2] {
         let of = |(pose, squared): (&PoseName, &f64)| before.left_out.get(pose).map_or(0.0, |b| b - squared);
         let gains: Vec<f64> = self.left_out.iter().map(of).collect();
-        let n = gains.len() as f64;
-        let mean = gains.iter().sum::<f64>() / n;
-        let variance = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / (n - 1.0);
-        [mean, (variance / n).sqrt()]
+        [mean(gains.iter().copied()), (variance(&gains) / gains.len() as f64).sqrt()]
     }
 
     /// F of what this explains more, and its p value.

@@ -3,10 +3,10 @@
 use etalon_base::message::{Message, Place, count};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_base::statistics::middle_pair;
 use etalon_campaign::Campaign;
 use etalon_formats::Point;
 use etalon_identify::Observation;
+use etalon_math::statistics::middle_pair;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
 

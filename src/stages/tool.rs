@@ -1,6 +1,7 @@
 //! The error to expect at the tool point.
 
 use super::evaluate::{Sets, summarise};
+use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -49,12 +50,12 @@ impl<'a> Expected<'a> {
         };
         let point = point.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
         let place_mm = dimension.sqrt() * point.standard_uncertainty_mm;
-        let held = held(robot, &sets.calibration, settings, found)?;
+        let held = held(robot, &sets.calibration, settings, found).map_err(remedied)?;
         Ok(Self { robot, point, before, found, held, model_mm, place_mm })
     }
 
     fn at(&self, joints: &[f64]) -> Result<Option<ToolError>> {
-        self.point.error(self.robot, joints, self.before, self.found, &self.held)
+        self.point.error(self.robot, joints, self.before, self.found, &self.held).map_err(remedied)
     }
 
     /// Standard uncertainty of the position (k = 1), mm.
@@ -83,7 +84,7 @@ impl<'a> Expected<'a> {
                 self.error()
             ),
             point_mm: self.point.point_mm,
-            frame: self.point.frame,
+            frame: self.point.frame.into(),
             set: judged.name.clone(),
             poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
             before: summarise(sizes_before),
@@ -115,7 +116,7 @@ impl<'a> Expected<'a> {
         let values = &self.found.values;
         let mut poses = Vec::new();
         for o in &sets.calibration {
-            let at_mm = self.point.in_base(self.robot, values, &o.joints)?;
+            let at_mm = self.point.in_base(self.robot, values, &o.joints).map_err(remedied)?;
             if let Some(tool) = kinematics.tool_pose(values, &o.joints).filter(|_| at_mm.iter().all(|v| v.is_finite()))
             {
                 poses.push(Spanning { at_mm, tool, joints: &o.joints });
@@ -130,7 +131,7 @@ impl<'a> Expected<'a> {
                 self.error()
             ),
             point_mm: self.point.point_mm,
-            frame: self.point.frame,
+            frame: self.point.frame.into(),
             spacing_mm,
             nodes,
         }))

@@ -4,6 +4,7 @@ use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{Noise, given, other_nominal, robot_values};
 use super::identification::{Selected, select, wrong_set_up};
 use super::join::Joined;
+use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::{Campaign, Identify};
 use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
@@ -81,7 +82,7 @@ impl Values {
             });
             return Ok(Self { before: earlier.collect(), after });
         }
-        let before = etalon_identify::fit_frames(robot, &sets.calibration, settings)?;
+        let before = etalon_identify::fit_frames(robot, &sets.calibration, settings).map_err(remedied)?;
         if let (GivenFrames::Prior, Some(document)) = (frames, document) {
             return Ok(Self { before, after: with_prior(robot, document, sets, settings)? });
         }
@@ -90,7 +91,7 @@ impl Values {
         robot.definition_mut().set_nominal(&values);
         let after = etalon_identify::fit_frames(robot, &sets.calibration, settings);
         robot.definition_mut().set_nominal(&nominal);
-        Ok(Self { before, after: after? })
+        Ok(Self { before, after: after.map_err(remedied)? })
     }
 }
 
@@ -113,7 +114,7 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
     let mut observations = sets.calibration.clone();
     let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
     let settings = noise.applied(&mut observations, Settings::default());
-    etalon_identify::most_probable(robot, &observations, &settings, &frames)
+    etalon_identify::most_probable(robot, &observations, &settings, &frames).map_err(remedied)
 }
 
 /// The nominal parameters, where base and targets are among them.

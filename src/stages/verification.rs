@@ -2,6 +2,7 @@
 
 use super::given::{Noise, given, other_nominal};
 use super::repeats::stale;
+use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -33,7 +34,8 @@ pub fn verify(
         return Err(problem.into());
     }
     let settings = noise.applied(&mut observations, Settings::default());
-    let found = etalon_identify::verify(robot, &observations, &settings, &parameters, noise.variance)?;
+    let found =
+        etalon_identify::verify(robot, &observations, &settings, &parameters, noise.variance).map_err(remedied)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
     if found.is_changed() && found.cause().is_none() {
         if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
@@ -137,7 +139,7 @@ pub fn plan(
         progress(k + 1, 2 * count);
     }
     let step = |k: usize| {
-        let least = detectable(&chosen[..=k])?.iter().flat_map(|d| least(robot, d)).collect();
+        let least = detectable(&chosen[..=k]).map_err(remedied)?.iter().flat_map(|d| least(robot, d)).collect();
         Ok(VerificationStep { pose: chosen[k], least })
     };
     Ok(VerificationPlanDocument {

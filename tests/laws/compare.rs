@@ -14,7 +14,7 @@ const PAIRS: u64 = 2000;
 /// Residuals that the instrument explains.
 fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     ResidualSummary {
-        kind: etalon::identify::ResidualKind::Targets,
+        kind: etalon::documents::ResidualKind::Targets,
         count: 100,
         rms: 0.001,
         max: 0.003,
@@ -24,7 +24,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
         repeats: None,
         chi_square: None,
         chi_square_rejected: false,
-        uncertainties_from: etalon::identify::UncertaintyFrom::Instrument,
+        uncertainties_from: etalon::documents::UncertaintyFrom::Instrument,
         uncertainties_enlarged_by: 1.0,
     }
 }
@@ -67,7 +67,7 @@ pub(super) fn identified(
         solver: SolverSummary {
             method: String::new(),
             iterations: 1,
-            termination: etalon::math::Termination::ResidualsZero,
+            termination: etalon::documents::Termination::ResidualsZero,
             meaning: String::new(),
         },
         messages: Vec::new(),

@@ -468,7 +468,8 @@ fn a_batch_runs_what_has_changed_and_goes_on_where_one_fails() {
     let a = files(&folder.path().join("a/out"));
     assert!(a.contains_key("parameters.json") && !a.contains_key("report.html"));
     let bytes = std::fs::read(folder.path().join("batch.parquet")).unwrap();
-    let table = etalon::formats::table::from_parquet(bytes.clone()).unwrap();
+    use polars_io::SerReader;
+    let table = polars_io::parquet::read::ParquetReader::new(std::io::Cursor::new(&bytes)).finish().unwrap();
     let column = |name: &str| etalon::formats::table::texts(&table, name).unwrap();
     let (campaigns, kinds, items) = (column("campaign"), column("kind"), column("item"));
     let values = table.column("value").unwrap().f64().unwrap().clone();

@@ -4,6 +4,7 @@ use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector};
 use etalon::identify::geometric::*;
 use etalon::robots::Prexyt;
+use etalon::simulate::setup::*;
 
 /// Indices in the model's parameters.
 const BETA: usize = 0;

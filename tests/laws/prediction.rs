@@ -20,7 +20,7 @@ fn the_map_agrees_with_draws_of_the_parameters() {
     let (name, planar) = ("prexyt-cmm", true);
     let (robot, found) = sample(name);
     let map = found.accuracy.map.as_ref().unwrap();
-    let point = ToolPoint { point_mm: map.point_mm, frame: map.frame, standard_uncertainty_mm: 0.0 };
+    let point = ToolPoint { point_mm: map.point_mm, frame: map.frame.into(), standard_uncertainty_mm: 0.0 };
     assert!((20..=300).contains(&map.nodes.len()), "{name}: {}", map.nodes.len());
 
     let (values, free) = (&found.found.values, &found.found.free);

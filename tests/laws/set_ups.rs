@@ -14,6 +14,7 @@ use etalon::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::check;
 use etalon::stages::evaluate::{self, Sets};
 use etalon::stages::plausible::plausibility;
+use etalon::stages::remedies::remedied;
 use etalon::stages::repeats::stale;
 use etalon::stages::{frames, join};
 use rayon::prelude::*;
@@ -30,8 +31,8 @@ struct Bench {
 fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<Message> {
     let settings = Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() };
     let found = || {
-        let before = fit_frames(robot, observations, &settings)?;
-        let found = identify_from(robot, observations, &settings, &before)?;
+        let before = fit_frames(robot, observations, &settings).map_err(remedied)?;
+        let found = identify_from(robot, observations, &settings, &before).map_err(remedied)?;
         let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
         let errors = evaluate::errors(robot, &sets, &before, &found.values);
         let mut messages = plausibility(robot, observations, &settings, &before, &found, &errors);

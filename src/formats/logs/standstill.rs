@@ -9,6 +9,7 @@ use super::{Log, Standstill};
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Result, Stated};
 use etalon_documents::{Source, StandingInterval, StandingJoint};
+use etalon_standards::iso9283::statistics::sample::{self, Spread};
 use std::collections::VecDeque;
 
 /// A joint: its values, and how far they may lie apart where it stands, in the same unit.
@@ -196,11 +197,8 @@ fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
 
 /// Mean, standard deviation (n - 1) and range of a joint while it stands.
 fn spread(name: &str, values: &[f64]) -> StandingJoint {
-    let n = values.len() as f64;
-    // about the first value, which is near: sums of large counts keep their digits
-    let mean = values[0] + values.iter().map(|v| v - values[0]).sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    let Spread { mean, deviation } = sample::spread(values);
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
-    let standard_deviation = if n > 1.0 { (squares / (n - 1.0)).sqrt() } else { 0.0 };
+    let standard_deviation = if values.len() > 1 { deviation } else { 0.0 };
     StandingJoint { column: name.to_owned(), mean, standard_deviation, range: high - low }
 }

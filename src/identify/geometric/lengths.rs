@@ -6,6 +6,7 @@ use super::frames::{Base, Mobile};
 use super::uncertain::{Flat, Readings, Scatter, Uncertain, mean_and_sd, shifts, values};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, centroid, cross, dot, minus, norm, unit};
+use etalon_math::statistics::mean;
 
 /// A ball on a carriage.
 #[derive(Clone, Debug, Default)]
@@ -60,7 +61,7 @@ impl Lead {
         positions.dedup();
         let mean_at = |position: f64| {
             let here: Vec<f64> = deviations.iter().zip(rho).filter(|(_, r)| **r == position).map(|(d, _)| *d).collect();
-            (position, here.iter().sum::<f64>() / here.len().max(1) as f64)
+            (position, mean(here))
         };
         Ok(Self { ratio: slope.at(ratio), linearity: positions.into_iter().map(mean_at).collect(), scatter })
     }

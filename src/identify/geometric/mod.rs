@@ -7,7 +7,6 @@
 
 mod frames;
 mod lengths;
-mod setup;
 mod uncertain;
 mod workspace;
 
@@ -15,7 +14,6 @@ pub use frames::{Axes, Base, BaseMeasurements, Circle, Mobile, Plane, Turned};
 pub use lengths::{
     Lead, LeadMeasurements, OffsetMeasurements, ScaleBar, Shaft, ShaftMeasurements, intersection, scale_bar,
 };
-pub use setup::{Arc, BallSetup, BarSetup, LeadSetup, OffsetSetup, Setup, ShaftSetup, Turn};
 pub use uncertain::{Flat, Point, Readings, Repeated, Repeats, Scatter, Uncertain, mean_and_sd};
 pub use workspace::{Polygon, Workspace, area_mm2};
 

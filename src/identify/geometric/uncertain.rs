@@ -9,6 +9,7 @@ use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
 use etalon_base::scalar::Dual;
 use etalon_math::Factor;
+use etalon_math::statistics::{mean, standard_deviation};
 
 /// A value and its derivatives by measured coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -174,7 +175,7 @@ impl Readings {
             standard_deviation_mm: if dof > 0 { (squares / dof as f64).sqrt() } else { 0.0 },
             max_mm: residuals_mm.iter().fold(0.0, |m, r| m.max(r.abs())),
             norm_mm: squares.sqrt(),
-            expected_mm: (variances.iter().sum::<f64>() / variances.len().max(1) as f64).sqrt(),
+            expected_mm: mean(variances).sqrt(),
             enlarged_by,
         }
     }
@@ -206,10 +207,7 @@ pub(super) fn shifts<const N: usize>(rows: &[[f64; N]], moves: &[Uncertain]) -> 
 
 /// Mean and standard deviation (n − 1; zero of a single value) of values; `None` without any.
 pub fn mean_and_sd(values: &[f64]) -> Option<(f64, f64)> {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
-    (n > 0.0).then(|| (mean, if n > 1.0 { (squares / (n - 1.0)).sqrt() } else { 0.0 }))
+    (!values.is_empty()).then(|| (mean(values.iter().copied()), standard_deviation(values)))
 }
 
 /// Repeated determinations of one quantity, their mean the result.
@@ -244,7 +242,7 @@ impl Repeated {
         let u = readings.standard_uncertainties_mm();
         let n = self.values.len();
         let plain: Vec<f64> = self.values.iter().map(|v| v.value).collect();
-        let standard_deviation = mean_and_sd(&plain).map_or(0.0, |m| m.1);
+        let standard_deviation = standard_deviation(&plain);
         let own = self.values.iter().map(|v| Uncertain::linear(0.0, [(1.0, v), (-1.0, &self.mean)]));
         let expected_variance = own.map(|v| v.covariance(&v, u)).sum::<f64>() / n.saturating_sub(1).max(1) as f64;
         let dof = n.saturating_sub(1);

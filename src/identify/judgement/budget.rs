@@ -1,24 +1,22 @@
 //! The uncertainty budget of an identification: what each source contributes to the variance of a parameter, or of a figure that
 //! depends on parameters and readings (GUM 5.1.2, 5.2.2; a table as in GUM H.1).
 
+use crate::Result;
 use crate::judgement::significance::Variance;
 use crate::model::frame_error::{FrameError, carry, response};
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::Shape;
 use crate::{Covariance, Identification, Observation, ResidualKind, Settings};
 use UncertaintySource as Source;
-use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::{mean, rms};
 use etalon_math::{Problem, Solution};
 use etalon_robots::Robot;
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A source of uncertainty.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum UncertaintySource {
     /// The instrument: its stated uncertainty, or that which readings state of themselves.
     Instrument,
@@ -87,8 +85,7 @@ pub struct Budget {
 }
 
 /// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Replicates {
     /// Standard deviation of a coordinate among repeats of a pose, mm.
     pub repeats_mm: f64,
@@ -311,8 +308,7 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
 }
 
 /// A figure made of the position errors of an identification: its derivatives by each of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// Their mean size.
     Mean,
@@ -358,7 +354,7 @@ pub fn figure_budgets(
     let size = |e: &[f64]| e[..used].iter().map(|v| v * v).sum::<f64>().sqrt();
     let sizes: Vec<f64> = residuals.chunks_exact(width).map(size).collect();
     let count = sizes.len() as f64;
-    let rms = (sizes.iter().map(|s| s * s).sum::<f64>() / count).sqrt();
+    let rms = rms(sizes.iter().copied());
     let largest = sizes.iter().copied().fold(0.0, f64::max);
     let u_mm = found.budget.stated_mm.unwrap_or(0.0);
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -429,7 +425,7 @@ pub(crate) fn replicates(
             continue;
         }
         for axis in 0..dimension {
-            let mean = of_pose.iter().map(|(_, miss)| miss[axis]).sum::<f64>() / of_pose.len() as f64;
+            let mean = mean(of_pose.iter().map(|(_, miss)| miss[axis]));
             within += of_pose.iter().map(|(_, miss)| (miss[axis] - mean).powi(2)).sum::<f64>();
         }
         degrees += dimension * (of_pose.len() - 1);

@@ -3,22 +3,18 @@
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
-use crate::solution::identifiability::{Analysis, Group};
-use crate::solution::set_up::explain;
-use crate::{Identification, Observation, ResidualKind, Settings, unseen_by};
-use etalon_base::message::{Message, Problems};
+use crate::solution::identifiability::Analysis;
+use crate::solution::set_up::set_up_hint;
+use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::median;
 use etalon_math::{Loss, Options, Problem, Termination};
 use etalon_robots::{Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Measured and predicted positions whose extents differ by more than this are not in the same unit.
 const SAME_UNIT: f64 = 3.0;
-/// Poses that a message names.
-const NAMED_POSES: usize = 8;
-
 /// The error when the solver ended with `termination` on its way from `start` (all parameters of the robot).
 pub(crate) fn diagnose_failure(
     robot: &dyn Robot,
@@ -27,63 +23,36 @@ pub(crate) fn diagnose_failure(
     wanted: &[usize],
     start: &[f64],
     termination: Termination,
-) -> Problems {
+) -> Error {
     if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
         && let Ok(all) = Residuals::new(robot, observations, settings, wanted, start)
     {
         return too_little(robot, observations, &all, start);
     }
-    let ended = "the identification ended without a result";
-    let mut message = match cause(robot, observations, start) {
-        Some((what, hint)) => Message::error(format!("{ended}: {what}")).hint(hint),
-        None => Message::error(format!("{ended}: {termination}"))
-            .hint("check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters"),
-    };
-    explain(std::slice::from_mut(&mut message), robot, observations);
-    message.into()
+    let (cause, set_up) = (cause(robot, observations, start), set_up_hint(robot, observations));
+    Error::Failed { termination, cause, set_up }
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
-pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Problems {
-    let what = "no parameter is left to identify";
-    match cause(robot, observations, start) {
-        Some((why, hint)) => {
-            let mut message = Message::error(format!("{what}: {why}")).hint(hint);
-            explain(std::slice::from_mut(&mut message), robot, observations);
-            message.into()
-        }
-        None => Message::error(what).hint("hold fewer parameters, and measure more poses").into(),
-    }
+pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Error {
+    let cause = cause(robot, observations, start);
+    let set_up = cause.as_ref().and_then(|_| set_up_hint(robot, observations));
+    Error::NothingLeft { cause, set_up }
 }
 
 /// The parameters that too few poses do not determine, group by group.
-fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, start: &[f64]) -> Problems {
+fn too_little(robot: &dyn Robot, observations: &[Observation], all: &Residuals, start: &[f64]) -> Error {
     let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
     let groups = Analysis::at(all, start, 0.0).groups;
-    let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
-    let message = Message::error(format!(
-        "{} from {}, {} of them independent, do not determine {}",
-        count(all.residual_count(), "residual"),
-        count(poses.len(), "pose"),
-        all.free.len() - groups.len(),
-        count(all.free.len(), "parameter"),
-    ))
-    .hint("measure more poses (repeats of a pose add nothing), or hold parameters with `hold` in [identify] or --hold");
-    let name = |i: usize| format!("`{}`", robot.parameters()[i].name);
-    let group = |g: &Group| match &g.with[..] {
-        [] => format!("the data do not depend on {}", name(g.held)),
-        with => {
-            let with: Vec<String> = with.iter().map(|&i| name(i)).collect();
-            format!("{} is not separately identifiable from {}", name(g.held), with.join(", "))
-        }
-    };
-    let mut problems = vec![message];
-    problems.extend(groups.iter().map(|g| Message::error(group(g))));
-    Problems(problems)
+    let name = |i: usize| robot.parameters()[i].name.clone();
+    Error::Undetermined {
+        counts: [all.residual_count(), poses.len(), all.free.len() - groups.len(), all.free.len()],
+        groups: groups.iter().map(|g| (name(g.held), g.with.iter().map(|&i| name(i)).collect())).collect(),
+    }
 }
 
-/// What is wrong with the observations beside the robot at `start`, and what to do about it.
-fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Option<(String, String)> {
+/// The cause that the observations show beside the robot at `start`.
+fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Option<Cause> {
     let (mut measured, mut predicted) = (Vec::<Vector>::new(), Vec::<Vector>::new());
     let mut unreachable = BTreeSet::new();
     for o in observations {
@@ -98,38 +67,20 @@ fn cause(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Opti
         }
     }
     if !unreachable.is_empty() {
-        let what = format!("the nominal robot cannot be where the joints put it in {}", poses(&unreachable));
-        return Some((
-            what,
-            "check unit (degrees or radians), sign and offset of the joints, and the nominal parameters".into(),
-        ));
+        return Some(Cause::Unreachable(unreachable));
     }
-    let (there, here) = (extent(&measured), extent(&predicted));
-    if there > SAME_UNIT * here || here > SAME_UNIT * there {
-        let what = format!("measured points spread over {there:.0} mm, the model's over {here:.0} mm");
-        return Some((
-            what,
-            "check `unit` of the exports, the units of the joints in the log, and the lengths of the robot".into(),
-        ));
+    let (measured_mm, model_mm) = (extent(&measured), extent(&predicted));
+    if measured_mm > SAME_UNIT * model_mm || model_mm > SAME_UNIT * measured_mm {
+        return Some(Cause::Extent { measured_mm, model_mm });
     }
     let wrong = misplaced(robot, observations, start);
-    let (worst, other) = wrong.first()?;
-    let of: BTreeSet<PoseName> = wrong.iter().map(|(o, _)| o.pose).collect();
-    let mode = worst.joints.last()?;
-    let what = format!(
-        "the tool is not where the assembly mode puts it in {}: pose {} is stated in mode {mode:+}, where the model is {:.1} mm \
-         from the measured position, in mode {:+} {:.1} mm",
-        poses(&of),
-        worst.pose,
-        other.0,
-        -mode,
-        other.1
-    );
-    Some((
-        what,
-        "correct the column `assembly` of these poses, or leave it empty: the mode is then taken from the measurement"
-            .into(),
-    ))
+    let (worst, left) = wrong.first()?;
+    Some(Cause::AssemblyMode {
+        poses: wrong.iter().map(|(o, _)| o.pose).collect(),
+        worst: worst.pose,
+        mode: *worst.joints.last()?,
+        left_mm: [left.0, left.1],
+    })
 }
 
 /// Diagonal of the smallest box around points, mm.
@@ -140,19 +91,6 @@ fn extent(points: &[Vector]) -> f64 {
     norm(minus(end(f64::max), end(f64::min)))
 }
 
-fn poses(numbers: &BTreeSet<PoseName>) -> String {
-    let shown: Vec<String> = numbers.iter().take(NAMED_POSES).map(PoseName::to_string).collect();
-    match numbers.len() {
-        1 => format!("pose {}", shown.join("")),
-        n if n > NAMED_POSES => format!("{n} poses ({}, ...)", shown.join(", ")),
-        n => format!("{n} poses ({})", shown.join(", ")),
-    }
-}
-
-/// Measurements that are named where none lies beyond the rest.
-const NAMED: usize = 3;
-/// Measurements that are named at most.
-const NAMED_OUTLIERS: usize = 40;
 /// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three coordinates and normal errors
 /// fewer than one of ten million is.
 pub const OUTLIER: f64 = 6.0;
@@ -164,9 +102,6 @@ const BELOW: f64 = 0.9;
 const PART: usize = 60;
 /// Least scale of residuals in mm: below it nothing is measured.
 const LEAST_MM: f64 = 1e-6;
-
-/// What to do about readings that others contradict.
-pub const WRONG_READINGS: &str = "look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]";
 
 /// What a robust fit leaves of every reading.
 #[derive(Clone, Debug)]
@@ -228,32 +163,6 @@ impl RobustFit {
     pub fn outliers(&self) -> &[Reading] {
         let beyond = self.readings.iter().take_while(|r| r.left_mm > OUTLIER * r.own_mm.max(self.scale_mm));
         &self.readings[..beyond.count()]
-    }
-
-    /// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
-    pub fn message(&self, robot: &dyn Robot) -> Message {
-        let named = |readings: &[Reading]| -> String {
-            let target = |r: &Reading| robot.targets()[r.target].as_str();
-            let text = |r: &Reading| format!("{:.4} mm ({}, pose {}, cycle {})", r.left_mm, target(r), r.pose, r.cycle);
-            readings.iter().map(text).collect::<Vec<_>>().join(", ")
-        };
-        let outliers = self.outliers();
-        if outliers.is_empty() {
-            let largest = &self.readings[..self.readings.len().min(NAMED)];
-            let hint = "look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses";
-            return Message::warning(format!("largest residuals of a robust fit: {}", named(largest))).hint(hint);
-        }
-        let more = if outliers.len() > NAMED_OUTLIERS { ", ..." } else { "" };
-        let what = format!(
-            "{} of {} readings {}, more than {OUTLIER:.0} times {:.4} mm, the standard deviation of the others in a robust \
-             fit: {}{more}",
-            outliers.len(),
-            self.readings.len(),
-            if outliers.len() == 1 { "is an outlier" } else { "are outliers" },
-            self.scale_mm,
-            named(&outliers[..outliers.len().min(NAMED_OUTLIERS)]),
-        );
-        Message::warning(what).to_decide().hint(WRONG_READINGS)
     }
 }
 

@@ -4,8 +4,9 @@ use crate::judgement::uncertainty::held_messages;
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use crate::solution::observability::{Observability, WeakGroup, observe, weak_message};
+use crate::{Error, Result};
 use crate::{Observation, Settings, wanted_parameters};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Factor, Problem, column_norms, covariance, svd};
 use etalon_robots::Robot;
@@ -76,8 +77,7 @@ pub fn predict(
     let covariance = covariance(&factor, &scale).filter(|_| regular);
     let covariance = covariance.ok_or_else(|| {
         let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
-        Message::error(format!("{} poses do not suffice to identify {} parameters", poses.len(), free.len()))
-            .hint("choose more positions, or hold parameters with `--hold`")
+        Error::TooFewPoses { poses: poses.len(), parameters: free.len() }
     })?;
     let observed = observe(&problem, &x, &factor, &scale, Some(&covariance));
     let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));

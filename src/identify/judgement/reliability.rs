@@ -1,17 +1,15 @@
 //! How well residuals control each other: redundancy and least detectable error of every reading (Baarda 1968, A testing procedure for use in
 //! geodetic networks), and the influence of every pose on the parameters (Cook 1977).
 
+use crate::Result;
 use crate::judgement::uncertainty::UncertaintyFrom;
 use crate::model::residuals::{ResidualKind, Residuals};
 use crate::{Identification, Observation, Settings};
-use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Problem, covariance, factor_at};
 use etalon_robots::Robot;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::prelude::*;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use std::collections::BTreeMap;
 
@@ -25,8 +23,7 @@ pub const CRITICAL_W: f64 = 3.290_526_731_491_9;
 const DELTA_0: f64 = CRITICAL_W + 0.841_621_233_572_914;
 
 /// How well a reading is controlled by the others: of its coordinates the worst.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadingReliability {
     /// Redundancy number r = 1 - h, from 0 (nothing controls it) to 1: the share of an error that its residual shows.
     pub redundancy: f64,

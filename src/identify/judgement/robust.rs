@@ -1,11 +1,11 @@
 //! A robust fit beside the plain one: what identified parameters would be if readings far from the others weighed little, and which
 //! poses disagree with the rest.
 
+use crate::Result;
 use crate::model::residuals::{OF_MEDIAN, ResidualKind, Residuals};
 use crate::{Identification, Observation, Settings};
-use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::{mean, median};
 use etalon_math::{Loss, Options, Problem, covariance, factor_at, solve};
 use etalon_robots::Robot;
 use nalgebra::{DMatrix, DVector};
@@ -182,7 +182,7 @@ fn differences(problem: &Residuals, x: &[f64], r: &[f64], n: usize) -> Option<Ve
     let inverse = DMatrix::from_row_slice(n, n, &covariance(&factor, &norms)?);
     let jacobian = problem.jacobian_at(x);
     let loss = Loss::Cauchy(CAUCHY);
-    let curvature = r.iter().map(|&r| loss.curvature(r)).sum::<f64>() / r.len() as f64;
+    let curvature = mean(r.iter().map(|&r| loss.curvature(r)));
     let mut steps: BTreeMap<PoseName, DVector<f64>> = BTreeMap::new();
     for (row, cluster) in problem.clusters(REGIONS_PER_PARAMETER * n).into_iter().enumerate().take(r.len()) {
         let j = DVector::from_column_slice(&jacobian[row * n..][..n]);

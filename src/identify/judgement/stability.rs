@@ -1,10 +1,10 @@
 //! Stability: whether parameters from part of the poses differ from those of all poses by more than chance (Hausman 1978, Specification
 //! tests in econometrics).
 
+use crate::Result;
 use crate::judgement::robust::quantile;
 use crate::model::residuals::Residuals;
 use crate::{Identification, Observation, Settings};
-use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Problem, covariance, linearised_at};
 use etalon_robots::Robot;

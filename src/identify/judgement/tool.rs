@@ -5,16 +5,16 @@
 use crate::model::frame_error::response;
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::turn_of;
+use crate::{Error, Result};
 use crate::{Group, Identification, Observation, Settings};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, unit};
 use etalon_math::{covariance, factor_at};
 use etalon_robots::{Robot, Role};
 use nalgebra::{Matrix3, Vector3};
 
 /// The part in whose frame a tool point is stated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToolFrame {
     /// The flange of an arm.
     Flange,
@@ -61,11 +61,7 @@ impl ToolPoint {
     /// Its place in the base frame of `robot`, mm.
     pub fn in_base(&self, robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Result<Vector> {
         let values = without_base(robot, values);
-        let lacks = |part: &str| {
-            let what = format!("a tool point in the frame of the {part}: `{}` has no {part}", robot.model());
-            Message::error(what)
-                .hint("`frame` is `flange` for an arm, `platform` for a PreXYT, `targets` for any robot")
-        };
+        let lacks = |part| Error::NoSuchPart { model: robot.model().to_owned(), part };
         match self.frame {
             ToolFrame::Platform => {
                 let pose = robot.platform().ok_or_else(|| lacks("platform"))?.pose(&values, joints);

@@ -1,5 +1,6 @@
 //! Uncertainty of the parameters: covariance and chi-square.
 
+use crate::Result;
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
@@ -10,19 +11,16 @@ use crate::model::rigid_part::Shape;
 use crate::solution::observability::{held_singular_values, observe, weak_message};
 use crate::solution::solver::Identifiable;
 use crate::{Group, Identification, Observation, ResidualKind, Settings, Status};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::{median, rms};
 use etalon_math::{Factor, Problem, Solution, column_norms};
 use etalon_robots::{Quantity, Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What standard uncertainties rest on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UncertaintyFrom {
     /// The stated uncertainty of the instrument: chi-square does not reject the model.
     Instrument,
@@ -121,7 +119,7 @@ pub(crate) fn with_uncertainty(
         observability,
         budget,
         replicates,
-        rms: (lengths.iter().map(|r| r * r).sum::<f64>() / lengths.len().max(1) as f64).sqrt() * problem.unit,
+        rms: rms(lengths.iter().copied()) * problem.unit,
         max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
         chi_square,

@@ -5,10 +5,11 @@
 //! variance is estimated: two independent tests that have the significance level together (Šidák 1967). A change adds a noncentrality
 //! δᵀ Aᵀ S⁻¹ A δ, from which follow the power of the test and the least change that it detects (Baarda 1968, reliability).
 
+use crate::Result;
 use crate::judgement::significance::{Variance, bisect};
 use crate::model::residuals::Residuals;
 use crate::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, cross, minus};
 use etalon_math::Problem;
 use etalon_robots::Robot;

@@ -4,22 +4,21 @@ use crate::model::elimination::Layout;
 use crate::model::kinds::{Condition, Known};
 use crate::model::rigid_part::{At, Shape};
 use crate::model::weights::Weights;
+use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::median;
 use etalon_math::{Blocks, Problem, Rows, Solution};
 use etalon_robots::{FreeBase, Loads, Parametrised, Platform, Robot, State};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// What is compared.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ResidualKind {
     /// Coordinates of each target, weighted by the instrument's uncertainty.
     #[default]
@@ -93,10 +92,9 @@ impl<'a> Residuals<'a> {
         }
         let platform = match settings.kind {
             ResidualKind::Targets => None,
-            ResidualKind::Pose => Some(robot.platform().ok_or_else(|| {
-                Message::error(format!("`residuals = \"pose\"` is for planar robots, not for `{}`", robot.model()))
-                    .hint("use `residuals = \"targets\"`")
-            })?),
+            ResidualKind::Pose => {
+                Some(robot.platform().ok_or_else(|| Error::NotPlanar { model: robot.model().to_owned() })?)
+            }
         };
         let rows = observations.iter().map(|o| {
             let measured = o.targets.iter().flatten().count();

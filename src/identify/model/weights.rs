@@ -1,8 +1,10 @@
 //! Readings that state an uncertainty of their own: their residuals are divided by it, instead of by that of the instrument.
 
+use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::Vector;
+use etalon_math::statistics::rms;
 use nalgebra::{DMatrix, Matrix3};
 
 /// Covariance of a position, mm².
@@ -76,15 +78,10 @@ pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Sett
         return Ok(None);
     }
     if settings.kind == crate::ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
-        let what = "readings with an uncertainty of their own weigh residuals of targets, without an uncertainty that rows have in common";
-        return Err(Message::error(what).hint("compare targets, or leave the columns of uncertainties out").into());
+        return Err(Error::OwnUncertainties);
     }
     if settings.standard_uncertainty_mm.is_none() && stated.len() < readings {
-        let what = format!(
-            "{} of {readings} readings state no uncertainty, and none is stated for them",
-            readings - stated.len()
-        );
-        return Err(Message::error(what).hint("state it in every row, or with --standard-uncertainty-um").into());
+        return Err(Error::ReadingsWithoutUncertainty { without: readings - stated.len(), readings });
     }
     settings.standard_uncertainty_mm = settings.standard_uncertainty_mm.or(root_mean_square(stated.iter().copied()));
     let [least, most] = stated.iter().fold([f64::INFINITY, 0.0], |[a, b], u| [u.min(a), u.max(b)]);
@@ -99,5 +96,5 @@ pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Sett
 
 fn root_mean_square(all: impl Iterator<Item = f64> + Clone) -> Option<f64> {
     let count = all.clone().count();
-    (count > 0).then(|| (all.map(|u| u * u).sum::<f64>() / count as f64).sqrt())
+    (count > 0).then(|| rms(all))
 }

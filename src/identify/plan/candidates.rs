@@ -1,7 +1,8 @@
 //! Candidates: configurations that may be measured, as far as the robot reaches them.
 
 use crate::Observation;
-use etalon_base::message::{Message, Result, count};
+use crate::Result;
+use etalon_base::message::{Message, count};
 use etalon_base::pose_name::PoseName;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;

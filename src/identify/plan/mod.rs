@@ -13,10 +13,12 @@ pub use criterion::{Criterion, Pool};
 pub use search::Choice;
 pub use study::{PlaceError, Setting, Study, point_of, study};
 
+use crate::Result;
 use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
 use bound::{Proven, branch_and_bound};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_math::statistics::mean;
 use etalon_robots::Robot;
 use search::{exchange_from_many, greedy};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -245,6 +247,5 @@ fn workspace(known: &Sensitivity, prediction: &Prediction, dimension: usize) -> 
     };
     let squares: Vec<f64> =
         known.jacobian.chunks_exact(dimension * m).map(|p| p.chunks_exact(m).map(variance).sum()).collect();
-    let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
-    (mean.sqrt(), squares.iter().fold(0.0f64, |w, s| w.max(*s)).sqrt())
+    (mean(squares.iter().copied()).sqrt(), squares.iter().fold(0.0f64, |w, s| w.max(*s)).sqrt())
 }

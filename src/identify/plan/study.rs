@@ -1,12 +1,13 @@
 //! A simulated calibration with the chosen poses (thesis, section 4.6): how near parameters and positions come to the truth.
 
 use super::{Criterion, Plan, pool_of, search::Choice};
+use crate::Result;
 use crate::{Observation, Settings, ToolPoint, identify_from};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::middle_pair;
+use etalon_math::statistics::middle_pair;
 use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;

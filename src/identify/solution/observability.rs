@@ -2,6 +2,7 @@
 
 use crate::model::residuals::Residuals;
 use etalon_base::message::Message;
+use etalon_math::statistics::mean;
 use etalon_math::{Factor, Problem, Svd, svd};
 use etalon_robots::{Quantity, Robot};
 use std::collections::BTreeSet;
@@ -178,8 +179,7 @@ fn unscale(factor: &Factor, scale: &[f64], unit: f64) -> Factor {
 /// O1 to O5 from the singular values (eq. 1.19, 1.20, 1.22, 1.23, 1.25).
 fn indices(svd: &Svd, poses: usize) -> Option<[f64; 5]> {
     let (&largest, &smallest) = (svd.values.first()?, svd.values.last()?);
-    let m = svd.values.len() as f64;
-    let mean_log = svd.values.iter().map(|s| s.ln()).sum::<f64>() / m;
+    let mean_log = mean(svd.values.iter().map(|s| s.ln()));
     let harmonic: f64 = svd.values.iter().map(|s| 1.0 / s).sum();
     let all = [
         mean_log.exp() / (poses as f64).sqrt(),

@@ -3,11 +3,12 @@
 //! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
 //! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
 
+use crate::Result;
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::Analysis;
 use crate::{Observation, ResidualKind, Settings};
-use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
+use etalon_math::statistics::rms;
 use etalon_math::{Factor, Options, Problem, Termination};
 use etalon_robots::{FreeBase, Quantity, Robot, base_pose};
 use std::collections::{BTreeMap, BTreeSet};
@@ -146,7 +147,7 @@ fn place_all(
 pub(crate) fn spread_mm(observations: &[Observation]) -> f64 {
     let all: Vec<_> = observations.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
     let mean = centroid(&all).unwrap_or_default();
-    (all.iter().map(|p| norm(minus(*p, mean)).powi(2)).sum::<f64>() / all.len().max(1) as f64).sqrt()
+    rms(all.iter().map(|p| norm(minus(*p, mean))))
 }
 
 /// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal one; held components

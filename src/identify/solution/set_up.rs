@@ -7,7 +7,7 @@ use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
+use etalon_math::statistics::{median, rms};
 use etalon_math::{Options, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -67,10 +67,15 @@ impl SetUpError {
 /// Gives the first of `messages` the change of the set-up that explains it as its hint, where there is one.
 pub fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observation]) {
     if let Some(first) = messages.first_mut()
-        && let Some(found) = set_up_error(robot, observations)
+        && let Some(hint) = set_up_hint(robot, observations)
     {
-        first.hint = Some(found.hint());
+        first.hint = Some(hint);
     }
+}
+
+/// The change of the set-up that explains the observations, where there is one.
+pub(crate) fn set_up_hint(robot: &dyn Robot, observations: &[Observation]) -> Option<String> {
+    set_up_error(robot, observations).map(|found| found.hint())
 }
 
 /// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken
@@ -201,7 +206,7 @@ fn elsewhere(robot: &dyn Robot, observations: &[Observation], nominal: &[f64]) -
         fit.shift[0],
         fit.shift[1]
     );
-    Some(Change { what, left_mm: rms(&left) })
+    Some(Change { what, left_mm: rms(left) })
 }
 
 /// A change, and the root mean square distance that it leaves, mm.
@@ -243,11 +248,7 @@ fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
     let within = Similarity { angle: tolerance(Quantity::Angle), shift: [tolerance(Quantity::Length); 2] };
     let most = if anywhere { ANYWHERE } else { within };
     let (_, left) = planar_fit(robot, observations, nominal, &most)?;
-    Some(Misfit { rms_mm: rms(&left), median_mm: median(left).unwrap_or(0.0), values: nominal.to_vec() })
-}
-
-fn rms(left: &[f64]) -> f64 {
-    (left.iter().map(|v| v * v).sum::<f64>() / left.len().max(1) as f64).sqrt()
+    Some(Misfit { rms_mm: rms(left.iter().copied()), median_mm: median(left).unwrap_or(0.0), values: nominal.to_vec() })
 }
 
 /// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and the distances that they leave, mm.

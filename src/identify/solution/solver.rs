@@ -4,8 +4,8 @@ use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::{Analysis, Group};
+use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_base::message::{Message, Result};
 use etalon_math::{Options, Prior, Solution, WithPriors};
 use etalon_robots::{Quantity, Robot, Role};
 use std::f64::consts::TAU;
@@ -129,9 +129,7 @@ fn rounds(
         }
         held = now;
     }
-    Err(Message::error("which parameters are separately identifiable changes from step to step")
-        .hint("hold parameters in [identify], or measure more poses")
-        .into())
+    Err(Error::Unsteady)
 }
 
 /// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come

@@ -5,8 +5,9 @@ use crate::solution::placing::{
     MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over,
 };
 use crate::solution::set_up::{explain, far_from_nominal};
+use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::shortest;
 use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
@@ -44,11 +45,9 @@ fn by_points(
     let there = |o: &Observation| arm.flange(&nominal, &o.joints).translation_mm.iter().all(|v| v.is_finite());
     let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {
         if !subset.iter().all(there) {
-            return far_from_nominal(robot, observations, f64::INFINITY, 0.0);
+            return far_from_nominal(robot, observations, f64::INFINITY, 0.0).into();
         }
-        Message::error("base and targets cannot be found from these poses")
-            .expected("at least four poses in which the arm moves in all directions")
-            .hint("measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file")
+        Error::BaseNotFound
     })?;
     let all: BTreeSet<usize> = readings(robot, observations).into_iter().map(|t| t.0).collect();
     if all.len() > MOST_TARGETS {

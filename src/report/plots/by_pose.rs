@@ -50,9 +50,9 @@ fn picture(
     let largest = range(pairs.iter().flat_map(|(_, s)| [s.0, s.1])).map_or(0.0, |r| r.1);
     let shown = number::shown(unit, largest);
     // a few errors that happen to be nearly zero must not squeeze all others
-    let smallest = quantile(pairs.iter().map(|(_, s)| s.1), 0.02);
+    let smallest = number::quantile(pairs.iter().map(|(_, s)| s.1), 0.02);
     let largest_before = range(pairs.iter().map(|(_, s)| s.0)).map_or(0.0, |r| r.1);
-    let logarithmic = largest_before > RATIO * quantile(pairs.iter().map(|(_, s)| s.1), 0.5) && smallest > 0.0;
+    let logarithmic = largest_before > RATIO * number::quantile(pairs.iter().map(|(_, s)| s.1), 0.5) && smallest > 0.0;
     let axis = match logarithmic {
         true => Axis::logarithmic(smallest * shown.factor, largest * shown.factor, BOTTOM, TOP),
         false => Axis::from_zero(largest * shown.factor, BOTTOM, TOP),
@@ -174,12 +174,6 @@ fn legend(svg: &mut Svg, left: f64, drawn: &[&PointError], words: &Words) {
         svg.mark(*shape, class, (x, 16.0), 4.0, "", "");
         svg.text("start", (x + 10.0, 20.0), name);
     }
-}
-
-fn quantile(values: impl Iterator<Item = f64>, share: f64) -> f64 {
-    let mut sorted: Vec<f64> = values.collect();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get((sorted.len() as f64 * share) as usize).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -103,7 +103,7 @@ fn tooltip(n: &MapNode, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use etalon_identify::ToolFrame;
+    use etalon_documents::ToolFrame;
 
     fn node(at_mm: [f64; 3], before_mm: f64, after_mm: f64) -> MapNode {
         let (joints, parameters_mm, p95_mm) = (vec![], after_mm, 2.0 * after_mm);

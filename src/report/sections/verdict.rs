@@ -292,7 +292,7 @@ mod tests {
     use super::*;
     use crate::tests::demo::Documents;
     use crate::tests::demo_iso9283::whole;
-    use etalon_math::Termination;
+    use etalon_documents::Termination;
 
     fn of(documents: &Documents) -> Verdict {
         let report = documents.report();

@@ -4,11 +4,11 @@ use super::points::PointColumns;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::statistics::median;
 use etalon_campaign::{Campaign, Rigid};
 use etalon_documents::{Refused, Source};
 use etalon_formats::Point;
 use etalon_identify::{OF_MEDIAN, Pair, chi_square_exceeds};
+use etalon_math::statistics::median;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 

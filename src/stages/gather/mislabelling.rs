@@ -2,9 +2,9 @@
 
 use etalon_base::message::{Message, Place, Problems, count};
 use etalon_base::pose::{Vector, minus, norm};
-use etalon_base::statistics::median;
 use etalon_campaign::{Campaign, Fixed, JoinBy};
 use etalon_formats::Point;
+use etalon_math::statistics::median;
 use indexmap::IndexMap;
 use std::collections::BTreeMap;
 

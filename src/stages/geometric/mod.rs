@@ -15,6 +15,7 @@ use etalon_identify::geometric::{
     self, Readings, Repeated, Scatter, Steps, Uncertain, Workspace, mean_and_sd, scale_bar,
 };
 use etalon_identify::{Identification, Observation};
+use etalon_math::statistics::rms;
 use etalon_robots::{self as robots, Parameter, Platform, RailTable, Robot, Role};
 use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
 use std::collections::BTreeMap;
@@ -354,11 +355,10 @@ fn pose_row(
 fn methods(tables: &[PoseTable]) -> Vec<MethodErrors> {
     let method = |name: &str, of: fn(&PoseRow) -> MeanError| {
         let errors: Vec<MeanError> = tables.iter().flat_map(|t| &t.rows).map(of).collect();
-        let squares: f64 = errors.iter().map(|e| e.position_mm.powi(2)).sum();
         MethodErrors {
             name: name.to_owned(),
             position_max_mm: errors.iter().fold(0.0, |m, e| m.max(e.position_mm)),
-            position_rms_mm: (squares / errors.len() as f64).sqrt(),
+            position_rms_mm: rms(errors.iter().map(|e| e.position_mm)),
             orientation_max_deg: errors.iter().fold(0.0, |m, e| m.max(e.orientation_deg.abs())),
         }
     };

@@ -8,6 +8,7 @@ use etalon_campaign::Campaign;
 use etalon_documents::FramesDocument;
 use etalon_formats::{JointLog, Point};
 use etalon_identify::{Covariance, turned};
+use etalon_math::statistics;
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -86,7 +87,7 @@ fn means<'p>(campaign: &Campaign, points: &'p [Point]) -> BTreeMap<&'p str, Mean
         let stated: Option<Vec<Covariance>> = all.iter().map(|point| own_covariance(campaign, point)).collect();
         let of_mean = |c: &[Covariance], i: usize, j: usize| c.iter().map(|c| c[i][j]).sum::<f64>() / (n * n);
         Mean {
-            at_mm: [0, 1, 2].map(|axis| all.iter().map(|point| point.xyz_mm[axis]).sum::<f64>() / n),
+            at_mm: [0, 1, 2].map(|axis| statistics::mean(all.iter().map(|point| point.xyz_mm[axis]))),
             covariance_mm2: stated.map(|c| [0, 1, 2].map(|i| [0, 1, 2].map(|j| of_mean(&c, i, j)))),
         }
     };

@@ -3,6 +3,7 @@
 use super::{At, Condition, Equation, Kind, SHORTEST, place, point};
 use etalon_base::pose::{Vector, centroid, dot, minus, norm, unit};
 use etalon_math::Factor;
+use etalon_math::statistics::mean;
 use etalon_robots::FreeBase;
 use std::collections::BTreeMap;
 
@@ -66,7 +67,7 @@ pub(crate) fn reach(
             let p = minus(*p, centre);
             0.5 * (dot(p, p) - d * d)
         };
-        let mean = all.iter().map(square).sum::<f64>() / all.len() as f64;
+        let mean = mean(all.iter().map(square));
         let rows: Vec<f64> = places.iter().flat_map(|p| minus(*p, centre)).collect();
         let right: Vec<f64> = all.iter().map(|p| square(p) - mean).collect();
         if let Some(found) = Factor::new(&rows, &right, &[1.0; 3]).damped(SHORTEST).solve() {

@@ -29,8 +29,9 @@ pub(crate) use orientation::mount;
 pub(crate) use seen::{less_station, stand, station_pose};
 pub(crate) use surface::lay;
 
+use crate::{Error, Result};
 use crate::{Observation, ResidualKind, Settings, Status};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, centroid, minus};
 use etalon_base::pose_name::PoseName;
 use etalon_fit::rotation_onto;
@@ -265,20 +266,14 @@ pub(crate) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
     }
     let coordinates = settings.conditions.iter().all(|c| matches!(c.kind, Kind::Coordinate(_)));
     if robot.free_base().is_none() && !(coordinates && settings.known.is_empty() && !robot.has_assembly_modes()) {
-        let what = format!(
-            "orientations, distances, contacts, surfaces and joints are for arms in space, not for `{}`",
-            robot.model()
-        );
-        return Err(Message::error(what).hint("give positions of its targets: rows of kind `point`").into());
+        return Err(Error::NotAnArm { model: robot.model().to_owned() });
     }
     if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
         let what = "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
         return Err(Message::error(what).into());
     }
     if settings.standard_uncertainty_mm.is_none() {
-        return Err(Message::error("observations of several kinds need the standard uncertainty of a coordinate")
-            .hint("state it (--standard-uncertainty-um)")
-            .into());
+        return Err(Error::KindsWithoutUncertainty);
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use crate::Settings;
 use etalon_base::pose::{Vector, centroid, dot, minus};
 use etalon_base::scalar::{Dual, Scalar};
 use etalon_math::Factor;
+use etalon_math::statistics::mean;
 use etalon_robots::FreeBase;
 
 /// What a target touches.
@@ -173,7 +174,7 @@ pub(crate) fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], val
                 let centre = centroid(&at.iter().map(|(p, _)| *p).collect::<Vec<_>>()).unwrap_or_default();
                 let off: Vec<Vector> = at.iter().map(|(p, _)| minus(*p, centre)).collect();
                 let rows = off.iter().flat_map(|p| [p[0], p[1], p[2], 1.0]).collect();
-                let offset = at.iter().map(|(_, offset)| offset).sum::<f64>() / at.len() as f64;
+                let offset = mean(at.iter().map(|(_, offset)| *offset));
                 solved(rows, off.iter().map(|p| 0.5 * dot(*p, *p)).collect(), 4).map(|f| {
                     let radius = (2.0 * f[3] + f[0] * f[0] + f[1] * f[1] + f[2] * f[2]).max(0.0).sqrt();
                     vec![centre[0] + f[0], centre[1] + f[1], centre[2] + f[2], radius - offset]

@@ -17,6 +17,7 @@ use crate::iso9283::statistics::sample::{covariance, mean_position, spread};
 use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
 /// Simulated tests, drawn from a stated seed.
@@ -118,7 +119,7 @@ impl PathBootstrap {
         let ratios: Vec<Vec<f64>> = (0..self.draws).map(|_| drawn()).collect();
         // how far apart scatters lie by chance alone, and how far they do
         let apart = |values: &[f64]| spread(&values.iter().map(|v| v.ln()).collect::<Vec<_>>()).deviation.powi(2);
-        let by_chance = ratios.iter().map(|r| apart(r)).sum::<f64>() / ratios.len() as f64;
+        let by_chance = mean(ratios.iter().map(|r| apart(r)));
         let all = apart(&there.iter().map(|&i| found.points_mm[chosen[i]]).collect::<Vec<_>>());
         let share = (1.0 - by_chance / all).max(0.0).sqrt();
         let logs: Vec<f64> = there.iter().map(|&i| expected[i].ln()).collect();

@@ -1,9 +1,9 @@
 //! Where the balls, the shaft and the carriages of a table on rails are, for campaigns with a known truth.
 
-use super::{LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned};
 use etalon_base::bounds::{MOST, at_most};
 use etalon_base::noise::Noise;
-use etalon_base::pose::Vector;
+use etalon_base::pose::{Vector, unit};
+use etalon_identify::geometric::{LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned};
 use etalon_robots::{PlanarPose, RailTable};
 use serde::Deserialize;
 
@@ -222,7 +222,7 @@ impl Setup {
     /// Readings of the balls of every scale bar.
     pub fn bars(&self, mut measure: impl FnMut(Vector) -> Vector) -> Vec<Vec<[Vector; 2]>> {
         let bar = |bar: &BarSetup| {
-            let along = etalon_base::pose::unit(bar.direction).unwrap_or_default();
+            let along = unit(bar.direction).unwrap_or_default();
             let [a, d] = [bar.from_mm, along.map(|v| v * bar.length_mm)];
             let b = [a[0] + d[0], a[1] + d[1], a[2] + d[2]];
             (0..bar.repeats).map(|_| [measure(a), measure(b)]).collect()

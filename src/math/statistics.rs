@@ -1,0 +1,76 @@
+//! Statistics of samples: mean, root mean square, standard deviation, quantiles.
+
+/// Mean; zero without values.
+pub fn mean(values: impl IntoIterator<Item = f64>) -> f64 {
+    let mut count = 0usize;
+    let sum: f64 = values.into_iter().inspect(|_| count += 1).sum();
+    sum / count.max(1) as f64
+}
+
+/// Root mean square; zero without values.
+pub fn rms(values: impl IntoIterator<Item = f64>) -> f64 {
+    mean(values.into_iter().map(|v| v * v)).sqrt()
+}
+
+/// Variance about the mean, with n − 1 degrees of freedom (GUM 4.2.2); zero for fewer than two values.
+pub fn variance(values: &[f64]) -> f64 {
+    let mean = mean(values.iter().copied());
+    let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+    squares / values.len().saturating_sub(1).max(1) as f64
+}
+
+/// Standard deviation about the mean, with n − 1 degrees of freedom (GUM 4.2.2); zero for fewer than two values.
+pub fn standard_deviation(values: &[f64]) -> f64 {
+    variance(values).sqrt()
+}
+
+/// Quantile of values in ascending order, linear between order statistics (definition 7 of Hyndman & Fan 1996, as in spreadsheets);
+/// `None` without values.
+pub fn quantile(ascending: &[f64], share: f64) -> Option<f64> {
+    let rank = share * ascending.len().saturating_sub(1) as f64;
+    let (low, part) = (*ascending.get(rank.floor() as usize)?, rank.fract());
+    let high = ascending.get(rank.floor() as usize + 1).unwrap_or(&low);
+    Some(low + part * (high - low))
+}
+
+/// The two middle values in order, equal for an odd number of values; `None` without values.
+pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    values.sort_by(f64::total_cmp);
+    Some([*values.get(values.len().saturating_sub(1) / 2)?, *values.get(values.len() / 2)?])
+}
+
+/// The median as one of the values: of an even number the larger of the middle pair; `None` without values.
+pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+    middle_pair(values).map(|[_, upper]| upper)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians_by_hand() {
+        assert_eq!((middle_pair([]), median([])), (None, None));
+        assert_eq!((middle_pair([3.0]), median([3.0, 1.0, 2.0])), (Some([3.0, 3.0]), Some(2.0)));
+        assert_eq!((middle_pair([4.0, 1.0, 3.0, 2.0]), median([4.0, 1.0, 3.0, 2.0])), (Some([2.0, 3.0]), Some(3.0)));
+    }
+
+    #[test]
+    fn moments_by_hand() {
+        let values = [2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0];
+        assert_eq!(mean(values), 5.0);
+        assert_eq!(variance(&values), 32.0 / 7.0);
+        assert_eq!(standard_deviation(&values), (32.0f64 / 7.0).sqrt());
+        assert_eq!(rms([3.0, -4.0]), 12.5f64.sqrt());
+        assert_eq!((mean([]), rms([]), variance(&[]), standard_deviation(&[1.0])), (0.0, 0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn quantiles_by_hand() {
+        assert_eq!(quantile(&[], 0.5), None);
+        assert_eq!(quantile(&[1.0, 2.0, 4.0], 0.0), Some(1.0));
+        assert_eq!(quantile(&[1.0, 2.0, 4.0], 0.75), Some(3.0));
+        assert_eq!(quantile(&[1.0, 2.0, 4.0], 1.0), Some(4.0));
+    }
+}
