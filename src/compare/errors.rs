@@ -9,14 +9,14 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
     for set in &first.1.sets {
-        for error in set.errors.iter().filter(|e| ["position", "orientation"].contains(&e.quantity.as_str())) {
+        for error in [ErrorQuantity::Position, ErrorQuantity::Orientation].into_iter().filter_map(|q| set.of(q)) {
             for (word, of) in [
                 ("before", (|e| e.before) as fn(&ErrorStatistics) -> Statistics),
                 ("after", |e: &ErrorStatistics| e.after),
             ] {
                 let estimate = |c: &&(ParametersDocument, AccuracyDocument)| {
                     let set = c.1.sets.iter().find(|s| s.name == set.name)?;
-                    mean(set.poses, &of(set.errors.iter().find(|e| e.quantity == error.quantity)?))
+                    mean(set.poses, &of(set.of(error.quantity)?))
                 };
                 let estimates: Vec<Option<Estimate>> = all.iter().map(estimate).collect();
                 if estimates.iter().all(Option::is_some) {

@@ -199,12 +199,35 @@ pub struct AccuracySet {
     pub errors: Vec<ErrorStatistics>,
 }
 
+/// Quantity of which errors are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::AsRefStr, strum::Display)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum ErrorQuantity {
+    /// Size of the position error.
+    Position,
+    /// Position error along x.
+    X,
+    /// Position error along y.
+    Y,
+    /// Position error along z.
+    Z,
+    /// Orientation error.
+    Orientation,
+}
+
+impl ErrorQuantity {
+    /// Coordinates in their order.
+    pub const AXES: [Self; 3] = [Self::X, Self::Y, Self::Z];
+}
+
 /// Statistics of one error before and after.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ErrorStatistics {
     /// `position`, `x`, `y`, `z` or `orientation`.
-    pub quantity: String,
+    #[schemars(with = "String")]
+    pub quantity: ErrorQuantity,
     /// `mm` or `deg`.
     pub unit: String,
     /// With nominal parameters and only base and targets fitted.
@@ -214,6 +237,13 @@ pub struct ErrorStatistics {
     /// Expanded uncertainty (k = 2) of one error, by what the instrument measures; absent where it is not known.
     #[serde(default)]
     pub expanded_uncertainty: Option<f64>,
+}
+
+impl AccuracySet {
+    /// Statistics of one quantity, where its errors are counted.
+    pub fn of(&self, quantity: ErrorQuantity) -> Option<&ErrorStatistics> {
+        self.errors.iter().find(|e| e.quantity == quantity)
+    }
 }
 
 /// Statistics of errors by size.

@@ -92,7 +92,7 @@ impl<'a> Report<'a> {
                 Some(name) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&name))]),
                 None => of_model(i.parameters, words),
             },
-            None if self.tested.none() && self.geometric.is_some() => words.say("Measurements by geometry alone"),
+            None if self.tested.is_empty() && self.geometric.is_some() => words.say("Measurements by geometry alone"),
             None => sections::verdict::title(self.tested, words),
         };
         Contents {

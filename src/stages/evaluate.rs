@@ -6,6 +6,7 @@ use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Limits, Selections};
+use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
     ReadingReliability, Statistics,
@@ -225,10 +226,10 @@ impl ErrorUncertainty {
     }
 
     /// Expanded uncertainty (k = 2) of a quantity.
-    fn expanded(self, quantity: &str) -> Option<f64> {
+    fn expanded(self, quantity: ErrorQuantity) -> Option<f64> {
         let standard = match quantity {
-            "position" => Some(self.position_mm),
-            "orientation" => self.orientation_deg,
+            Position => Some(self.position_mm),
+            Orientation => self.orientation_deg,
             _ => Some(self.coordinate_mm),
         };
         standard.map(|u| 2.0 * u)
@@ -263,26 +264,22 @@ pub fn evaluate(
         }
     }
     let judged = sets.last();
-    let value = |quantity: &str, pick: fn(&Statistics) -> f64| {
-        let errors = judged?.errors.iter().find(|e| e.quantity == quantity)?;
-        Some((pick(&errors.after), errors.unit.clone()))
-    };
-    let stated = [
-        ("position_max_mm", limits.position_max_mm, value("position", |s| s.max)),
-        ("position_mean_mm", limits.position_mean_mm, value("position", |s| s.mean)),
-        ("position_rms_mm", limits.position_rms_mm, value("position", |s| s.rms)),
-        ("orientation_max_deg", limits.orientation_max_deg, value("orientation", |s| s.max)),
+    let stated: [(&str, Option<f64>, ErrorQuantity, fn(&Statistics) -> f64); 4] = [
+        ("position_max_mm", limits.position_max_mm, Position, |s| s.max),
+        ("position_mean_mm", limits.position_mean_mm, Position, |s| s.mean),
+        ("position_rms_mm", limits.position_rms_mm, Position, |s| s.rms),
+        ("orientation_max_deg", limits.orientation_max_deg, Orientation, |s| s.max),
     ];
     let rule = limits.decision_rule.unwrap_or_default();
     let mut verdicts = Vec::new();
-    for (name, limit, value) in stated {
+    for (name, limit, quantity, pick) in stated {
         let Some(limit) = limit else { continue };
-        let (value, unit) = value.ok_or_else(|| {
+        let errors = judged.and_then(|set| set.of(quantity)).ok_or_else(|| {
             Message::error(format!("the limit `{name}` cannot be judged: these data give no such error"))
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
         })?;
-        let expanded = uncertainty.expanded(if unit == "deg" { "orientation" } else { "position" });
-        verdicts.push(LimitVerdict::of(name, &unit, limit, value, expanded, rule));
+        let expanded = uncertainty.expanded(quantity);
+        verdicts.push(LimitVerdict::of(name, &errors.unit, limit, pick(&errors.after), expanded, rule));
     }
     let (point, error) = if robot.platform().is_some() {
         (
@@ -318,16 +315,16 @@ pub fn evaluate(
 
 fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: ErrorUncertainty) -> AccuracySet {
     let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
-    let mut quantities = vec![statistics("position", "mm", errors, &|v, _| Some(norm(v)))];
-    for (axis, quantity) in ["x", "y", "z"].into_iter().enumerate().take(if planar { 2 } else { 3 }) {
+    let mut quantities = vec![statistics(Position, "mm", errors, &|v, _| Some(norm(v)))];
+    for (axis, quantity) in ErrorQuantity::AXES.into_iter().enumerate().take(if planar { 2 } else { 3 }) {
         quantities.push(statistics(quantity, "mm", errors, &move |v, _| Some(v[axis].abs())));
     }
-    let orientation = statistics("orientation", "deg", errors, &|_, deg| deg.map(f64::abs));
+    let orientation = statistics(Orientation, "deg", errors, &|_, deg| deg.map(f64::abs));
     if errors.iter().any(|e| e.after_deg.is_some()) {
         quantities.push(orientation);
     }
     for of in &mut quantities {
-        of.expanded_uncertainty = uncertainty.expanded(&of.quantity);
+        of.expanded_uncertainty = uncertainty.expanded(of.quantity);
     }
     AccuracySet { name: name.to_owned(), poses: poses.len(), count: errors.len(), errors: quantities }
 }
@@ -348,10 +345,10 @@ pub fn budgets(figures: Vec<(identify::Figure, Contributions)>) -> Vec<FigureBud
 
 type Size<'a> = &'a dyn Fn(Vector, Option<f64>) -> Option<f64>;
 
-fn statistics(quantity: &str, unit: &str, errors: &[&PointError], size: Size) -> ErrorStatistics {
+fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size: Size) -> ErrorStatistics {
     let of = |pick: &dyn Fn(&PointError) -> Option<f64>| summarise(errors.iter().filter_map(|e| pick(e)).collect());
     ErrorStatistics {
-        quantity: quantity.to_owned(),
+        quantity,
         unit: unit.to_owned(),
         before: of(&|e| size(e.before_mm, e.before_deg)),
         after: of(&|e| size(e.after_mm, e.after_deg)),

@@ -5,7 +5,7 @@ use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{AccuracyDocument, MapNode, PredictionMap, Statistics, ToolAccuracy};
+use etalon_documents::{AccuracyDocument, ErrorQuantity, MapNode, PredictionMap, Statistics, ToolAccuracy};
 use etalon_identify::{Held, Identification, Settings, ToolError, ToolFrame, ToolPoint, UncertaintyFrom, held};
 use etalon_robots::{Kinematics, Robot};
 use nalgebra::Matrix3;
@@ -41,7 +41,7 @@ impl<'a> Expected<'a> {
     ) -> Result<Self> {
         let dimension = robot.dimension() as f64;
         // what is measured beyond the instrument's own error, where the residuals show that there is something
-        let position = accuracy.sets.last().and_then(|set| set.errors.iter().find(|e| e.quantity == "position"));
+        let position = accuracy.sets.last().and_then(|set| set.of(ErrorQuantity::Position));
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
         let model_mm = match found.uncertainty_from {

@@ -7,7 +7,7 @@ use super::join::Joined;
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument, Statistics};
+use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
 use etalon_identify::{GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
 
@@ -168,7 +168,7 @@ fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames
 
 /// A warning where the given parameters are worse than nominal ones.
 fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
-    let position = accuracy.sets.last()?.errors.iter().find(|e| e.quantity == "position")?;
+    let position = accuracy.sets.last()?.of(ErrorQuantity::Position)?;
     let rms = |s: &Statistics| s.rms;
     (rms(&position.after) > rms(&position.before)).then(|| {
         let what = format!(

@@ -8,6 +8,7 @@
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
+use etalon::documents::ErrorQuantity;
 use etalon::report::Faces;
 use etalon::run::pipeline;
 use std::collections::{BTreeMap, BTreeSet};
@@ -154,7 +155,7 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
     }
     for set in found.identified.iter().flat_map(|found| &found.accuracy.sets) {
         // of errors in the plane or in space (GUM E.4.3)
-        for errors in set.errors.iter().filter(|errors| errors.quantity == "position") {
+        if let Some(errors) = set.of(ErrorQuantity::Position) {
             let value = errors.after.rms;
             let u = value / (2.0 * set.poses as f64).sqrt();
             results.insert(format!("root mean square error of {}", set.name), Figure { value, u, turns: false });

@@ -38,11 +38,6 @@ pub struct Characteristics {
 }
 
 impl Characteristics {
-    /// Whether nothing was tested.
-    pub fn none(&self) -> bool {
-        self.poses.is_none() && self.streams.is_none() && self.compliance.is_none()
-    }
-
     /// Everything that is remarked of them.
     pub fn messages(&self) -> impl Iterator<Item = &Message> {
         let poses = self.poses.iter().flat_map(|d| &d.messages);
@@ -55,7 +50,7 @@ impl Characteristics {
         self.poses.iter().flat_map(|d| &d.limits)
     }
 
-    /// Whether there is none.
+    /// `true` if nothing was tested.
     pub fn is_empty(&self) -> bool {
         self.poses.is_none() && self.streams.is_none() && self.compliance.is_none()
     }

@@ -9,7 +9,7 @@ use crate::{Identified, Report};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorStatistics, MapNode, ParametersDocument, PointError, Statistics,
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PointError, Statistics,
 };
 use std::collections::BTreeMap;
 
@@ -50,7 +50,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
     if let Some(tool) = &accuracy.tool {
         section.push(Block::heading(words.fill("At the tool point: {0} poses", &[&tool.poses])));
         let of_tool = ErrorStatistics {
-            quantity: "position".to_owned(),
+            quantity: ErrorQuantity::Position,
             unit: "mm".to_owned(),
             before: tool.before,
             after: tool.after,
@@ -142,9 +142,9 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, names: [&str; 2], 
         .sheet("set", "", |_| set.name.as_str())
         .sheet("poses", "", |_| set.poses)
         .sheet("errors", "", |_| set.count)
-        .sheet("quantity", "", |e| e.quantity.as_str())
+        .sheet("quantity", "", |e| e.quantity.as_ref())
         .sheet("unit", "", |e| e.unit.as_str())
-        .page("error", "", |e| Text::name(&words.say(&e.quantity)))
+        .page("error", "", |e| Text::name(&words.say(e.quantity.as_ref())))
         .page("unit", "", unit)
         .both("mean", "", move |e| cell(e, e.before.mean))
         .both("RMS", "", move |e| cell(e, e.before.rms))
@@ -260,9 +260,9 @@ mod tests {
         AccuracySet { name: name.into(), poses: 1, count: 1, errors }
     }
 
-    fn errors(quantity: &str, before_mm: f64, after_mm: f64) -> ErrorStatistics {
+    fn errors(quantity: ErrorQuantity, before_mm: f64, after_mm: f64) -> ErrorStatistics {
         let of = |size: f64| Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size };
-        let (quantity, unit) = (quantity.to_owned(), "mm".to_owned());
+        let unit = "mm".to_owned();
         ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
     }
 
@@ -294,19 +294,19 @@ mod tests {
 
     #[test]
     fn small_lengths_are_in_micrometres_with_the_digits_of_the_smallest() {
-        let small = &shown(vec![errors("position", 0.4, 0.008)])[0];
+        let small = &shown(vec![errors(ErrorQuantity::Position, 0.4, 0.008)])[0];
         let expected =
             ["position", "µm", "320.00", "400.00", "720.00", "800.00", "6.40", "8.00", "14.40", "16.00", "50"];
         assert_eq!(small[..], expected);
-        let large = &shown(vec![errors("position", 4.0, 0.008)])[0];
+        let large = &shown(vec![errors(ErrorQuantity::Position, 4.0, 0.008)])[0];
         assert_eq!((large[7].as_str(), large[1].as_str()), ("0.00800", "mm"));
-        assert_eq!(shown(vec![errors("position", 0.4, 0.0)])[0][10], "");
+        assert_eq!(shown(vec![errors(ErrorQuantity::Position, 0.4, 0.0)])[0][10], "");
     }
 
     #[test]
     fn numbers_in_one_unit_have_the_same_decimals_and_three_digits_after() {
         // the case of a robot that is better along x than in all: 0.1366 against a limit of 0.137
-        let rows = shown(vec![errors("position", 2.0, 0.1366), errors("x", 1.0, 0.0747)]);
+        let rows = shown(vec![errors(ErrorQuantity::Position, 2.0, 0.1366), errors(ErrorQuantity::X, 1.0, 0.0747)]);
         assert_eq!((rows[0][7].as_str(), rows[1][7].as_str()), ("0.1366", "0.0747"));
         assert_eq!(rows[0][3], "2.0000");
     }

@@ -7,8 +7,9 @@ use crate::model::{Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::Words;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorStatistics, Iso9283Document,
-    Iso9283Pose, Iso9283Variation, LimitVerdict, ParametersDocument, ResidualSummary, Statistics, ToolAccuracy,
+    AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, ErrorStatistics,
+    Iso9283Document, Iso9283Pose, Iso9283Variation, LimitVerdict, ParametersDocument, ResidualSummary, Statistics,
+    ToolAccuracy,
 };
 
 /// What the report is called: one of repeatability alone is called so.
@@ -82,7 +83,7 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
 
 /// How the largest error changed, with its uncertainty and its limit.
 fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
-    let e = set.errors.iter().find(|e| e.quantity == "position")?;
+    let e = set.of(ErrorQuantity::Position)?;
     let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
     let limit = accuracy.limits.iter().find(|l| l.name == "position_max_mm");
     let u = e.expanded_uncertainty.map(|u| u * factor);
@@ -174,13 +175,12 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
 }
 
 fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
-    let whole = |e: &&ErrorStatistics| e.quantity == "position" || e.quantity == "orientation";
-    set.errors
-        .iter()
-        .filter(whole)
+    [ErrorQuantity::Position, ErrorQuantity::Orientation]
+        .into_iter()
+        .filter_map(|quantity| set.of(quantity))
         .flat_map(|e| {
-            let (max, rms) =
-                (words.fill("{0} max", &[&words.say(&e.quantity)]), words.fill("{0} RMS", &[&words.say(&e.quantity)]));
+            let name = words.say(e.quantity.as_ref());
+            let (max, rms) = (words.fill("{0} max", &[&name]), words.fill("{0} RMS", &[&name]));
             [headline(e, max, |s| s.max), headline(e, rms, |s| s.rms)]
         })
         .collect()

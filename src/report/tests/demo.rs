@@ -60,22 +60,22 @@ impl Documents {
         let errors = errors();
         let statistics =
             |factor: f64| Statistics { mean: 0.9 * factor, rms: factor, p95: 1.4 * factor, max: 1.7 * factor };
-        let error = |quantity: &str, unit: &str, before: f64, after: f64| ErrorStatistics {
-            quantity: quantity.to_owned(),
+        let error = |quantity, unit: &str, before: f64, after: f64| ErrorStatistics {
+            quantity,
             unit: unit.to_owned(),
             before: statistics(before),
             after: statistics(after),
-            expanded_uncertainty: (quantity == "position").then_some(0.0038),
+            expanded_uncertainty: (quantity == ErrorQuantity::Position).then_some(0.0038),
         };
         let set = |name: &str, poses: usize| AccuracySet {
             name: name.to_owned(),
             poses,
             count: 5 * poses,
             errors: vec![
-                error("position", "mm", 1.2291, 0.0260),
-                error("x", "mm", 1.2245, 0.0188),
-                error("y", "mm", 0.1063, 0.0180),
-                error("orientation", "deg", 0.1035, 0.0033),
+                error(ErrorQuantity::Position, "mm", 1.2291, 0.0260),
+                error(ErrorQuantity::X, "mm", 1.2245, 0.0188),
+                error(ErrorQuantity::Y, "mm", 0.1063, 0.0180),
+                error(ErrorQuantity::Orientation, "deg", 0.1035, 0.0033),
             ],
         };
         let limit = |name: &str, unit: &str, limit: f64, value: f64| {

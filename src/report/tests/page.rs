@@ -108,7 +108,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
     d.accuracy.definition = t();
     d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
-    d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| (e.quantity, e.unit) = (t(), t()));
+    d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| e.unit = t());
     d.accuracy.limits.iter_mut().for_each(|l| (l.name, l.unit) = (t(), t()));
     d.errors.iter_mut().for_each(|e| (e.set, e.target) = (t(), t()));
     d
