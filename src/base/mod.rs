@@ -1,6 +1,7 @@
 //! What every room may use: messages, files, tables, patterns of names, poses, numbers that carry derivatives, random
 //! numbers, dates, order statistics, line drawings.
 
+pub mod cell;
 pub mod country;
 pub mod date;
 pub mod expression;

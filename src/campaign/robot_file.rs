@@ -38,6 +38,7 @@ pub struct RobotFile {
 struct Beside {
     /// As the user named it.
     name: String,
+    path: PathBuf,
     text: String,
     stamp: Stamp,
 }
@@ -167,7 +168,8 @@ impl Source for RobotFile {
 
 impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
-    pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
+    pub(super) fn recover(path: &Path, text: &str) -> (Option<Self>, Problems) {
+        let name = path.display().to_string();
         // what a wrong key may be meant as: keys of the model that is stated, of any where none is
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = |model: &&&Model| written.trim_matches(['"', '\'']) == model.name;
@@ -179,28 +181,28 @@ impl RobotFile {
                 top.push(key)
             }
         });
-        let Recovered { value, problems, unread } = toml_file::recover_with(name, text, &top, read);
+        let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &top, read);
         let mut problems = problems;
-        let mut robot = value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot });
+        let mut robot = value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot });
         if let Some(robot) = &mut robot {
-            robot.beside = problems.keep(robot.read_description()).flatten();
+            robot.beside = problems.keep(robot.read_description(path)).flatten();
         }
         (robot, problems)
     }
 
-    /// Reads the file that describes the robot, where there is one.
-    fn read_description(&self) -> Result<Option<Beside>> {
+    /// Reads the file that describes the robot, where there is one, beside `robot`.
+    fn read_description(&self, robot: &Path) -> Result<Option<Beside>> {
         let Some(file) = self.description.as_ref().and_then(|(_, description)| description.file()) else {
             return Ok(None);
         };
         if self.unread.affects_entry("file") {
             return Ok(None);
         }
-        let folder = Path::new(&self.source.0).parent().unwrap_or(Path::new(""));
+        let folder = robot.parent().unwrap_or(Path::new(""));
         let path = paths::resolve(folder, file).map_err(Problems::from);
-        let read = path.and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
-        let (name, (text, stamp)) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
-        Ok(Some(Beside { name, text, stamp }))
+        let read = path.and_then(|path| Ok((files::read_statement(&path)?, path)));
+        let ((text, stamp), path) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
+        Ok(Some(Beside { name: path.display().to_string(), path, text, stamp }))
     }
 
     /// The file that describes the robot, as robot.toml names it, and its text.
@@ -210,7 +212,7 @@ impl RobotFile {
 
     /// Path of the file that describes the robot, where there is one.
     pub fn description_path(&self) -> Option<PathBuf> {
-        Some(PathBuf::from(&self.beside.as_ref()?.name))
+        Some(self.beside.as_ref()?.path.clone())
     }
 
     /// The file that describes the robot, as robot.toml names it, and what identifies it.

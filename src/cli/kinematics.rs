@@ -1,6 +1,7 @@
 //! `etalon kinematics`
 
 use super::{Verdict, print_with, remark};
+use crate::base::cell;
 use crate::base::message::{Message, Place, Problems, Result};
 use crate::base::pose::Pose;
 use crate::base::table::{self, ASSEMBLY, QUATERNION, XYZ};
@@ -251,7 +252,8 @@ fn csv(document: &KinematicsDocument, inverse: bool) -> String {
     out
 }
 
-/// A text as a cell of a CSV table.
+/// A text as a cell of a CSV table, where it is no formula.
 pub(super) fn cell(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    let text = cell::cell(text);
+    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }

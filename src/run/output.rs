@@ -1,8 +1,8 @@
 //! The output folder of a campaign: documents are collected first and written when all of them are whole.
 
 use crate::base::files;
-use crate::base::folder::Durability;
-use crate::base::message::{Message, Result};
+use crate::base::folder::{Durability, Held};
+use crate::base::message::{Message, Problems, Result};
 use crate::base::table;
 use crate::campaign::Campaign;
 use crate::document::{ImportDocument, ManifestDocument, Source, to_json};
@@ -16,7 +16,7 @@ use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use polars::prelude::DataFrame;
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 /// Documents on their way to the output folder.
@@ -100,14 +100,30 @@ impl Output {
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 
-    /// Replaces the folder by one with these files and what others than etalon put there; gives the names of the files
-    /// written. An input that no longer holds what was read is an error.
+    /// Replaces the folder by one with these files and what others than etalon put there; gives the
+    /// names of the files written. An input that no longer holds what was read is an error, and so is a
+    /// file of others of the same name.
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
-        let names = self.files.iter().map(|(name, _)| name.clone()).collect();
-        let earlier = Documents::open(&self.folder).map(|earlier| earlier.manifest.files).unwrap_or_default();
-        let ours = |name: &str| earlier.contains_key(name) || export::file_names().any(|file| file == name);
+        let names: Vec<String> = self.files.iter().map(|(name, _)| name.clone()).collect();
+        // no other process replaces the folder from here on
+        let held = Held::take(&self.folder)?;
+        let earlier = self.earlier();
+        if let Some(earlier) = &earlier {
+            let written = names.iter().map(String::as_str).chain([ManifestDocument::NAME]);
+            let foreign = written.filter(|name| !earlier.contains(*name)).map(|name| self.folder.join(name));
+            let problems = foreign.filter(|path| path.symlink_metadata().is_ok()).map(|path| {
+                let message =
+                    Message::error(format!("`{}` would be written over, and no run lists it", path.display()));
+                message.hint("move it to another place, or state another `output` in campaign.toml")
+            });
+            Problems(problems.collect()).check()?;
+        }
+        let ours = |name: &str| match &earlier {
+            Some(files) => files.contains(name),
+            None => export::file_names().any(|file| file == name),
+        };
         documents::replace(
-            &self.folder,
+            held,
             BTreeMap::new(),
             self.files,
             |name| !ours(name),
@@ -115,6 +131,17 @@ impl Output {
             durability,
         )?;
         Ok(names)
+    }
+
+    /// Names of the files that an earlier run wrote: none in a folder of others; `None` where a power cut
+    /// cut off the manifest.
+    fn earlier(&self) -> Option<BTreeSet<String>> {
+        if let Ok(earlier) = Documents::open(&self.folder) {
+            return Some(earlier.manifest.files.into_keys().chain([ManifestDocument::NAME.to_owned()]).collect());
+        }
+        let manifest = files::read(&self.folder.join(ManifestDocument::NAME));
+        let cut_off = |bytes: Vec<u8>| serde_json::from_slice::<serde_json::Value>(&bytes).is_err();
+        if manifest.is_ok_and(cut_off) { None } else { Some(BTreeSet::new()) }
     }
 }
 
