@@ -1,11 +1,13 @@
-# make         run the campaigns in samples/ and campaigns/ that have changed, and list how each ended; with -j several at once
-# make CAMPAIGNS="FOLDER ..." the same of other folders, whose names hold no spaces
+# make         run the campaigns in samples/ and campaigns/ that have changed, on all cores, and list how each ended
+# make CAMPAIGNS="FOLDER ..." the same of other folders: campaigns, folders of campaigns, or lists, whose names hold no blanks
 # make report  write their reports again from the documents in out/
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
 # make quick   the tests of single files, of the architecture and of golden documents: before each commit
 # make unit CRATE=NAME those of one crate, some seconds after an edit; T=NAME only those whose path holds NAME
+# make attack  set the program under random attacks for ten minutes, by a seed that is printed: damaged files and bytes, kills, commands at once,
+#              hostile names, mutants of campaigns; SEED= repeats one, ATTACK= states another time in seconds, ETALON_PROGRAM= another build
 # make bench   compare with SciPy, NumPy and Pinocchio, side by side in the same run, and write benches/README.md; COUNT= sets how many campaigns
 # make bench-fit compare the fits of elements with engeom, Ceres and SciPy (builds engeom: ten minutes and more the first time)
 # make bench-import read ten million points beside polars and pandas (installs them beside the build)
@@ -28,50 +30,32 @@ ETALON := $(CARGO_TARGET_DIR)/$(PROFILE:dev=debug)/etalon
 SOURCES := Cargo.toml Cargo.lock $(shell find src -type f)
 T ?=
 CRATE ?=
-CAMPAIGNS ?= $(patsubst %/campaign.toml,%,$(sort $(wildcard samples/*/campaign.toml campaigns/*/campaign.toml)))
-SYNTHETIC := $(patsubst samples/%/truth.toml,%,$(sort $(wildcard samples/*/truth.toml)))
+CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test quick unit test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean FORCE
+.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean
 
-# how the run of a campaign ended: NAME.status, or NAME.failed where it is to be tried again
-ENDED := $(abspath $(CARGO_TARGET_DIR))/campaigns
-ended = $(ENDED)/$(subst /,_,$(abspath $(1)))
-# several campaigns at once: each on one thread
-ALONE = $(if $(findstring jobserver,$(MAKEFLAGS)),RAYON_NUM_THREADS=1 POLARS_MAX_THREADS=1)
+# names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
+unexport CAMPAIGNS
+NAMED := $(foreach name,$(value CAMPAIGNS),'$(subst ','\'',$(name))')
+EACH := $(if $(NAMED),$(NAMED),samples/*/ campaigns/*/)
+
+# batch.parquet and batch.html of `make`
+RESULTS := $(abspath $(CARGO_TARGET_DIR))/campaigns
 
 # a campaign that fails stops no other
-all: $(foreach c,$(CAMPAIGNS),$(call ended,$(c)).status)
-	@bad=0; for both in $(foreach c,$(CAMPAIGNS),$(c):$(call ended,$(c))); do \
-	    c=$${both%%:*}; at=$${both#*:}; how=failed; \
-	    if [ -f $$at.skipped ]; then how=skipped; \
-	    elif [ -f $$at.status ]; then if [ "$$(<$$at.status)" = 0 ]; then how=done; else how='limits not met'; fi; fi; \
-	    case $$how in failed|limits*) bad=1;; esac; \
-	    printf '%-40s %s\n' "$$c" "$$how"; \
-	done; exit $$bad
+all: $(ETALON)
+	@$(ETALON) batch --newer-than $(ETALON) --to $(RESULTS) -- $(if $(NAMED),$(NAMED),$(wildcard samples campaigns))
 
 $(ETALON): $(SOURCES)
 	cargo build --profile $(PROFILE) --locked
 
-# a campaign is run again when one of its files or the program has changed, or its report is not there
-.SECONDEXPANSION:
-define campaign
-$(call ended,$(1)).status: $$$$(shell find $(1)/ -mindepth 1 \( -name '.*' -o -name out \) -prune -o -type f -print) $(ETALON) \
-    $$$$(if $$$$(wildcard $(1)/out/report.html),,FORCE)
-	@mkdir -p $(ENDED); at=$(call ended,$(1)); rm -f $$$$at.status $$$$at.failed $$$$at.skipped; \
-	$$(ALONE) $(ETALON) run --skip-missing $(1) >$$$$at.log 2>&1 && code=0 || code=$$$$?; echo "$(ETALON) run $(1)"; cat $$$$at.log; \
-	if grep -q '^skipped: ' $$$$at.log; then : >$$$$at.skipped; fi; \
-	if [ $$$$code -le 1 ]; then echo $$$$code >$$$$at.status; else : >$$$$at.failed; fi
-endef
-$(foreach c,$(CAMPAIGNS),$(eval $(call campaign,$(c))))
-FORCE:
-
 report: $(ETALON)
-	@for c in $(CAMPAIGNS); do [ ! -f $$c/out/manifest.json ] || $(ETALON) report $$c/out || exit; done
+	@for c in $(EACH); do [ ! -f "$$c/out/manifest.json" ] || $(ETALON) report -- "$$c/out" || exit; done
 
 compare: $(ETALON)
-	$(ETALON) compare $(CAMPAIGNS)
+	$(ETALON) compare -- $(EACH)
 
 # the libraries are built once, as the program has them; etalon's own crates are not optimised for the tests of single files
 CRATES := $(patsubst src/%/Cargo.toml,etalon-%,$(wildcard src/*/Cargo.toml)) etalon
@@ -93,6 +77,20 @@ unit:
 
 quick:
 	$(SINGLE) --workspace --lib --test etalon -E 'kind(lib) | test(/^(architecture|golden)/)'
+
+# five parts of the time: two for attacks on files and processes, one each for mutants of statements and of data, one for readers
+ATTACK ?= 600
+SEED ?=
+ATTACKS := cargo test --locked --release
+
+attack:
+	$(ATTACKS) --test etalon --test laws --no-run
+	@seed=$(or $(SEED),$(shell date +%s)); part=$$(($(ATTACK) / 5)); echo "make attack SEED=$$seed ATTACK=$(ATTACK)"; \
+	export ETALON_ATTACK_SEED=$$seed ETALON_MUTANTS_SEED=$$seed ETALON_FUZZ_SEED=$$seed; \
+	export ETALON_ATTACK_SECONDS=$$((2 * part)) ETALON_MUTANTS_SECONDS=$$part ETALON_FUZZ_SECONDS=$$((part / 60)); \
+	$(ATTACKS) --test etalon random_attacks -- --nocapture && \
+	$(ATTACKS) --test etalon fuzz && \
+	$(ATTACKS) --test laws mutants -- --nocapture --test-threads=1
 
 bench:
 	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
@@ -126,12 +124,14 @@ test-linuxcnc: $(ETALON)
 	tests/linuxcnc/linuxcnc.sh $(ETALON)
 
 samples: $(ETALON)
-	for name in $(SYNTHETIC); do $(ETALON) simulate samples/$$name || exit; done
+	for truth in samples/*/truth.toml; do $(ETALON) simulate -- "$${truth%/truth.toml}" || exit; done
 
-clean: $(foreach c,$(CAMPAIGNS),clean-$(notdir $(c)))
+clean:
+	@for c in $(EACH); do [ ! -f "$$c/campaign.toml" ] || rm -rf -- "$$c/out" || exit; done
 
 clean-%:
-	rm -rf $(foreach c,$(filter %/$* $*,$(CAMPAIGNS)),$(c)/out $(call ended,$(c)).*)
+	@name='$(subst ','\'',$*)'; \
+	for c in $(EACH); do if [ "$$(basename -- "$$c")" = "$$name" ]; then rm -rf -- "$$c/out" || exit; fi; done
 
 help:
 	@sed -n 's/^# make/make/p' Makefile

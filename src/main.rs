@@ -4,6 +4,8 @@ use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = etalon::cli::Arguments::parse();
-    etalon::cli::run(arguments)
+    match etalon::cli::Arguments::try_parse() {
+        Ok(arguments) => etalon::cli::run(arguments),
+        Err(error) => etalon::cli::refuse(&error),
+    }
 }

@@ -101,7 +101,9 @@ pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyho
     let _lock = Lock::take(path)?;
     let new = beside(path, "new");
     let write = || {
-        let mut file = BufWriter::new(File::create(&new)?);
+        // left by a stopped process, or a link that must not be followed
+        let _ = std::fs::remove_file(&new);
+        let mut file = BufWriter::new(File::create_new(&new)?);
         let made = fill(&mut file)?;
         file.into_inner()?.sync_all()?;
         std::fs::rename(&new, path)?;
@@ -153,7 +155,7 @@ pub(super) fn beside(path: &Path, ending: &str) -> PathBuf {
 /// While it lives, no other process writes the path. What a killed process leaves of it is taken over by the next.
 pub(super) struct Lock {
     path: PathBuf,
-    _file: File,
+    file: File,
 }
 
 impl Lock {
@@ -162,14 +164,21 @@ impl Lock {
         let path = beside(of, "lock");
         let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", of.display()));
         for _ in 0..200 {
-            let mut file =
-                OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(fail)?;
+            // what a link, a device or a second name of another file leads to is not touched
+            if std::fs::symlink_metadata(&path).is_ok_and(|found| !is_lock(&found)) {
+                let other = std::io::Error::other(format!("`{}` is not a lock of etalon", path.display()));
+                let message = fail(other).expected("a regular file with one name");
+                return Err(message.hint("remove it: etalon needs this name while it writes").into());
+            }
+            let file = open_lock(&path).map_err(fail)?;
             match file.try_lock() {
                 // the one who held it has removed it since
                 Ok(()) if !same_file(&file, &path) => {}
                 Ok(()) => {
-                    file.set_len(0).and_then(|()| write!(file, "{}", std::process::id())).map_err(fail)?;
-                    return Ok(Self { path, _file: file });
+                    // dropped, and so removed, where the disk is full
+                    let mut lock = Self { path, file };
+                    lock.file.set_len(0).and_then(|()| write!(lock.file, "{}", std::process::id())).map_err(fail)?;
+                    return Ok(lock);
                 }
                 Err(TryLockError::Error(e)) => return Err(fail(e).into()),
                 Err(TryLockError::WouldBlock) => std::thread::sleep(Duration::from_millis(50)),
@@ -185,6 +194,29 @@ impl Drop for Lock {
     fn drop(&mut self) {
         let _ = std::fs::remove_file(&self.path);
     }
+}
+
+/// Opens the file of a lock, and makes it where there is none; a link is not followed.
+fn open_lock(path: &Path) -> std::io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true).write(true).create(true).truncate(false);
+    #[cfg(unix)]
+    {
+        use rustix::fs::OFlags;
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags((OFlags::NOFOLLOW | OFlags::NONBLOCK).bits().cast_signed());
+    }
+    options.open(path)
+}
+
+/// `true` if a file of this kind may be emptied and removed as a lock.
+fn is_lock(found: &std::fs::Metadata) -> bool {
+    #[cfg(unix)]
+    let names = std::os::unix::fs::MetadataExt::nlink(found);
+    #[cfg(not(unix))]
+    let names = 1;
+    // one that is being removed has none
+    found.is_file() && names <= 1
 }
 
 #[cfg(unix)]
@@ -222,7 +254,7 @@ pub fn sha256(bytes: &[u8]) -> String {
 
 /// The same of a file, which is read piece by piece.
 pub fn sha256_of_file(path: &Path) -> std::io::Result<String> {
-    let (mut digest, mut file, mut piece) = (Sha256::new(), File::open(path)?, vec![0; 1 << 16]);
+    let (mut digest, mut file, mut piece) = (Sha256::new(), open(path)?, vec![0; 1 << 16]);
     loop {
         match file.read(&mut piece)? {
             0 => return Ok(hexadecimal(&digest.finalize())),

@@ -2,10 +2,10 @@
 //! or the other.
 
 use super::files::{Lock, beside, parent, write_synced};
-use super::message::{Message, Result};
+use super::message::{Message, Problems, Result};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// When what is written is on the disk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,32 +17,58 @@ pub enum Durability {
     Later,
 }
 
-/// Replaces `folder` by one that holds `files` and, of the earlier one, what `keeps` says by its name. Right before the
-/// exchange `ready` is asked, after which nothing fails.
-pub fn replace(
-    folder: &Path,
-    files: &[(String, Vec<u8>)],
-    keeps: impl Fn(&str) -> bool,
-    ready: impl FnOnce() -> Result<()>,
-    durability: Durability,
-) -> Result<()> {
-    let fail = |e: io::Error| Message::error(format!("cannot write the folder `{}`: {e}", folder.display())).into();
-    // the folder that a link leads to
-    let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-    fs::create_dir_all(parent(&place)).map_err(fail)?;
-    let _lock = Lock::take(&place)?;
-    let (new, old) = (beside(&place, "new"), beside(&place, "old"));
-    recover(&place, &new, &old).map_err(fail)?;
-    let written = fill(&place, &new, files, keeps, durability).map_err(fail).and_then(|()| ready());
-    let written = written.and_then(|()| exchange(&place, &new, &old).map_err(fail));
-    if written.is_ok() && durability == Durability::Now {
-        // the folder is exchanged, whatever the disk says of it
-        let _ = sync(parent(&place));
+/// A folder that no other process replaces while this lives.
+pub struct Held {
+    /// The folder as the user named it.
+    named: PathBuf,
+    /// The folder itself, where a link leads to it.
+    place: PathBuf,
+    _lock: Lock,
+}
+
+impl Held {
+    /// Waits for another process that replaces the folder.
+    pub fn take(folder: &Path) -> Result<Self> {
+        let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+        fs::create_dir_all(parent(&place)).map_err(|e| cannot_write(folder, &e))?;
+        let lock = Lock::take(&place)?;
+        let held = Self { named: folder.to_owned(), place, _lock: lock };
+        let (new, old) = held.beside();
+        recover(&held.place, &new, &old).map_err(|e| cannot_write(folder, &e))?;
+        Ok(held)
     }
-    // the earlier folder; or the new one, where something failed
-    let _ = fs::remove_dir_all(&new);
-    let _ = fs::remove_dir_all(&old);
-    written
+
+    /// Replaces the folder by one that holds `files` and, of the earlier one, what `keeps` says by its
+    /// name. Right before the exchange `ready` is asked, after which nothing fails.
+    pub fn replace(
+        self,
+        files: &[(String, Vec<u8>)],
+        keeps: impl Fn(&str) -> bool,
+        ready: impl FnOnce() -> Result<()>,
+        durability: Durability,
+    ) -> Result<()> {
+        let fail = |e: io::Error| Problems::from(cannot_write(&self.named, &e));
+        let (place, (new, old)) = (&self.place, self.beside());
+        let written = fill(place, &new, files, keeps, durability).map_err(fail).and_then(|()| ready());
+        let written = written.and_then(|()| exchange(place, &new, &old).map_err(fail));
+        if written.is_ok() && durability == Durability::Now {
+            // the folder is exchanged, whatever the disk says of it
+            let _ = sync(parent(place));
+        }
+        // the earlier folder; or the new one, where something failed
+        let _ = fs::remove_dir_all(&new);
+        let _ = fs::remove_dir_all(&old);
+        written
+    }
+
+    /// Names of the new folder and of the earlier one while they are exchanged.
+    fn beside(&self) -> (PathBuf, PathBuf) {
+        (beside(&self.place, "new"), beside(&self.place, "old"))
+    }
+}
+
+fn cannot_write(folder: &Path, e: &io::Error) -> Message {
+    Message::error(format!("cannot write the folder `{}`: {e}", folder.display()))
 }
 
 /// Takes away what a run left that was stopped while it wrote.

@@ -285,6 +285,11 @@ pub fn printable(text: &str) -> String {
     text.chars().map(printable_character).collect()
 }
 
+/// Lines of a terminal: [`printable`] of each.
+pub fn printable_lines(text: &str) -> String {
+    text.chars().map(|c| if c == '\n' { c } else { printable_character(c) }).collect()
+}
+
 /// A line fit to be shown, cut at 200 characters.
 pub fn one_line(text: &str) -> String {
     let cut = if text.chars().nth(200).is_some() { " ..." } else { "" };

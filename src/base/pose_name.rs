@@ -1,5 +1,6 @@
 //! Names of poses: whole numbers, or any other text.
 
+use super::cell::is_formula;
 use super::message::Message;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
@@ -41,7 +42,7 @@ impl PoseName {
         if name.len() > LONGEST {
             return wrong(format!("the name of a pose has {} characters", name.chars().count()));
         }
-        if name.contains(char::is_control) || name.starts_with(['=', '@', '+', '-']) {
+        if name.contains(char::is_control) || is_formula(name) {
             return wrong(format!(
                 "the pose `{}` would be a formula or a line of its own in a table",
                 name.escape_debug()

@@ -43,7 +43,9 @@ pub struct Campaign {
     pub robot: RobotFile,
     /// The folder of `campaign.toml`.
     pub folder: PathBuf,
-    /// `campaign.toml` as the user named it.
+    /// Path of `campaign.toml`.
+    pub location: PathBuf,
+    /// `campaign.toml` as messages name it: its path, with replaced bytes where that is not UTF-8.
     pub path: String,
     /// Its text.
     pub text: String,
@@ -84,12 +86,12 @@ impl Campaign {
         let here = Place::span(name.as_str(), &text, file.robot.span());
         let read = paths::resolve(&folder, file.robot.get_ref())
             .map_err(Problems::from)
-            .and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
+            .and_then(|path| Ok((files::read_statement(&path)?, path)));
         let (robot, more, robot_stamp) = match read {
             // reported with the campaign
             _ if unread.affects(&["robot"]) => (None, Problems::default(), Stamp::default()),
-            Ok((robot_name, (text, stamp))) => {
-                let (robot, more) = RobotFile::recover(&robot_name, &text);
+            Ok(((text, stamp), path)) => {
+                let (robot, more) = RobotFile::recover(&path, &text);
                 (robot, more, stamp)
             }
             Err(more) => (None, more.at(&here), Default::default()),
@@ -97,7 +99,7 @@ impl Campaign {
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
         let stamps = [stamp, robot_stamp];
-        Ok((Some(Self { file, robot, folder, path: name, text, stamps, unread }), problems))
+        Ok((Some(Self { file, robot, folder, location: path, path: name, text, stamps, unread }), problems))
     }
 
     /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
@@ -108,7 +110,7 @@ impl Campaign {
     /// The path of a file that was read.
     pub fn source(&self, source: &Source) -> Result<PathBuf> {
         match source.kind.as_str() {
-            "campaign" => Ok(PathBuf::from(&self.path)),
+            "campaign" => Ok(self.location.clone()),
             _ => Ok(paths::resolve(&self.folder, &source.file)?),
         }
     }
@@ -244,7 +246,7 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 
 /// Reads a robot file on its own.
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
-    let (robot, problems) = RobotFile::recover(&path.display().to_string(), &files::read_text(path)?);
+    let (robot, problems) = RobotFile::recover(path, &files::read_text(path)?);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 

@@ -40,6 +40,7 @@ pub struct RobotFile {
 struct Beside {
     /// As the user named it.
     name: String,
+    path: PathBuf,
     text: String,
     stamp: Stamp,
 }
@@ -188,7 +189,8 @@ impl RobotFile {
     }
 
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
-    pub(super) fn recover(name: &str, text: &str) -> (Option<Self>, Problems) {
+    pub(super) fn recover(path: &Path, text: &str) -> (Option<Self>, Problems) {
+        let name = path.display().to_string();
         // what a wrong key may be meant as: keys of the model that is stated, of any where none is
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = |model: &&&Model| written.trim_matches(['"', '\'']) == model.name;
@@ -201,26 +203,26 @@ impl RobotFile {
                 top.push(key);
             }
         }
-        let Recovered { value, problems, unread } = toml_file::recover_with(name, text, &top, read);
+        let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &top, read);
         let mut problems = problems;
-        let mut robot = value.map(|robot| Self { source: (name.to_owned(), text.to_owned()), unread, ..robot });
+        let mut robot = value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot });
         if let Some(robot) = &mut robot {
-            robot.beside = problems.keep(robot.read_description()).flatten();
+            robot.beside = problems.keep(robot.read_description(path)).flatten();
         }
         (robot, problems)
     }
 
-    /// Reads the file that describes the robot, where there is one.
-    fn read_description(&self) -> Result<Option<Beside>> {
+    /// Reads the file that describes the robot, where there is one, beside `robot`.
+    fn read_description(&self, robot: &Path) -> Result<Option<Beside>> {
         let Some(file) = self.description_name() else { return Ok(None) };
         if self.unread.affects_entry("file") {
             return Ok(None);
         }
-        let folder = Path::new(&self.source.0).parent().unwrap_or(Path::new(""));
+        let folder = robot.parent().unwrap_or(Path::new(""));
         let path = paths::resolve(folder, file).map_err(Problems::from);
-        let read = path.and_then(|path| Ok((path.display().to_string(), files::read_statement(&path)?)));
-        let (name, (text, stamp)) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
-        Ok(Some(Beside { name, text, stamp }))
+        let read = path.and_then(|path| Ok((files::read_statement(&path)?, path)));
+        let ((text, stamp), path) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
+        Ok(Some(Beside { name: path.display().to_string(), path, text, stamp }))
     }
 
     /// Key and name of the file that describes the robot.
@@ -242,7 +244,7 @@ impl RobotFile {
 
     /// Path of the file that describes the robot, where there is one.
     pub fn description_path(&self) -> Option<PathBuf> {
-        Some(PathBuf::from(&self.beside.as_ref()?.name))
+        Some(self.beside.as_ref()?.path.clone())
     }
 
     /// The file that describes the robot, as robot.toml names it, and what identifies it.
@@ -384,7 +386,7 @@ mod tests {
 
     /// Errors of a robot with one target, each with its line.
     fn errors(text: &str) -> Vec<String> {
-        let (robot, mut problems) = RobotFile::recover("robot.toml", text);
+        let (robot, mut problems) = RobotFile::recover(Path::new("robot.toml"), text);
         if let Some(robot) = robot {
             let built = robot.build(&["ball".to_owned()]);
             problems.0.extend(built.err().unwrap_or_default().0);
@@ -402,7 +404,8 @@ mod tests {
     #[test]
     fn models_read_their_keys_in_either_unit() {
         let other = DH.replace("a_mm = 0", "a_m = 0.27").replace("theta_deg = 0", "theta_rad = 0.5");
-        let (robot, problems) = RobotFile::recover("robot.toml", &format!("model = \"serial\"\n{DH}{other}"));
+        let (robot, problems) =
+            RobotFile::recover(Path::new("robot.toml"), &format!("model = \"serial\"\n{DH}{other}"));
         assert!(problems.0.is_empty(), "{problems:?}");
         let robot = robot.unwrap().build(&["ball".to_owned()]).unwrap();
         let nominal = |name: &str| robot.parameters()[robot.index(name).unwrap()].nominal;
@@ -413,8 +416,8 @@ mod tests {
     fn defaults_are_those_of_the_model() {
         let text =
             "model = \"delta\"\nbase_radius_mm = 200\nplatform_radius_mm = 50\nrod_mm = 400\nupper_arm_mm = 150\n";
-        let (robot, _) = RobotFile::recover("robot.toml", text);
-        let stated = RobotFile::recover("robot.toml", &format!("{text}azimuth_deg = [0, 120, 240]\n")).0;
+        let (robot, _) = RobotFile::recover(Path::new("robot.toml"), text);
+        let stated = RobotFile::recover(Path::new("robot.toml"), &format!("{text}azimuth_deg = [0, 120, 240]\n")).0;
         let place = |robot: Option<RobotFile>| {
             let robot = robot.unwrap().build(&["ball".to_owned()]).unwrap();
             robot.position(&robot.nominal(), &[0.1, 0.2, 0.3], 0)

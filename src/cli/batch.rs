@@ -19,12 +19,15 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// One that fails stops no other.
 #[derive(Debug, clap::Args)]
 pub struct Batch {
-    /// Folders of campaigns, or texts that list them, one a line, beside the list
+    /// Campaigns, folders of campaigns, or texts that list campaigns, one a line, beside the list
     #[arg(required = true)]
     campaigns: Vec<PathBuf>,
     /// Write no reports, which `etalon report` can write later, and no tables of points, joint values and observations
     #[arg(long)]
     documents: bool,
+    /// Run campaigns again whose results are older than this file, as the program itself
+    #[arg(long, value_name = "FILE")]
+    newer_than: Option<PathBuf>,
     /// Folder for batch.parquet and batch.html
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     to: PathBuf,
@@ -39,6 +42,9 @@ impl Batch {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaigns = folders(&self.campaigns)?;
         let presentation = self.dressed.over(Presentation::default())?;
+        let age = |path: &PathBuf| std::fs::metadata(path).and_then(|file| file.modified());
+        let since = self.newer_than.as_ref().map(age).transpose();
+        let since = since.map_err(|e| anyhow::anyhow!("the file of `--newer-than` cannot be read: {e}"))?;
         let wanted = if self.documents { Wanted::Documents } else { Wanted::Reports };
         let (shown, ended) = (std::io::stderr().is_terminal(), AtomicUsize::new(0));
         let said = |entry: &BatchEntry| {
@@ -51,7 +57,8 @@ impl Batch {
             }
         };
         let table = self.to.join("batch.parquet");
-        let Batched { document, figures } = files::write_by(&table, |file| Ok(batch(&campaigns, wanted, file, said)?))?;
+        let Batched { document, figures } =
+            files::write_by(&table, |file| Ok(batch(&campaigns, wanted, since, file, said)?))?;
         let page = self.to.join("batch.html");
         files::write_by(&page, |file| etalon_report::batch::write(&document, &figures, &self.to, &presentation, file))?;
         let verdict = match (document.failed, document.not_met) {

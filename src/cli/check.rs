@@ -1,6 +1,6 @@
 //! `etalon check`
 
-use super::{Verdict, print, print_with, remark};
+use super::{Verdict, print_text, print_with, remark};
 use crate::run::check::everything;
 use etalon_base::message::{Problems, printable};
 use etalon_campaign::Campaign;
@@ -32,7 +32,7 @@ impl Check {
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
             let (file, dialect) = (printable(&source.file), printable(&source.dialect));
-            print(format!("{file}: {} rows, {refused} refused ({dialect})\n", source.rows_read))?;
+            print_text(&format!("{file}: {} rows, {refused} refused ({dialect})\n", source.rows_read))?;
         }
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
         let verdict = match document.messages.len() {
@@ -40,7 +40,7 @@ impl Check {
             1 => "no errors, 1 warning".to_owned(),
             n => format!("no errors, {n} warnings"),
         };
-        print(format!("{}: {verdict}\n", path.display()))?;
+        print_text(&format!("{}: {verdict}\n", printable(&path.display().to_string())))?;
         Ok(Verdict::Met)
     }
 }

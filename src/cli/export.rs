@@ -1,7 +1,7 @@
 //! `etalon export`
 
 use super::{Verdict, print_written, progress, remark};
-use crate::run::documents::{Documents, read_parameters};
+use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
 use crate::stages::given::other_nominal;
@@ -49,6 +49,9 @@ enum Which {
 impl Export {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = self.source.parent().unwrap_or(Path::new("")).to_owned();
+        let to = self.to.unwrap_or(folder);
+        // before the parameters are read: a run that replaces the folder meanwhile is seen
+        let run = Documents::open(&to).ok();
         let exported = match self.parameters {
             Which::Identified => Exported::read(&self.source, self.robot.as_deref())?,
             Which::Recommended => Exported::recommended(&self.source)?,
@@ -58,7 +61,6 @@ impl Export {
         } else {
             self.format
         };
-        let to = self.to.unwrap_or_else(|| folder.clone());
         let exporter = |name: &String| {
             let wrong = || Message::error(format!("`{name}` is not a controller format"));
             etalon_controllers::by_name(name)
@@ -68,13 +70,27 @@ impl Export {
         let given = exported.given(self.force);
         let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
         let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
-        let written = match Documents::open(&to) {
-            Ok(run) => run.write(files)?,
-            Err(_) => files::write_all(&to, &files)?,
+        let written = match run {
+            Some(run) => run.write(files)?,
+            None => beside_no_run(&to, &files)?,
         };
         print_written(written, self.json)?;
         Ok(Verdict::Met)
     }
+}
+
+/// Writes files into a folder that held no run when the parameters were read.
+fn beside_no_run(to: &Path, files: &[(String, Vec<u8>)]) -> Result<Vec<String>, Problems> {
+    let no_run = || match Documents::open(to) {
+        Err(_) => Ok(()),
+        Ok(_) => {
+            let what = format!("a run wrote `{}` while files for a controller were made", to.display());
+            Err(Problems::from(Message::error(what).hint("repeat the command: they may be of earlier parameters")))
+        }
+    };
+    no_run()?;
+    let written = files::write_all(to, files)?;
+    no_run().map(|()| written)
 }
 
 /// Everything that a file for a controller is made of.
@@ -88,10 +104,9 @@ pub(super) struct Exported {
 impl Exported {
     /// Parameters, the campaign in whose folder they are, and robot.toml where it is named.
     pub fn read(parameters: &Path, robot: Option<&Path>) -> Result<Self, Problems> {
-        let document = read_parameters(parameters)?;
+        let (document, run) = read_parameters_and_run(parameters)?;
         let file = robot.map(read_robot).transpose()?;
-        let folder = Documents::open(parameters.parent().unwrap_or(Path::new("")));
-        let summary = folder.ok().and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
+        let summary = run.and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
         Self::new(document, file, summary)
     }
 

@@ -2,7 +2,7 @@
 
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
-use super::{Verdict, print, remark, say};
+use super::{Verdict, print, print_text, remark, say};
 use crate::stages::qif_fit::{ProbeStated, refit};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
@@ -71,7 +71,7 @@ impl Fit {
         match (&documents[..], self.json) {
             ([one], true) if !self.by_label && !qif => print(to_json(one)?)?,
             (all, true) => print(to_json(&all)?)?,
-            (all, false) => print(all.iter().map(as_text).collect::<String>())?,
+            (all, false) => print_text(&all.iter().map(as_text).collect::<String>())?,
         }
         Ok(Verdict::Met)
     }

@@ -5,6 +5,7 @@ use crate::run::documents::read_parameters;
 use crate::stages::given::robot_values;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
+use etalon_base::cell;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_campaign::read_robot;
@@ -253,7 +254,8 @@ fn csv(document: &KinematicsDocument, inverse: bool) -> String {
     out
 }
 
-/// A text as a cell of a CSV table.
+/// A text as a cell of a CSV table, where it is no formula.
 pub(super) fn cell(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    let text = cell::cell(text);
+    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }

@@ -31,7 +31,7 @@ mod verify;
 
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
 use etalon_report::Faces;
 use std::fmt::Display;
@@ -136,6 +136,17 @@ pub fn run(arguments: Arguments) -> ExitCode {
     }
 }
 
+/// Prints why arguments do not read, or the help that they ask for. Names among them cannot steer a
+/// terminal.
+pub fn refuse(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    match printable_lines(&text) {
+        shown if shown == text => drop(error.print()),
+        shown => drop(write!(std::io::stderr().lock(), "{shown}")),
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
 /// Data for stdout; a reader who has closed it wants no more, which is not an error.
 fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
@@ -143,6 +154,11 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(anyhow::Error::new(e).context("stdout cannot be written")),
         _ => Ok(()),
     }
+}
+
+/// Text for stdout, whose names cannot steer a terminal.
+fn print_text(text: &str) -> anyhow::Result<()> {
+    print(printable_lines(text))
 }
 
 /// Data for stdout, and the verdict whatever becomes of them.
@@ -182,10 +198,10 @@ fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
         return print(etalon_documents::to_json(&WrittenDocument::new(files))?);
     }
-    print(files.iter().map(|file| format!("{file}\n")).collect::<String>())
+    print_text(&files.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())
 }
 
-/// Talk for stderr; a closed stderr is not an error.
+/// Talk for stderr, whose names cannot steer a terminal; a closed stderr is not an error.
 fn say(text: impl Display) {
-    let _ = writeln!(std::io::stderr().lock(), "{text}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", printable_lines(&text.to_string()));
 }

@@ -1,8 +1,9 @@
 //! `etalon run`
 
 use super::{Verdict, print_with, remark, say};
+use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
-use etalon_base::message::Message;
+use etalon_base::message::{Message, printable};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use std::path::PathBuf;
@@ -25,14 +26,15 @@ impl Run {
         let (campaign, problems) = Campaign::recover(&self.campaign)?;
         let Some(campaign) = campaign else { return Err(problems.into()) };
         if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing && problems.0.is_empty()) {
-            say(format_args!("skipped: {} needs data below ${name}, which is not set", campaign.path));
+            say(format_args!("skipped: {} needs data below ${name}, which is not set", printable(&campaign.path)));
             return Ok(Verdict::Met);
         }
         match problems.check().and_then(|_| pipeline::run(&campaign)) {
             Ok(outcome) => self.answer(&campaign, outcome),
             Err(problems) => {
-                let report = campaign.output().map(|folder| folder.join("report.html"));
-                if let Some(report) = report.ok().filter(|report| report.is_file()) {
+                let earlier = campaign.output().and_then(|folder| Documents::open(&folder)).ok();
+                let report = earlier.map(|earlier| earlier.path("report.html"));
+                if let Some(report) = report.filter(|report| report.is_file()) {
                     let place = report.display();
                     let what = format!("nothing is written: `{place}` and the files beside it are of an earlier run");
                     let hint = "do not load its controller files as if they were of this one";
@@ -53,7 +55,7 @@ impl Run {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");
                 let shown = faces.map_or_else(String::new, |faces| faces.terminal());
-                format!("{shown}\nreport: {}\n", report.display()).into_bytes()
+                format!("{shown}\nreport: {}\n", printable(&report.display().to_string())).into_bytes()
             }
             (true, Some(found), ..) => to_json(&found.accuracy)?,
             (true, None, Some(poses), _) => to_json(poses)?,

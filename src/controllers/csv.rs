@@ -2,6 +2,7 @@
 //! columns behind the others.
 
 use super::{Exporter, Given, status_word};
+use etalon_base::cell::without_formula as text;
 use etalon_base::message::{Message, Result};
 
 /// CSV, one parameter a row.
@@ -47,9 +48,4 @@ impl Exporter for Csv {
 /// The shortest decimal that reads back bit for bit.
 fn digits(value: f64) -> String {
     format!("{value:?}")
-}
-
-/// Text that no spreadsheet takes for a formula (OWASP, CSV injection).
-fn text(text: &str) -> String {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text.to_owned() }
 }

@@ -7,9 +7,9 @@ use super::guess::{Guess, guesses, is_joint, looks_like_a_log, names, roles};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
-use crate::dialect::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit};
+use crate::dialect::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit, quoted};
 use crate::table::QUATERNION;
-use etalon_base::message::{Message, Place, Result, count};
+use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsDocument, Reading};
 use std::fmt::Write;
 use std::path::Path;
@@ -136,7 +136,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     if let Some((Some(format), Recognised { what, unit, .. })) = known(text).filter(|_| sheet.is_none()) {
         document.format = Some(format.to_owned());
         document.reasons.push(format!("it is {what}"));
-        let lines = format!("[[export]]\nfile = {file:?}\nformat = {format:?}\n{}", unit_line(unit));
+        let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), unit_line(unit));
         if unit.is_none() {
             document.questions.push("the unit of lengths".to_owned());
         }
@@ -153,7 +153,8 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
         let lines = match guesses.first().filter(|_| !kind.has_channels()) {
             Some(best) => log_lines(file, best, Some(kind)),
             None => format!(
-                "[log]\nfile = {file:?}\nformat = {:?}\ncolumns = {{ q1_UNIT = \"NAME\" }}\n{JOINTS}",
+                "[log]\nfile = {}\nformat = {:?}\ncolumns = {{ q1_UNIT = \"NAME\" }}\n{JOINTS}",
+                quoted(file),
                 kind.about().name
             ),
         };
@@ -343,7 +344,8 @@ fn unit_line(unit: Option<&str>) -> String {
 
 fn export_lines(file: &str, best: &Guess) -> String {
     let mut out = format!(
-        "[[export]]\nfile = {file:?}\nformat = {}\n{}",
+        "[[export]]\nfile = {}\nformat = {}\n{}",
+        quoted(file),
         dialect(best),
         unit_line(stated_unit(best).map(Unit::name))
     );
@@ -397,7 +399,7 @@ fn observation_lines(file: &str, best: &Guess, joints: &[&str], turned: &[&str])
     let unit = stated_unit(best).map_or("UNIT", Unit::name);
     let role = |role: Role| roles(best).iter().position(|r| *r == role).map(|i| header[i]);
     let mut columns: Vec<String> = Vec::new();
-    let mut column = |name: String, heading: &str| columns.push(format!("{name} = {heading:?}"));
+    let mut column = |name: String, heading: &str| columns.push(format!("{name} = {}", quoted(heading)));
     if let Some(pose) = role(Role::Pose) {
         column("pose".to_owned(), pose);
     }
@@ -417,7 +419,8 @@ fn observation_lines(file: &str, best: &Guess, joints: &[&str], turned: &[&str])
             .for_each(|(name, heading)| column(name.to_owned(), heading)),
     }
     let mut out = format!(
-        "[observations]\nfile = {file:?}\ndelimiter = {:?}\ndecimal = {:?}\ncolumns = {{ {} }}\n{JOINTS}",
+        "[observations]\nfile = {}\ndelimiter = {:?}\ndecimal = {:?}\ncolumns = {{ {} }}\n{JOINTS}",
+        quoted(file),
         best.dialect.delimiter.map_or("", |d| d.name()),
         best.dialect.decimal.name(),
         columns.join(", ")
@@ -443,7 +446,8 @@ fn unit_of_name(name: &str) -> Option<&'static str> {
 }
 
 fn joint_lines(joints: &[&str]) -> String {
-    let column = |(i, name): (usize, &&str)| format!("q{}_{} = {name:?}", i + 1, unit_of_name(name).unwrap_or("UNIT"));
+    let column =
+        |(i, name): (usize, &&str)| format!("q{}_{} = {}", i + 1, unit_of_name(name).unwrap_or("UNIT"), quoted(name));
     let columns: Vec<String> = joints.iter().enumerate().map(column).collect();
     format!("joints = {{ {} }}\n{JOINTS}", columns.join(", "))
 }
@@ -455,7 +459,8 @@ fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
     let delimiter = best.dialect.delimiter.map_or("", |d| d.name());
     let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
     let mut out = format!(
-        "[log]\nfile = {file:?}\n{format}delimiter = {delimiter:?}\ndecimal = {decimal:?}\nheader = {}\n",
+        "[log]\nfile = {}\n{format}delimiter = {delimiter:?}\ndecimal = {decimal:?}\nheader = {}\n",
+        quoted(file),
         names.is_some()
     );
     let unit_of = |name: &str| kind.and_then(|kind| kind.unit_of(name));
@@ -469,13 +474,15 @@ fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
         Some(names) => names
             .iter()
             .filter_map(|name| match name.trim().to_lowercase().as_str() {
-                key @ ("pose" | "cycle" | "time_s") => Some(format!("{key} = {name:?}")),
-                "run" | "repeat" => Some(format!("cycle = {name:?}")),
-                _ if is_joint(name) => Some(format!("{} = {name:?}", joint(unit_of(name).or(unit_of_name(name))))),
+                key @ ("pose" | "cycle" | "time_s") => Some(format!("{key} = {}", quoted(name))),
+                "run" | "repeat" => Some(format!("cycle = {}", quoted(name))),
+                _ if is_joint(name) => {
+                    Some(format!("{} = {}", joint(unit_of(name).or(unit_of_name(name))), quoted(name)))
+                }
                 _ => {
                     let unit = unit_of(name).filter(|unit| ["s", "ms", "ns"].contains(unit) && clock.is_none())?;
                     clock = Some(unit);
-                    Some(format!("time_{unit} = {name:?}"))
+                    Some(format!("time_{unit} = {}", quoted(name)))
                 }
             })
             .collect(),
@@ -491,10 +498,12 @@ fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
 
 /// The lines under comments with the reasons, what speaks against them, and what is asked.
 fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
-    let mut out = format!("# proposed for `{}`\n", document.file);
-    document.reasons.iter().for_each(|reason| out.push_str(&format!("# because {reason}\n")));
-    document.doubts.iter().for_each(|doubt| out.push_str(&format!("# DOUBT: {doubt}\n")));
-    document.questions.iter().for_each(|question| out.push_str(&format!("# QUESTION: {question}\n")));
+    let mut out = String::new();
+    let mut remark = |text: String| out.push_str(&format!("# {}\n", printable(&text)));
+    remark(format!("proposed for `{}`", document.file));
+    document.reasons.iter().for_each(|reason| remark(format!("because {reason}")));
+    document.doubts.iter().for_each(|doubt| remark(format!("DOUBT: {doubt}")));
+    document.questions.iter().for_each(|question| remark(format!("QUESTION: {question}")));
     out + lines
 }
 

@@ -1,5 +1,6 @@
 //! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
 
+use etalon_base::cell::cell;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -142,16 +143,16 @@ impl From<AnyValue<'_>> for Cell {
             AnyValue::Null => Self::Missing(()),
             AnyValue::Int64(number) => Self::Whole(number),
             AnyValue::Float64(number) => Self::Real(number),
-            AnyValue::String(text) => Self::Text(text.to_owned()),
-            other => Self::Text(other.to_string()),
+            AnyValue::String(text) => Self::Text(cell(text)),
+            other => Self::Text(cell(&other.to_string())),
         }
     }
 }
 
-/// The table as CSV text; missing values are empty.
+/// The table as CSV text; missing values are empty, and no cell is a formula.
 pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
     let mut writer = ::csv::Writer::from_writer(Vec::new());
-    writer.write_record(table.get_column_names().iter().map(|name| name.as_str())).map_err(failed)?;
+    writer.write_record(table.get_column_names().iter().map(|name| cell(name.as_str()))).map_err(failed)?;
     for row in 0..table.height() {
         let cells = table.columns().iter().map(|column| column.get(row).map(Cell::from).map_err(failed));
         writer.serialize(cells.collect::<Result<Vec<Cell>>>()?).map_err(failed)?;
@@ -227,6 +228,7 @@ mod tests {
         let written = to_csv(&table).unwrap();
         let mut reader = ::csv::Reader::from_reader(&written[..]);
         let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
-        assert_eq!(read, (0..).zip(texts).collect::<Vec<_>>());
+        let shown = texts.map(|text| if text.starts_with('=') { format!("'{text}") } else { text });
+        assert_eq!(read, (0..).zip(shown).collect::<Vec<_>>());
     }
 }

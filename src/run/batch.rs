@@ -3,7 +3,7 @@
 //! Documents of a batch are not synced one by one: what counts as done on a restart is a folder whose files all have the hashes of its
 //! manifest, so a power cut costs no more than the campaigns that the system had not written yet, which are run again.
 
-use crate::run::documents::Run;
+use crate::run::documents::{Documents, Run};
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
 use etalon_base::folder::{self, Durability};
@@ -19,6 +19,7 @@ use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::SystemTime;
 
 /// Campaigns whose results are in memory at once; as many are a row group of the table.
 const AT_ONCE: usize = 256;
@@ -47,27 +48,30 @@ pub struct Batch {
     pub figures: BatchFigures,
 }
 
-/// Runs campaigns on all cores, without those of which nothing has changed, and writes their results as Parquet; `ended` is called
-/// after each.
+/// Runs campaigns on all cores, without those of which nothing has changed `since`, and writes their
+/// results as Parquet; `ended` is called after each.
 pub fn batch<W: Write + Send>(
     folders: &[PathBuf],
     wanted: Wanted,
+    since: Option<SystemTime>,
     parquet: W,
     ended: impl Fn(&BatchEntry) + Sync,
 ) -> Result<Batch> {
     let one = |folder: &PathBuf| {
         let mut entry = BatchEntry { campaign: folder.display().to_string(), ..BatchEntry::default() };
-        let rows = campaign(folder, wanted, &mut entry).unwrap_or_else(|problems| {
+        let (rows, output) = campaign(folder, (wanted, since), &mut entry).unwrap_or_else(|problems| {
             (entry.ended, entry.message) = (BatchEnd::Failed, Some(problems.to_string()));
-            Vec::new()
+            Default::default()
         });
         ended(&entry);
-        (entry, rows)
+        ((entry, rows), output)
     };
     let (mut campaigns, mut figures) = (Vec::with_capacity(folders.len()), BatchFigures::default());
+    let mut computed: Vec<PathBuf> = Vec::new();
     let mut written = RowGroups::new(parquet, &table(&[])?)?;
     for folders in folders.chunks(AT_ONCE) {
-        let found: Vec<(BatchEntry, Vec<Row>)> = on_all_cores(folders, one)?;
+        let (found, outputs): (Vec<_>, Vec<_>) = on_all_cores(folders, one)?.into_iter().unzip();
+        computed.extend(outputs.into_iter().flatten());
         written.add(&table(&found)?)?;
         for (entry, rows) in found {
             campaigns.push(entry);
@@ -75,8 +79,7 @@ pub fn batch<W: Write + Send>(
         }
     }
     written.finish()?;
-    let computed = campaigns.iter().filter(|c: &&BatchEntry| c.computed);
-    let folders = computed.filter_map(|c| c.output.as_ref().map(Path::new));
+    let folders = computed.iter().map(PathBuf::as_path);
     folder::flush(folders).map_err(|e| Message::error(format!("the results cannot be synced to the disk: {e}")))?;
     Ok(Batch { document: BatchDocument::new(campaigns), figures })
 }
@@ -104,27 +107,33 @@ fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) ->
     Ok(all.into_iter().map(|(_, made)| made).collect())
 }
 
-/// Results of one campaign; what `entry` states of it is filled in.
-fn campaign(folder: &Path, wanted: Wanted, entry: &mut BatchEntry) -> Result<Vec<Row>> {
+/// Results of one campaign, and its output folder where that was written; `entry` is filled in.
+fn campaign(
+    folder: &Path,
+    (wanted, since): (Wanted, Option<SystemTime>),
+    entry: &mut BatchEntry,
+) -> Result<(Vec<Row>, Option<PathBuf>)> {
     let campaign = Campaign::read(folder)?;
     if let Some(name) = campaign.missing_variable() {
         entry.ended = BatchEnd::Skipped;
         entry.message = Some(format!("its data are below ${name}, which is not set"));
-        return Ok(Vec::new());
+        return Ok(Default::default());
     }
-    entry.output = Some(campaign.output()?.display().to_string());
+    let output = campaign.output()?;
+    entry.output = Some(output.display().to_string());
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
-    if let Some(documents) = current(&campaign, last) {
+    let recent = |documents: &Documents| since.is_none_or(|since| documents.written().is_ok_and(|at| at >= since));
+    if let Some(documents) = current(&campaign, last).filter(recent) {
         let run = Run::read(&documents)?;
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
         describe(entry, &run.campaign, run.report().is_met(), identified.map(|i| i.0));
-        return Ok(rows(identified, &run.tested));
+        return Ok((rows(identified, &run.tested), None));
     }
     let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
     entry.computed = true;
     let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
     describe(entry, &found.summary, found.met, identified.map(|i| i.0));
-    Ok(rows(identified, &found.tested))
+    Ok((rows(identified, &found.tested), Some(output)))
 }
 
 fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, parameters: Option<&ParametersDocument>) {
@@ -216,11 +225,17 @@ fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
     frame(all().count(), columns)
 }
 
-/// The campaigns that arguments name: folders, their `campaign.toml`, and lists of them, one a line, `#` before a remark.
+/// The campaigns that arguments name: folders, their `campaign.toml`, folders of campaigns, and lists
+/// of campaigns, one a line, `#` before a remark.
 pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let mut all = Vec::new();
     let mut problems = Problems::default();
     for path in named {
+        let inside = if path.join("campaign.toml").exists() { Vec::new() } else { campaigns_in(path) };
+        if !inside.is_empty() {
+            all.extend(inside);
+            continue;
+        }
         if path.is_dir() || path.extension().is_some_and(|ending| ending == "toml") {
             all.push(path.clone());
             continue;
@@ -237,4 +252,12 @@ pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     }
     problems.check()?;
     Ok(all)
+}
+
+/// The campaigns in a folder, sorted by name.
+fn campaigns_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut campaigns: Vec<PathBuf> = entries.filter(|path| path.join("campaign.toml").is_file()).collect();
+    campaigns.sort();
+    campaigns
 }

@@ -2,7 +2,7 @@
 
 use crate::stages::evaluate;
 use etalon_base::files;
-use etalon_base::folder::{self, Durability};
+use etalon_base::folder::{Durability, Held};
 use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
@@ -15,6 +15,7 @@ use etalon_report::Report;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 const PARAMETERS: &str = "parameters.json";
 
@@ -60,6 +61,11 @@ impl Documents {
         self.folder.join(name)
     }
 
+    /// Time at which the folder was written.
+    pub fn written(&self) -> std::io::Result<SystemTime> {
+        std::fs::metadata(self.path(ManifestDocument::NAME))?.modified()
+    }
+
     /// A file as the run wrote it.
     ///
     /// # Errors
@@ -70,7 +76,11 @@ impl Documents {
             let message = Message::error(format!("the run wrote no `{}`", path.display()));
             return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
         };
-        let bytes = files::read(&path)?;
+        let read = files::read(&path);
+        if !read.as_ref().is_ok_and(|bytes| files::sha256(bytes) == *sha256) {
+            self.unchanged()?;
+        }
+        let bytes = read?;
         if files::sha256(&bytes) != *sha256 {
             let what =
                 format!("`{}` is not the file that the run wrote beside `{}`", path.display(), ManifestDocument::NAME);
@@ -97,10 +107,26 @@ impl Documents {
     }
 
     /// Writes files beside the others of the run, or in their place; gives their paths.
+    ///
+    /// # Errors
+    /// If the folder is of another run by now: the files are made from the earlier one.
     pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
+        let held = Held::take(&self.folder)?;
+        self.unchanged()?;
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
-        replace(&self.folder, self.manifest.files, added, |_| true, || Ok(()), Durability::Now)?;
+        replace(held, self.manifest.files, added, |_| true, || Ok(()), Durability::Now)?;
         Ok(paths)
+    }
+
+    /// An error if the folder is of another run by now.
+    fn unchanged(&self) -> Result<()> {
+        match Self::open(&self.folder) {
+            Ok(now) if now.manifest == self.manifest => Ok(()),
+            _ => {
+                let what = format!("`{}` was replaced by another process while it was read", self.folder.display());
+                Err(Message::error(what).hint("repeat the command when the other process has ended").into())
+            }
+        }
     }
 }
 
@@ -179,7 +205,7 @@ impl Run {
 
 /// Replaces a folder by one with these files, those `others` that it keeps, and their manifest.
 pub(super) fn replace(
-    place: &Path,
+    held: Held,
     mut listed: BTreeMap<String, String>,
     mut files: Vec<(String, Vec<u8>)>,
     keeps: impl Fn(&str) -> bool,
@@ -189,16 +215,22 @@ pub(super) fn replace(
     listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
     let new = |name: &str| files.iter().any(|(file, _)| file == name);
-    folder::replace(place, &files, |name| keeps(name) && !new(name), ready, durability)
+    held.replace(&files, |name| keeps(name) && !new(name), ready, durability)
 }
 
 /// Reads `parameters.json`, wherever it is: in the output folder of a run, as that run wrote it.
 pub fn read_parameters(path: &Path) -> Result<ParametersDocument> {
-    let bytes = match Documents::open(path.parent().unwrap_or(Path::new(""))) {
-        Ok(documents) if path.ends_with(PARAMETERS) => documents.bytes(PARAMETERS)?,
+    Ok(read_parameters_and_run(path)?.0)
+}
+
+/// The same with the documents beside it, all of one run.
+pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Option<Documents>)> {
+    let run = Documents::open(path.parent().unwrap_or(Path::new(""))).ok();
+    let bytes = match &run {
+        Some(run) if path.ends_with(PARAMETERS) => run.bytes(PARAMETERS)?,
         _ => files::read(path)?,
     };
-    checked(path, &bytes)
+    Ok((checked(path, &bytes)?, run))
 }
 
 /// Parameters whose parts belong together.

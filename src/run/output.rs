@@ -6,14 +6,14 @@ use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use etalon_base::files;
-use etalon_base::folder::Durability;
-use etalon_base::message::{Message, Result};
+use etalon_base::folder::{Durability, Held};
+use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
 use etalon_formats::table;
 use polars::prelude::DataFrame;
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 /// Documents on their way to the output folder.
@@ -98,14 +98,30 @@ impl Output {
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 
-    /// Replaces the folder by one with these files and what others than etalon put there; gives the names of the files
-    /// written. An input that no longer holds what was read is an error.
+    /// Replaces the folder by one with these files and what others than etalon put there; gives the
+    /// names of the files written. An input that no longer holds what was read is an error, and so is a
+    /// file of others of the same name.
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
-        let names = self.files.iter().map(|(name, _)| name.clone()).collect();
-        let earlier = Documents::open(&self.folder).map(|earlier| earlier.manifest.files).unwrap_or_default();
-        let ours = |name: &str| earlier.contains_key(name) || etalon_controllers::file_names().any(|file| file == name);
+        let names: Vec<String> = self.files.iter().map(|(name, _)| name.clone()).collect();
+        // no other process replaces the folder from here on
+        let held = Held::take(&self.folder)?;
+        let earlier = self.earlier();
+        if let Some(earlier) = &earlier {
+            let written = names.iter().map(String::as_str).chain([ManifestDocument::NAME]);
+            let foreign = written.filter(|name| !earlier.contains(*name)).map(|name| self.folder.join(name));
+            let problems = foreign.filter(|path| path.symlink_metadata().is_ok()).map(|path| {
+                let message =
+                    Message::error(format!("`{}` would be written over, and no run lists it", path.display()));
+                message.hint("move it to another place, or state another `output` in campaign.toml")
+            });
+            Problems(problems.collect()).check()?;
+        }
+        let ours = |name: &str| match &earlier {
+            Some(files) => files.contains(name),
+            None => etalon_controllers::file_names().any(|file| file == name),
+        };
         documents::replace(
-            &self.folder,
+            held,
             BTreeMap::new(),
             self.files,
             |name| !ours(name),
@@ -113,6 +129,17 @@ impl Output {
             durability,
         )?;
         Ok(names)
+    }
+
+    /// Names of the files that an earlier run wrote: none in a folder of others; `None` where a power cut
+    /// cut off the manifest.
+    fn earlier(&self) -> Option<BTreeSet<String>> {
+        if let Ok(earlier) = Documents::open(&self.folder) {
+            return Some(earlier.manifest.files.into_keys().chain([ManifestDocument::NAME.to_owned()]).collect());
+        }
+        let manifest = files::read(&self.folder.join(ManifestDocument::NAME));
+        let cut_off = |bytes: Vec<u8>| serde_json::from_slice::<serde_json::Value>(&bytes).is_err();
+        if manifest.is_ok_and(cut_off) { None } else { Some(BTreeSet::new()) }
     }
 }
 

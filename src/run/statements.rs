@@ -208,7 +208,7 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
     let stated = |file: &&Spanned<String>| !file.get_ref().is_empty();
     let named =
         file.inputs().chain([&file.robot]).chain(&file.report.logo).chain(&file.report.templates).filter(stated);
-    let inputs = named.filter_map(|f| campaign.resolve(f).ok()).chain([PathBuf::from(&campaign.path)]);
+    let inputs = named.filter_map(|f| campaign.resolve(f).ok()).chain([campaign.location.clone()]);
     // the folders that links lead to; one that is not there yet is below one that is
     let place = |path: &Path| {
         let there = path.ancestors().find_map(|above| Some((above, canonical(above)?)));

@@ -1,5 +1,7 @@
 //! Broken campaigns: every error says what, where, what was expected, and a hint; nothing panics, nothing is written.
 
+#[cfg(unix)]
+mod attacks_files;
 mod attacks_on_data;
 mod causes;
 mod check;

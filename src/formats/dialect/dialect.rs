@@ -2,7 +2,7 @@
 
 use super::columns::{ColumnAt, Columns, Role};
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
-use etalon_base::message::Message;
+use etalon_base::message::{Message, printable, printable_character};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -351,9 +351,17 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     format!("[{}]", names.map(quoted).collect::<Vec<_>>().join(", "))
 }
 
-/// Text as TOML reads it.
-fn quoted(text: &str) -> String {
-    toml::Value::from(text).to_string()
+/// Text as TOML reads it, and as a terminal may show it.
+pub(crate) fn quoted(text: &str) -> String {
+    if printable(text) == text {
+        return toml::Value::from(text).to_string();
+    }
+    let shown = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if printable_character(c) != c => format!("\\u{:04X}", u32::from(c)),
+        c => c.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(shown).collect::<String>())
 }
 
 fn column(column: &ColumnAt) -> String {

@@ -5,6 +5,7 @@ mod dialect;
 mod text;
 
 pub use columns::{Column, ColumnAt, Columns, FromRow, Role};
+pub(crate) use dialect::quoted;
 pub use dialect::{Decimal, Delimiter, Dialect, Unit, coordinate_type, two_commas};
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 

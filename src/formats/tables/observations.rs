@@ -5,6 +5,7 @@ use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, number, pose_name, rows};
 use crate::logs::meaning;
 use crate::table::{COVARIANCES, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
+use etalon_base::cell::is_formula;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
@@ -173,9 +174,22 @@ fn read(file: &str, text: &str, layout: &Layout) -> Result<DataFrame> {
             }
         });
     }
+    refuse_formulas(file, &header, &all, &mut problems);
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     problems.check()?;
     frame(all.len(), columns)
+}
+
+/// Errors about names that a spreadsheet would take for formulas: they are written to tables again.
+fn refuse_formulas(file: &str, header: &Row, rows: &[Row], problems: &mut Problems) {
+    let named = |i: &usize| TEXTS.contains(&header.field(*i));
+    for (i, row) in (0..header.fields.len()).filter(named).flat_map(|i| rows.iter().map(move |row| (i, row))) {
+        let (column, name) = (header.field(i), row.field(i));
+        if is_formula(name) {
+            let message = Message::error(format!("the {column} `{name}` would be a formula in a spreadsheet"));
+            problems.0.push(message.at(row.cell(file, i)).hint("give it another name"));
+        }
+    }
 }
 
 /// Gives a column of coordinates or of their uncertainties its name in millimetres (`x_m` is `x_mm`), and what takes its values there.

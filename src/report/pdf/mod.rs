@@ -13,8 +13,9 @@ use super::supervised::supervised;
 use super::words::Words;
 use super::{Attachment, TYPESET};
 use etalon_base::date::date;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::Presentation;
+use printable::{Letters, printable};
 use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
@@ -30,7 +31,8 @@ pub(super) fn check(template: &str) -> Result<()> {
     Desk::new(files.into(), UNDATED)?.check(TYPESET.0)
 }
 
-/// The report typeset. Names reach the template as data, never as markup.
+/// The report typeset. Names reach the template as data, never as markup; where a name cannot be set,
+/// its plain letters are.
 pub(super) fn pdf(
     contents: &Contents,
     attachments: &[Attachment],
@@ -38,22 +40,29 @@ pub(super) fn pdf(
     words: &Words,
 ) -> Result<Vec<u8>> {
     let fail = |e: serde_json::Error| Message::error(format!("cannot typeset report.pdf: {e}"));
-    let mut data = paper(contents, presentation, words).map_err(fail)?;
-    printable::printable(&mut data);
+    let data = paper(contents, presentation, words).map_err(fail)?;
     let own = presentation.templates.get(TYPESET.0).cloned();
-    let mut files = vec![
-        (TYPESET.0, Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()))),
-        ("report.json", Bytes::new(serde_json::to_vec(&data).map_err(fail)?)),
-        ("attachments.json", Bytes::new(serde_json::to_vec(attachments).map_err(fail)?)),
-    ];
-    if let Some((_, logo)) = presentation.logo.as_deref().and_then(logo_file) {
-        files.push(("logo", Bytes::new(logo)));
-    }
-    let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
+    let is_own = own.is_some();
+    let template = Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()));
+    let attached = Bytes::new(serde_json::to_vec(attachments).map_err(fail)?);
     let date = contents.date.as_deref().and_then(day).unwrap_or(UNDATED);
-    let desk = Desk::new(files, date)?;
-    let title = contents.title.clone();
-    supervised(TYPESET.0, presentation.templates.contains_key(TYPESET.0), move || desk.pdf(&title))
+    let typeset = |letters| {
+        let mut data = data.clone();
+        printable(&mut data, letters);
+        let report = Bytes::new(serde_json::to_vec(&data).map_err(fail)?);
+        let mut files =
+            vec![(TYPESET.0, template.clone()), ("report.json", report), ("attachments.json", attached.clone())];
+        if let Some((_, logo)) = presentation.logo.as_deref().and_then(logo_file) {
+            files.push(("logo", Bytes::new(logo)));
+        }
+        let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
+        let (desk, title) = (Desk::new(files, date)?, contents.title.clone());
+        supervised(TYPESET.0, is_own, move || desk.pdf(&title))
+    };
+    typeset(Letters::Known).or_else(|problems| match is_own {
+        true => Err(problems),
+        false => typeset(Letters::Single).map_err(|_: Problems| problems),
+    })
 }
 
 /// The contents as a typesetter gets them: what only some readers want is in annexes, behind the signatures.

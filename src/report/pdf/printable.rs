@@ -7,21 +7,31 @@ use serde_json::Value;
 /// Letters of a word that may be broken anywhere.
 const LONG: usize = 28;
 
-/// Every text of a JSON value but pictures, keys left alone.
-pub(super) fn printable(value: &mut Value) {
+/// Letters that reach the typesetter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Letters {
+    /// All that a font has.
+    Known,
+    /// Letters that are set one by one. Fonts join letters of other scripts, and not every joint has the
+    /// text that PDF/A asks for.
+    Single,
+}
+
+/// Replaces what cannot be shown in every text of a JSON value; keys stay.
+pub(super) fn printable(value: &mut Value, letters: Letters) {
     match value {
         Value::String(text) => {
-            if let Some(shown) = shown(text) {
+            if let Some(shown) = shown(text, letters) {
                 *text = shown;
             }
             if text.len() > LONG {
                 *text = breakable(text);
             }
         }
-        Value::Array(values) => values.iter_mut().for_each(printable),
+        Value::Array(values) => values.iter_mut().for_each(|value| printable(value, letters)),
         Value::Object(values) => values.iter_mut().for_each(|(key, value)| match (key.as_str(), value) {
-            ("svg", Value::String(svg)) => *svg = styled(&shown(svg).unwrap_or_else(|| std::mem::take(svg))),
-            (_, value) => printable(value),
+            ("svg", Value::String(svg)) => *svg = styled(&shown(svg, letters).unwrap_or_else(|| std::mem::take(svg))),
+            (_, value) => printable(value, letters),
         }),
         _ => {}
     }
@@ -51,7 +61,7 @@ fn breakable(text: &str) -> String {
 
 /// The text with what cannot be shown replaced, where there is any. Marks that turn the direction of what follows are
 /// dropped: a name must not change how its surroundings read.
-fn shown(text: &str) -> Option<String> {
+fn shown(text: &str, letters: Letters) -> Option<String> {
     let fine = |c: char| c == '\n' || ('\u{20}'..'\u{7f}').contains(&c);
     if text.chars().all(fine) {
         return None;
@@ -59,8 +69,11 @@ fn shown(text: &str) -> Option<String> {
     let shown = |c: char| match c {
         c if fine(c) => Some(c),
         '\t' => Some(' '),
+        // has no text in PDF/A
+        '\u{feff}' => None,
         '\u{200e}' | '\u{200f}' | '\u{061c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => None,
         c if c.is_control() || is_private(c) || !has_glyph(c) => Some('\u{fffd}'),
+        c if letters == Letters::Single && !is_single(c) => Some('\u{fffd}'),
         c => Some(c),
     };
     Some(text.chars().filter_map(shown).collect())
@@ -68,6 +81,12 @@ fn shown(text: &str) -> Option<String> {
 
 fn is_private(c: char) -> bool {
     matches!(c, '\u{e000}'..='\u{f8ff}' | '\u{f0000}'..)
+}
+
+/// Latin, Greek and Cyrillic letters, punctuation and signs of mathematics.
+fn is_single(c: char) -> bool {
+    matches!(c, '\u{a0}'..='\u{2af}' | '\u{370}'..='\u{482}' | '\u{48a}'..='\u{52f}' | '\u{1e00}'..='\u{1fff}'
+        | '\u{2010}'..='\u{2027}' | '\u{202f}'..='\u{205f}' | '\u{2070}'..='\u{20cf}' | '\u{2100}'..='\u{25ff}')
 }
 
 fn has_glyph(c: char) -> bool {
@@ -83,7 +102,7 @@ mod tests {
         let (long, checksum) = ("n".repeat(29), "0".repeat(64));
         let svg = format!("<svg><text>{long}</text>");
         let mut value = serde_json::json!([format!("a {long} b"), checksum, "n".repeat(28), { "svg": svg }]);
-        printable(&mut value);
+        printable(&mut value, Letters::Known);
         assert_eq!(value[0], format!("a {} b", "n\u{200b}".repeat(29)));
         assert_eq!((value[1].as_str(), value[2].as_str()), (Some(&*checksum), Some(&*"n".repeat(28))));
         assert!(value[3]["svg"].as_str().unwrap().ends_with(&format!("</style><text>{long}</text>")));
@@ -95,11 +114,13 @@ mod tests {
             ("plain", None),
             ("µm θ ±", Some("µm θ ±")),
             ("\u{202e}\u{5e8}\u{5d5}", Some("\u{5e8}\u{5d5}")),
+            ("\u{feff}x", Some("x")),
             ("\u{4e2d}\u{1f600}\u{e000}\0", Some("\u{fffd}\u{fffd}\u{fffd}\u{fffd}")),
         ];
         for (text, expected) in cases {
-            assert_eq!(shown(text).as_deref(), expected, "{text}");
+            assert_eq!(shown(text, Letters::Known).as_deref(), expected, "{text}");
         }
+        assert_eq!(shown("µ Σ ≤ 5\u{302} \u{627}", Letters::Single).as_deref(), Some("µ Σ ≤ 5\u{fffd} \u{fffd}"));
         assert!(has_glyph('\u{fffd}'));
     }
 }

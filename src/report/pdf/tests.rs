@@ -54,6 +54,9 @@ fn long_right_to_left_and_unknown_letters_do_no_harm() {
         "\u{4e2d}\u{1f600}\u{e000}\0\u{fffe}".into(),
         " ".into(),
         String::new(),
+        "\u{feff}x".into(),
+        "\u{2764}\u{fe0f} \u{1f468}\u{200d}\u{1f469} 1\u{fe0f}\u{20e3} \u{1f1e9}\u{1f1ea}".into(),
+        "\u{627}\u{644}\u{64b} a\u{64b} \u{eb3} \u{fffd}\u{5b0}".into(),
     ];
     for text in texts {
         typeset_of(&with_text(&text));

@@ -18,6 +18,9 @@ const START: &str = "#for file in json(\"attachments.json\") {\n  \
     pdf.attach(file.name, bytes(file.text), relationship: file.relationship, mime-type: file.mime, \
     description: file.description)\n}\n#include \"report.typ\"\n";
 
+/// Documents after which typst forgets a step that none of them took.
+const REMEMBERED: usize = 1;
+
 /// Files and fonts, and the date that is today.
 pub(super) struct Desk {
     library: LazyHash<Library>,
@@ -46,6 +49,13 @@ impl Desk {
 
     /// The typeset document as PDF/A-3a, identified by `ident`.
     pub fn pdf(&self, ident: &str) -> Result<Vec<u8>> {
+        let made = self.typeset(ident);
+        // typst remembers every step of every document; what documents share was used in this one
+        comemo::evict(REMEMBERED);
+        made
+    }
+
+    fn typeset(&self, ident: &str) -> Result<Vec<u8>> {
         let problems =
             |diagnostics: &[SourceDiagnostic]| Problems(diagnostics.iter().map(|d| self.message(d)).collect());
         let document = typst::compile::<PagedDocument>(self).output.map_err(|e| problems(&e))?;

@@ -1,5 +1,6 @@
 //! Points of all exports, and what a campaign states of them.
 
+use etalon_base::cell::is_formula;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pattern::matches_pattern;
 use etalon_campaign::{Campaign, JoinBy};
@@ -60,7 +61,7 @@ impl PointColumns {
             let named_target =
                 || named.target.as_deref().or(export.target.as_deref()).map(|target| shared.shared(target));
             let target = row.target.clone().or_else(named_target);
-            if target.as_ref().is_some_and(|t| t.starts_with(['=', '@', '+', '-'])) {
+            if target.as_ref().is_some_and(|t| is_formula(t)) {
                 let target = target.unwrap_or_default();
                 let message = Message::error(format!("the target `{target}` would be a formula in a spreadsheet"));
                 let hint = "give it another name, or state a `label` that leaves the first character out";
