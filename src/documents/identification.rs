@@ -4,7 +4,23 @@ use crate::*;
 use etalon_base::message::Severity;
 use etalon_identify::{Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status};
 use etalon_robots::Robot;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Largest group of which every member lists all others: names of larger ones would grow with the square of their number.
+const LISTED: usize = 100;
+
+/// For each parameter the others of its groups; of a large group the held parameter alone, which lists all of them.
+fn confounded(parameters: usize, groups: &[Group]) -> Vec<BTreeSet<usize>> {
+    let mut others = vec![BTreeSet::new(); parameters];
+    for group in groups {
+        let members: Vec<usize> = group.with.iter().chain([&group.held]).copied().collect();
+        for &i in &members {
+            let listed = if members.len() <= LISTED || i == group.held { &members } else { &vec![group.held] };
+            others[i].extend(listed.iter().copied().filter(|&j| j != i));
+        }
+    }
+    others
+}
 
 /// Says what `found` means: `before` is the same robot with only base and targets fitted.
 pub fn parameters_document(
@@ -15,15 +31,7 @@ pub fn parameters_document(
     inputs: &BTreeMap<String, String>,
 ) -> ParametersDocument {
     let name = |i: &usize| robot.parameters()[*i].name.clone();
-    let confounded = |i: usize| {
-        let in_group = |g: &&Group| g.held == i || g.with.contains(&i);
-        let members = |g: &Group| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>();
-        let mut others: Vec<usize> =
-            found.groups.iter().filter(in_group).flat_map(members).filter(|&j| j != i).collect();
-        others.sort_unstable();
-        others.dedup();
-        others.iter().map(name).collect()
-    };
+    let confounded = confounded(robot.parameters().len(), &found.groups);
     let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
@@ -40,7 +48,7 @@ pub fn parameters_document(
             Status::Fixed => ParameterStatus::Fixed,
             Status::NotIdentifiable => ParameterStatus::NotIdentifiable,
         },
-        confounded_with: confounded(i),
+        confounded_with: confounded[i].iter().map(name).collect(),
     });
     let n = found.free.len();
     let factor = |k: usize| robot.parameters()[found.free[k]].quantity.outward(1.0);

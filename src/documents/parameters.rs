@@ -125,7 +125,7 @@ pub struct ParameterEntry {
     pub degrees_of_freedom: Option<f64>,
     /// Identified, fixed or not identifiable.
     pub status: ParameterStatus,
-    /// Parameters that are not separately identifiable from this one.
+    /// Parameters that are not separately identifiable from this one; where they are more than 99, the one that is held.
     pub confounded_with: Vec<String>,
 }
 

@@ -256,3 +256,16 @@ fn residuals_that_the_documents_do_not_state_are_not_read() {
     let parts = ["the table has 2000000 rows", "expected: 180 rows", "residuals.parquet"];
     assert!(code == Some(2) && parts.iter().all(|part| error.contains(part)), "{error}");
 }
+
+#[test]
+fn parameters_json_grows_with_targets_and_not_with_their_square() {
+    let bytes = |more: usize| {
+        let scratch = with_unplaced_targets(more);
+        // all poses calibrate: every target is placed
+        scratch.replace("campaign.toml", "calibration = \"1-40\"", "calibration = \"1-40, 42-60\"");
+        ends(&scratch, "run", 0, &[]);
+        std::fs::metadata(scratch.path().join("out/parameters.json")).unwrap().len() as f64
+    };
+    let (few, many) = (bytes(100), bytes(400));
+    assert!(many < 6.0 * few, "{few} bytes with 100 targets, {many} with 400");
+}
