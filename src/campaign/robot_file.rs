@@ -104,7 +104,8 @@ fn keys(models: &[&Model]) -> Schema {
     whole
 }
 
-/// The keys of one model: those that it must have too, and whatever under keys of other models, which are reported as such.
+/// The keys of one model: those that it must have too, and whatever under keys of other models,
+/// which are reported as such.
 fn keys_of(model: &Model) -> Json {
     let mut schema = keys(&[model]).to_value();
     let own = robot_keys::schema(&model.keys(), &mut SchemaGenerator::default()).to_value();

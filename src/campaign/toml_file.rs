@@ -1,5 +1,5 @@
-//! All problems of a TOML file at once, by the JSON Schema of what it states: an entry that does not fit is reported and removed, a
-//! missing one is reported and filled in, and the rest is read.
+//! All problems of a TOML file at once, by the JSON Schema of what it states: an entry that does
+//! not fit is reported and removed, a missing one is reported and filled in, and the rest is read.
 
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use schemars::JsonSchema;
@@ -104,7 +104,8 @@ pub(super) fn recover_with<T>(
     Recovered { value, problems, unread }
 }
 
-/// A file against the JSON Schema of what it states: what does not fit is reported and removed, what is missing is reported and filled in.
+/// A file against the JSON Schema of what it states: what does not fit is reported and removed,
+/// what is missing is reported and filled in.
 struct Check<'a> {
     file: &'a str,
     text: &'a str,
