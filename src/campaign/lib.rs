@@ -258,7 +258,7 @@ pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
 
 /// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
 pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
-    #[derive(serde::Deserialize)]
+    #[derive(serde::Deserialize, schemars::JsonSchema)]
     struct Parameters {
         parameters: BTreeMap<String, f64>,
     }

@@ -89,16 +89,43 @@ impl JsonSchema for RobotFile {
         "RobotFile".into()
     }
 
-    /// The keys of all models in one table.
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
-        let mut whole = CommonKeys::json_schema(&mut generator);
-        for model in MODELS {
-            let own = robot_keys::schema(&model.keys(), &mut generator);
-            merge(whole.ensure_object(), own.as_object());
-        }
-        whole
+        keys(&MODELS)
     }
+}
+
+/// The keys of these models in one table.
+fn keys(models: &[&Model]) -> Schema {
+    let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
+    let mut whole = CommonKeys::json_schema(&mut generator);
+    for model in models {
+        let own = robot_keys::schema(&model.keys(), &mut generator);
+        merge(whole.ensure_object(), own.as_object());
+    }
+    whole
+}
+
+/// The keys of one model: those that it must have too, and whatever under keys of other models,
+/// which are reported as such.
+fn keys_of(model: &Model) -> Json {
+    let mut schema = keys(&[model]).to_value();
+    let own = robot_keys::schema(&model.keys(), &mut SchemaGenerator::default()).to_value();
+    if let (Some(required), Some(own)) = (schema["required"].as_array_mut(), own["required"].as_array()) {
+        required.extend(own.iter().cloned());
+    }
+    for path in foreign(model) {
+        let mut table = &mut schema;
+        for key in path {
+            if table["properties"].get(&key).is_none() {
+                table["properties"][&key] = Json::Bool(true);
+            }
+            table = &mut table["properties"][&key];
+            if table.is_boolean() {
+                break;
+            }
+        }
+    }
+    schema
 }
 
 /// Adds the properties of `other` that `whole` does not have, and those of the tables that both have.
@@ -191,19 +218,11 @@ impl RobotFile {
     /// The robot file that is left when everything that does not fit is taken away, and what that is.
     pub(super) fn recover(path: &Path, text: &str) -> (Option<Self>, Problems) {
         let name = path.display().to_string();
-        // what a wrong key may be meant as: keys of the model that is stated, of any where none is
+        // of a file that states no model, keys of any
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
-        let stated = |model: &&&Model| written.trim_matches(['"', '\'']) == model.name;
-        let models = MODELS.iter().find(stated).map_or(&MODELS[..], std::slice::from_ref);
-        let own: Vec<String> =
-            models.iter().flat_map(|model| robot_keys::paths(&model.keys())).map(|mut p| p.swap_remove(0)).collect();
-        let mut top: Vec<&str> = COMMON.into_iter().collect();
-        for key in &own {
-            if !top.contains(&key.as_str()) {
-                top.push(key);
-            }
-        }
-        let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &top, read);
+        let stated = MODELS.iter().find(|model| written.trim_matches(['"', '\'']) == model.name);
+        let schema = stated.map_or_else(|| keys(&MODELS).to_value(), |model| keys_of(model));
+        let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &schema, read);
         let mut problems = problems;
         let mut robot = value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot });
         if let Some(robot) = &mut robot {
@@ -478,7 +497,7 @@ mod tests {
                 &["4: `rod_mm` must be positive"],
             ),
             (errors("model = \"hexapod\"\nhome_xyz_mm = [0, 0, 1]\n"), &["a hexapod has six legs, the file states 0"]),
-            (errors("model = \"five_bar\"\n[reach]\ntheta1_deg = 3\n"), &["3: invalid type: integer `3`"]),
+            (errors("model = \"five_bar\"\n[reach]\ntheta1_deg = 3\n"), &["3: `theta1_deg` is 3"]),
         ] {
             let text = found.join("\n");
             assert!(found.len() >= expected.len(), "{text}");

@@ -1,11 +1,11 @@
-//! All problems of a TOML file at once: an entry that does not fit is reported and removed, a missing one is reported and
-//! filled in, and the rest is read again.
+//! All problems of a TOML file at once, by the JSON Schema of what it states: an entry that does
+//! not fit is reported and removed, a missing one is reported and filled in, and the rest is read.
 
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
-use etalon_robots::MODELS;
+use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 use std::ops::Range;
-use std::sync::LazyLock;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
@@ -63,156 +63,305 @@ fn meet(keys: &[String], path: &[&str]) -> bool {
 }
 
 /// Reads `text` as a `T`, or reports everything in it that does not fit.
-pub fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T> {
+pub fn parse<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Result<T> {
     let Recovered { value, problems, .. } = recover(file, text);
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// The same, with the value that is left.
-pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str) -> Recovered<T> {
-    recover_with(file, text, &[], |root| T::deserialize(Deserializer::from(root)))
+/// [`parse`] with the value that is left when everything that does not fit is taken away.
+pub(super) fn recover<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Recovered<T> {
+    let schema = schemars::schema_for!(T).to_value();
+    recover_with(file, text, &schema, |root| T::deserialize(Deserializer::from(root)))
 }
 
-/// The same of what `read` makes of the file, where serde cannot name all keys at its top: `top` does.
+/// [`recover`] of what `read` makes of a file with this schema.
 pub(super) fn recover_with<T>(
     file: &str,
     text: &str,
-    top: &[&str],
+    schema: &Value,
     read: fn(Spanned<DeTable<'_>>) -> std::result::Result<T, Error>,
 ) -> Recovered<T> {
     let (mut root, errors) = DeTable::parse_recoverable(text);
-    let mut unread = UnreadKeys::default();
     if !errors.is_empty() {
-        return Recovered { value: None, problems: syntax(file, text, &errors), unread };
+        return Recovered { value: None, problems: syntax(file, text, &errors), unread: UnreadKeys::default() };
     }
-    let mut odd = Vec::new();
-    root.get_ref().values().for_each(|value| not_finite(value, &mut odd));
-    let mut problems = Problems::default();
-    problems.0.extend(odd.into_iter().map(|span| {
-        let what = format!("`{}` is not a measured value", text.get(span.clone()).unwrap_or(""));
-        Message::error(what).at(Place::span(file, text, span)).expected("a finite number")
-    }));
-    let mut unknown: Vec<Unknown> = Vec::new();
-    let mut filled: Vec<Placeholder> = Vec::new();
-    let mut meant = Vec::new();
+    let mut check = Check::new(file, text, schema);
+    root.get_ref().values().for_each(|value| check.finite(value));
     let value = loop {
+        check.table(root.get_mut(), &(0..0), schema);
         let error = match read(root.clone()) {
             Ok(value) => break Some(value),
             Err(error) => error,
         };
-        let span = error.span().unwrap_or(0..0);
-        let placeholder = if let Some(key) = quoted(&error, "missing field `") {
-            let section = table_at(root.get_ref(), &span).unwrap_or_default();
-            let path = [&section[..], std::slice::from_ref(&key)].concat();
-            if filled.iter().any(|p| p.path == path) {
-                break None;
-            }
-            // what was removed, or is in a table that is filled in itself, is reported already
-            if !unread.contains(&path) && span.start <= text.len() {
-                problems.0.push(missing(file, text, &span, &key, &section));
-            }
-            unread.add(path.clone());
-            let at = text.len() + 1 + 2 * filled.len();
-            filled.push(Placeholder { path, span: at..at + 1, tries: TRIES.iter() });
-            filled.last_mut()
-        } else if span.start <= text.len() {
-            let Some(path) = remove(root.get_mut(), &span) else {
-                problems.0.push(wrong(file, text, &error));
-                break None;
-            };
-            match Unknown::of(&error, &path, span, top) {
-                Some(key) => {
-                    meant.extend(key.meant());
-                    unknown.push(key);
-                }
-                None => problems.0.push(wrong(file, text, &error)),
-            }
-            unread.add(path);
-            continue;
-        } else {
-            filled.iter_mut().find(|p| p.span == span)
-        };
-        if placeholder.and_then(|p| p.insert(root.get_mut())).is_none() {
-            break None;
+        // what a schema cannot state, a type refuses in its own words
+        check.problems.push(wrong(file, text, &error));
+        match error.span().and_then(|span| remove(root.get_mut(), &span)) {
+            Some(path) => check.unread.add(path),
+            None => break None,
         }
     };
-    meant.into_iter().for_each(|path| unread.add(path));
-    if !unknown.is_empty() {
-        let top = top.iter().map(|key| (*key).to_owned()).chain(top_level(read)).collect::<Vec<_>>();
-        problems.0.extend(unknown_keys(file, text, &top, unknown));
-    }
-    problems.0.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
+    let (problems, unread) = check.finish();
     Recovered { value, problems, unread }
 }
 
-/// Values to fill in for what is missing, of every kind and of every choice that has no default: one of them fits.
-static TRIES: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let choices = ["mm", "polyworks", "row", MODELS[0].name, "blank"].map(|name| format!("\"{name}\""));
-    ["\"\"", "1", "[]", "{}"].map(str::to_owned).into_iter().chain(choices).collect()
-});
-
-/// Stands for an entry that is missing, so that the rest can be read.
-struct Placeholder {
+/// A file against the JSON Schema of what it states: what does not fit is reported and removed,
+/// what is missing is reported and filled in.
+struct Check<'a> {
+    file: &'a str,
+    text: &'a str,
+    schema: &'a Value,
+    /// The keys that lead to what is checked.
     path: Vec<String>,
-    /// Behind the end of the text.
-    span: Range<usize>,
-    tries: std::slice::Iter<'static, String>,
+    problems: Vec<Message>,
+    unknown: Vec<Unknown>,
+    unread: UnreadKeys,
 }
 
-impl Placeholder {
-    /// Puts the next value to try in its place, if there is one.
-    fn insert(&mut self, root: &mut DeTable) -> Option<()> {
-        let value = DeValue::parse(self.tries.next()?).ok()?.into_inner();
-        let (key, section) = self.path.split_last()?;
-        let mut table = root;
-        let mut section = section.iter();
-        while let Some(key) = section.next() {
-            table = match table.get_mut(key.as_str())?.get_mut() {
-                DeValue::Table(table) => table,
-                DeValue::Array(array) => {
-                    let index = section.next()?.parse::<usize>().ok()?;
-                    match array.get_mut(index)?.get_mut() {
-                        DeValue::Table(table) => table,
-                        _ => return None,
+impl<'a> Check<'a> {
+    fn new(file: &'a str, text: &'a str, schema: &'a Value) -> Self {
+        let (path, problems, unknown, unread) = Default::default();
+        Self { file, text, schema, path, problems, unknown, unread }
+    }
+
+    fn place(&self, span: Range<usize>) -> Place {
+        Place::span(self.file, self.text, span)
+    }
+
+    /// Reports numbers that are not finite: TOML has `nan` and `inf`, a measurement does not.
+    fn finite(&mut self, value: &Spanned<DeValue>) {
+        match value.get_ref() {
+            DeValue::Float(number) if number.as_str().contains(['n', 'i']) => {
+                let what = format!("`{}` is not a measured value", self.text.get(value.span()).unwrap_or(""));
+                self.problems.push(Message::error(what).at(self.place(value.span())).expected("a finite number"));
+            }
+            DeValue::Array(array) => array.iter().for_each(|v| self.finite(v)),
+            DeValue::Table(table) => table.values().for_each(|v| self.finite(v)),
+            _ => {}
+        }
+    }
+
+    /// The schemas of which a value has to meet one; `null` is left out.
+    fn alternatives(&self, schema: &'a Value) -> Vec<&'a Value> {
+        let definition = schema["$ref"].as_str().and_then(|name| self.schema.pointer(name.strip_prefix('#')?));
+        if let Some(definition) = definition {
+            return self.alternatives(definition);
+        }
+        match schema.get("anyOf").or(schema.get("oneOf")).and_then(Value::as_array) {
+            Some(all) => all.iter().flat_map(|s| self.alternatives(s)).collect(),
+            None if schema["type"] == "null" => Vec::new(),
+            None => vec![schema],
+        }
+    }
+
+    /// Keys that a table has, those that it must have filled in.
+    fn table(&mut self, table: &mut DeTable, span: &Range<usize>, schema: &'a Value) {
+        let others = schema.get("additionalProperties").or(schema.get("unevaluatedProperties"));
+        let others = others.unwrap_or(&Value::Bool(true));
+        let mut odd = Vec::new();
+        for (key, value) in table.iter_mut() {
+            self.path.push(key.get_ref().to_string());
+            let known = schema["properties"].get(key.get_ref().as_ref());
+            let fits = match known.unwrap_or(others) {
+                Value::Bool(any) => {
+                    if !any {
+                        self.unknown.push(Unknown::new(&self.path, key.span(), schema));
+                    }
+                    *any
+                }
+                of_value => {
+                    let of_name = schema.get("propertyNames").filter(|_| known.is_none());
+                    of_name.is_none_or(|names| self.choice(key.get_ref(), key.span(), names))
+                        && self.value(value, of_value)
+                }
+            };
+            if !fits {
+                odd.push(key.get_ref().to_string());
+                self.unread.add(self.path.clone());
+            }
+            self.path.pop();
+        }
+        odd.iter().for_each(|key| drop(table.remove(key.as_str())));
+        for key in schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+            if table.contains_key(key) {
+                continue;
+            }
+            let path = [&self.path[..], &[key.to_owned()]].concat();
+            // what was removed is reported already
+            if !self.unread.contains(&path) {
+                self.problems.push(missing(self.file, self.text, span, key, &self.path));
+                self.unread.add(path);
+            }
+            let example = self.example(&schema["properties"][key]);
+            table.insert(Spanned::new(0..0, key.to_owned().into()), Spanned::new(0..0, example));
+        }
+    }
+
+    /// Whether a value, without the tables in it that do not fit, meets a schema.
+    fn value(&mut self, value: &mut Spanned<DeValue>, schema: &'a Value) -> bool {
+        let (span, all) = (value.span(), self.alternatives(schema));
+        let of_kind = all.iter().copied().find(|s| is_of_kind(s, value.get_ref()));
+        match (value.get_mut(), of_kind) {
+            (_, None) => return self.odd_kind(value, &all),
+            (DeValue::String(text), _) => return self.choice(text, span, schema),
+            (DeValue::Table(table), Some(schema)) => self.table(table, &span, schema),
+            (DeValue::Array(array), Some(schema)) => {
+                let (count, limit) = (array.len() as u64, |key| schema[key].as_u64());
+                if limit("minItems").is_some_and(|n| count < n) || limit("maxItems").is_some_and(|n| count > n) {
+                    return self.odd_kind(value, &all);
+                }
+                for (i, element) in array.iter_mut().enumerate() {
+                    let schema = schema["prefixItems"].get(i).unwrap_or(&schema["items"]);
+                    self.path.push(i.to_string());
+                    let fits = schema.is_null() || self.value(element, schema);
+                    self.path.pop();
+                    if !fits {
+                        return false;
                     }
                 }
-                _ => return None,
-            };
+            }
+            _ => {}
         }
-        table.insert(Spanned::new(0..0, key.clone().into()), Spanned::new(self.span.clone(), value));
-        Some(())
+        true
+    }
+
+    /// Reports a value that is of none of the kinds.
+    fn odd_kind(&mut self, value: &Spanned<DeValue>, all: &[&Value]) -> bool {
+        let kind = match value.get_ref() {
+            DeValue::String(_) => "a text".to_owned(),
+            DeValue::Integer(number) => number.as_str().to_owned(),
+            DeValue::Float(number) => number.as_str().to_owned(),
+            DeValue::Boolean(truth) => truth.to_string(),
+            DeValue::Datetime(_) => "a date without quotation marks".to_owned(),
+            DeValue::Array(array) => format!("a list of {}", array.len()),
+            DeValue::Table(_) => "a table".to_owned(),
+        };
+        let name = self.path.iter().rfind(|key| key.parse::<usize>().is_err());
+        let of = if self.path.last() == name { "" } else { "an element of " };
+        let what = format!("{of}`{}` is {kind}", name.map_or("", String::as_str));
+        let message = Message::error(what).at(self.place(value.span()));
+        self.problems.push(message.expected(joined(all.iter().flat_map(|s| kinds(s)).collect())));
+        false
+    }
+
+    /// Whether a text is one of those that a schema lists; any is if it lists none.
+    fn choice(&mut self, text: &str, span: Range<usize>, schema: &'a Value) -> bool {
+        let texts = self.alternatives(schema).into_iter().filter(|s| is_of_kind(s, &DeValue::String(text.into())));
+        let lists: Option<Vec<Vec<&Value>>> = texts.map(listed).collect();
+        let Some(known) = lists.map(|lists| lists.concat()) else { return true };
+        if known.iter().any(|v| **v == text) {
+            return true;
+        }
+        let names: Vec<&str> = known.iter().filter_map(|v| v.as_str()).collect();
+        let message = Message::error(format!("unknown variant `{text}`")).at(self.place(span));
+        let message = message.expected(joined(self.alternatives(schema).into_iter().flat_map(kinds).collect()));
+        let near = nearest(text, names.iter().copied()).map(|name| format!("did you mean `{name}`?"));
+        self.problems.push(Message { hint: near, ..message });
+        false
+    }
+
+    /// A value that meets a schema.
+    fn example(&self, schema: &'a Value) -> DeValue<'static> {
+        let all = self.alternatives(schema);
+        let Some(schema) = all.first() else { return DeValue::Boolean(false) };
+        let array =
+            |all: Vec<DeValue<'static>>| DeValue::Array(all.into_iter().map(|v| Spanned::new(0..0, v)).collect());
+        let of_json = |v: &Value| match v {
+            Value::Array(all) => {
+                array(all.iter().filter_map(Value::as_str).map(|v| DeValue::String(v.to_owned().into())).collect())
+            }
+            other => DeValue::String(other.as_str().unwrap_or_default().to_owned().into()),
+        };
+        match (listed(schema).and_then(|all| all.first().copied()), type_of(schema)) {
+            (Some(choice), _) => of_json(choice),
+            (_, "number" | "integer") => DeValue::parse("1").map_or(DeValue::Boolean(false), Spanned::into_inner),
+            (_, "boolean") => DeValue::Boolean(false),
+            (_, "array") => {
+                let count = schema["minItems"].as_u64().unwrap_or(0) as usize;
+                let each = |i: usize| schema["prefixItems"].get(i).unwrap_or(&schema["items"]);
+                array((0..count).map(|i| self.example(each(i))).collect())
+            }
+            (_, "object") => {
+                let required = schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
+                let entry = |key: &str| {
+                    let example = Spanned::new(0..0, self.example(&schema["properties"][key]));
+                    (Spanned::new(0..0, key.to_owned().into()), example)
+                };
+                DeValue::Table(required.map(entry).collect())
+            }
+            _ => DeValue::String("".into()),
+        }
+    }
+
+    fn finish(mut self) -> (Problems, UnreadKeys) {
+        let meant: Vec<_> = self.unknown.iter().filter_map(Unknown::meant).collect();
+        meant.into_iter().for_each(|path| self.unread.add(path));
+        let top = known_keys(self.schema);
+        let unknown = unknown_keys(self.file, self.text, &top, std::mem::take(&mut self.unknown));
+        self.problems.extend(unknown);
+        self.problems.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
+        (Problems(self.problems), self.unread)
     }
 }
 
-/// The keys that lead to the table at `span`; those of the file are none.
-fn table_at(table: &DeTable, span: &Range<usize>) -> Option<Vec<String>> {
-    table.iter().find_map(|(key, value)| {
-        let mut path = within(value, span)?;
-        path.insert(0, key.get_ref().to_string());
-        Some(path)
-    })
-}
-
-fn within(value: &Spanned<DeValue>, span: &Range<usize>) -> Option<Vec<String>> {
-    match value.get_ref() {
-        DeValue::Table(table) => table_at(table, span).or_else(|| (value.span() == *span).then(Vec::new)),
-        DeValue::Array(array) => array.iter().enumerate().find_map(|(i, value)| {
-            let mut path = within(value, span)?;
-            path.insert(0, i.to_string());
-            Some(path)
-        }),
-        _ => None,
+/// The type that a schema states beside `null`.
+fn type_of(schema: &Value) -> &str {
+    match &schema["type"] {
+        Value::Array(all) => all.iter().filter_map(Value::as_str).find(|t| *t != "null").unwrap_or(""),
+        other => other.as_str().unwrap_or(""),
     }
 }
 
-/// Where `value` holds a number that is not finite: TOML has `nan` and `inf`, a measurement does not.
-fn not_finite(value: &Spanned<DeValue>, odd: &mut Vec<Range<usize>>) {
-    match value.get_ref() {
-        DeValue::Float(number) if number.as_str().contains(['n', 'i']) => odd.push(value.span()),
-        DeValue::Array(array) => array.iter().for_each(|v| not_finite(v, odd)),
-        DeValue::Table(table) => table.values().for_each(|v| not_finite(v, odd)),
-        _ => {}
+/// The values that a schema lists, if it does.
+fn listed(schema: &Value) -> Option<Vec<&Value>> {
+    schema.get("const").map(|v| vec![v]).or_else(|| Some(schema.get("enum")?.as_array()?.iter().collect()))
+}
+
+/// Whether a value is of the kind that a schema asks for, whatever is in it.
+fn is_of_kind(schema: &Value, value: &DeValue) -> bool {
+    // a schema without a type lists values of any, or allows all
+    let lists = |is: fn(&Value) -> bool| listed(schema).is_none_or(|all| all.into_iter().any(is));
+    match (value, type_of(schema)) {
+        (DeValue::Integer(number), "integer") => {
+            let value = i128::from_str_radix(&number.as_str().replace('_', ""), number.radix()).ok();
+            schema["minimum"].as_i64().zip(value).is_none_or(|(least, value)| value >= i128::from(least))
+        }
+        (DeValue::Integer(_) | DeValue::Float(_), "number") => true,
+        (DeValue::Boolean(_), "boolean") | (DeValue::Table(_), "object") | (DeValue::Array(_), "array") => true,
+        (DeValue::String(_), kind) => kind == "string" || kind.is_empty() && lists(Value::is_string),
+        (DeValue::Array(_), "") => lists(Value::is_array),
+        (_, "") => lists(|_| false),
+        _ => false,
     }
+}
+
+/// What a schema asks for, in words.
+fn kinds(schema: &Value) -> Vec<String> {
+    let limit = |key: &str, words: &str| schema[key].as_u64().map_or_else(String::new, |n| format!(" {words} {n}"));
+    match (listed(schema), type_of(schema)) {
+        (Some(all), _) => {
+            all.into_iter().map(|v| v.as_str().map_or_else(|| v.to_string(), |v| format!("`{v}`"))).collect()
+        }
+        (_, "string") => vec!["a text".to_owned()],
+        (_, "number") => vec!["a number".to_owned()],
+        (_, "integer") => vec![format!("a whole number{}", limit("minimum", "from"))],
+        (_, "boolean") => vec!["`true`".to_owned(), "`false`".to_owned()],
+        (_, "array") => vec![format!("a list{}", limit("minItems", "of"))],
+        _ => vec!["a table".to_owned()],
+    }
+}
+
+/// Alternatives in words.
+fn joined(all: Vec<String>) -> String {
+    match &all[..] {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => all.concat(),
+    }
+}
+
+/// Keys of a table; `true` allows what is reported elsewhere.
+fn known_keys(schema: &Value) -> Vec<String> {
+    let all = schema["properties"].as_object().into_iter().flatten();
+    all.filter(|(_, value)| !value.is_boolean()).map(|(key, _)| key.clone()).collect()
 }
 
 /// The span of the value of a key, given by the keys that lead to it; a number among them counts tables of an array.
@@ -287,12 +436,6 @@ fn covers(outer: &Range<usize>, span: &Range<usize>) -> bool {
     outer.start <= span.start && span.end <= outer.end && !span.is_empty()
 }
 
-/// The text between `start` and the next backtick in the message.
-fn quoted(error: &Error, start: &str) -> Option<String> {
-    let (_, rest) = error.message().split_once(start)?;
-    Some(rest.split('`').next().unwrap_or("").to_owned())
-}
-
 /// That a key of a section is missing.
 pub(super) fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, section: &[String]) -> Message {
     let name = section.iter().rfind(|key| key.parse::<usize>().is_err());
@@ -311,19 +454,12 @@ pub(super) fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, se
     message.hint(hint)
 }
 
-/// A TOML error in our words.
+/// An error of the TOML, or of a type that refuses a value.
 fn wrong(file: &str, text: &str, error: &Error) -> Message {
     let what = error.message().lines().collect::<Vec<_>>().join(", ");
     let place = error.span().map_or_else(|| Place::file(file), |span| Place::span(file, text, span));
     match what.split_once(", expected ") {
-        Some((what, expected)) => {
-            let words = match expected {
-                "f64" => "a number",
-                "i64" | "u64" | "usize" => "a whole number",
-                other => other,
-            };
-            Message::error(what).at(place).expected(words)
-        }
+        Some((what, expected)) => Message::error(what).at(place).expected(expected),
         None => Message::error(what).at(place),
     }
 }
@@ -352,12 +488,11 @@ struct Unknown {
 }
 
 impl Unknown {
-    /// The unknown key at `path` that the error is about, if it is.
-    fn of(error: &Error, path: &[String], span: Range<usize>, top: &[&str]) -> Option<Self> {
-        let key = quoted(error, "unknown field `")?;
-        let (_, section) = path.split_last()?;
-        let top = top.iter().filter(|_| section.is_empty()).map(|key| (*key).to_owned());
-        Some(Self { key, section: section.to_vec(), span, known: top.chain(known(error)).collect() })
+    /// The key at `path` in a table with this schema.
+    fn new(path: &[String], span: Range<usize>, table: &Value) -> Self {
+        let (key, section) =
+            path.split_last().map_or_else(Default::default, |(key, rest)| (key.clone(), rest.to_vec()));
+        Self { key, section, span, known: known_keys(table) }
     }
 
     /// The entry that the key may be meant as.
@@ -370,19 +505,6 @@ impl Unknown {
     fn stray(&self) -> bool {
         self.meant().is_none()
     }
-}
-
-/// Names between backticks after "expected".
-fn known(error: &Error) -> Vec<String> {
-    let expected = error.message().split("expected").nth(1).unwrap_or("");
-    expected.split('`').skip(1).step_by(2).map(str::to_owned).collect()
-}
-
-/// Keys of the top level of a `T`.
-fn top_level<T>(read: fn(Spanned<DeTable<'_>>) -> std::result::Result<T, Error>) -> Vec<String> {
-    let mut odd = DeTable::new();
-    odd.insert(Spanned::new(0..0, "?".into()), Spanned::new(0..0, DeValue::Boolean(true)));
-    read(Spanned::new(0..0, odd)).err().map(|e| known(&e)).unwrap_or_default()
 }
 
 /// What to do about keys that were read once, or that belong elsewhere.
@@ -425,7 +547,7 @@ mod tests {
     use super::*;
     use serde::Deserialize;
 
-    #[derive(Debug, Deserialize)]
+    #[derive(Debug, Deserialize, JsonSchema)]
     #[serde(deny_unknown_fields)]
     #[allow(dead_code)]
     struct Inner {
@@ -433,7 +555,7 @@ mod tests {
         unit: String,
     }
 
-    #[derive(Debug, Deserialize)]
+    #[derive(Debug, Deserialize, JsonSchema)]
     #[serde(deny_unknown_fields)]
     #[allow(dead_code)]
     struct Outer {
@@ -460,6 +582,43 @@ mod tests {
             assert!(said.iter().any(|s| s.contains(part)), "{part}: {said:?}");
         }
         assert_eq!(said.len(), 6, "{said:?}");
+    }
+
+    #[derive(Debug, Deserialize, JsonSchema)]
+    #[serde(rename_all = "lowercase")]
+    enum Unit {
+        Millimetre,
+        Metre,
+    }
+
+    #[derive(Debug, Deserialize, JsonSchema)]
+    #[serde(deny_unknown_fields)]
+    #[allow(dead_code)]
+    struct Kinds {
+        unit: Unit,
+        point: [f64; 3],
+        date: Option<String>,
+        count: usize,
+        part: Inner,
+    }
+
+    #[test]
+    fn a_value_that_does_not_fit_is_told_with_what_the_schema_asks_for() {
+        let text = "unit = \"milimetre\"\npoint = [1, 2]\ndate = 2026-01-01\ncount = -1\n";
+        let Recovered { value, problems, unread } = recover::<Kinds>("f.toml", text);
+        let said: Vec<String> = problems.0.iter().map(Message::to_string).collect();
+        for parts in [
+            ["f.toml:1", "unknown variant `milimetre`", "`millimetre` or `metre`", "did you mean `millimetre`?"],
+            ["f.toml:2", "`point` is a list of 2", "expected: a list of 3", "point = [1, 2]"],
+            ["f.toml:3", "`date` is a date without quotation marks", "expected: a text", "date = 2026"],
+            ["f.toml:4", "`count` is -1", "expected: a whole number from 0", "count = -1"],
+            ["f.toml", "the key `part` is missing", "hint", ""],
+        ] {
+            assert!(said.iter().any(|said| parts.iter().all(|part| said.contains(part))), "{parts:?}: {said:?}");
+        }
+        assert_eq!(said.len(), 5, "{said:?}");
+        // what is missing stands in for itself, a table with all that it needs
+        assert!(value.is_some() && unread.affects(&["part"]) && unread.affects(&["point"]));
     }
 
     #[test]

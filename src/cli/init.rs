@@ -5,6 +5,7 @@ use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{parse, read_urdf};
 use etalon_robots::{Joint, Quantity};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -112,14 +113,14 @@ fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
 }
 
 /// Robots whose geometry is known.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 struct Known {
     #[serde(rename = "robot")]
     robots: Vec<KnownRobot>,
 }
 
 /// A robot, by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), screw axes, or the text of its robot.toml.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct KnownRobot {
     name: String,
@@ -143,7 +144,7 @@ struct KnownRobot {
     toml: String,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Axis {
     direction: [f64; 3],

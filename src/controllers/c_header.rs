@@ -1,6 +1,6 @@
 //! Parameters as a C header, for controllers that are compiled: C99 and C++.
 
-use super::template::render;
+use super::template::{identifier, render};
 use super::{Exporter, Given};
 use etalon_base::message::Result;
 use minijinja::context;
@@ -25,21 +25,4 @@ impl Exporter for CHeader {
         let values = context! { header, robot, parameters => Serde(&document.parameters) };
         render(include_str!("templates/c_header.h.j2"), values).map(String::into_bytes)
     }
-}
-
-/// The shortest literal that reads back bit for bit; in parentheses where a sign could join an expression.
-pub(super) fn literal(value: f64) -> String {
-    if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
-}
-
-/// Capitals, digits and underscores only.
-pub(super) fn identifier(name: &str) -> String {
-    let safe = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    if name.is_empty() { "_".to_owned() } else { name.chars().map(safe).collect() }
-}
-
-/// Text that can neither end a comment, nor join lines, nor spell a trigraph.
-pub(crate) fn comment(text: &str) -> String {
-    let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
-    text.chars().map(safe).collect()
 }

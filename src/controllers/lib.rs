@@ -34,13 +34,13 @@ pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
 
-pub(crate) use c_header::comment;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
 use etalon_documents::{CampaignSummary, ParameterEntry, ParameterStatus, ParametersDocument, to_json};
 use etalon_robots::{Effect, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
+pub(crate) use template::comment;
 
 /// One controller format.
 pub trait Exporter {
@@ -214,7 +214,8 @@ impl<'a> Given<'a> {
         })
     }
 
-    /// The robot, and its parameters as they were identified; base and targets that are not among them are nominal.
+    /// The robot, and its parameters as they were identified; base and targets that are not among
+    /// them are nominal.
     fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
         let robot = self.robot.ok_or_else(|| {
             Message::error("this format needs the robot itself").hint("name its robot.toml: --robot FILE")

@@ -1,8 +1,8 @@
 //! Parameters as constants of PLCs, LREAL: a list of global constants of TwinCAT (`.TcGVL`), PLCopen XML for CODESYS, and a data block of
 //! Siemens SCL; PLCopen and SCL hold the kinematics as function blocks too, where the robot is named.
 
-use super::code::{Kind, Unit, Variable, real_literal, scl, units};
-use super::template::render;
+use super::code::{Kind, Unit, Variable, scl, units};
+use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
 use super::{Exporter, Given};
 use etalon_base::message::{Message, Result};
@@ -21,7 +21,7 @@ pub(super) struct Scl;
 
 /// Names of the constants, which differ in more than capitals.
 fn names(given: &Given) -> Result<Vec<String>> {
-    given.names("in a PLC", |p| format!("c_{}", super::c_header::identifier(&p.name).to_ascii_lowercase()))
+    given.names("in a PLC", |p| format!("c_{}", identifier(&p.name).to_ascii_lowercase()))
 }
 
 impl Exporter for TwinCat {

@@ -1,6 +1,6 @@
 //! Poses to measure as targets that a controller loads: JSON by name, or a C header of arrays.
 
-use super::c_header::{comment, identifier, literal};
+use super::template::{comment, identifier, literal};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{Iso9283Places, PlanDocument};

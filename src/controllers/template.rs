@@ -1,7 +1,6 @@
-//! Text formats as templates (minijinja) in `templates/`: a number is written with the digits that read back bit for bit.
+//! Text formats as templates (minijinja) in `templates/`, and how they write names and numbers:
+//! with the digits that read back bit for bit.
 
-use super::c_header::{comment, identifier, literal};
-use super::code::real_literal;
 use etalon_base::message::{Message, Result};
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, escape_formatter};
@@ -43,4 +42,32 @@ fn is_float(value: &Value) -> bool {
 fn quoted(text: &str) -> String {
     let escaped = |c: char| if c.is_ascii() { c.to_string() } else { format!("\\U{:08x}", u32::from(c)) };
     serde_json::Value::from(text).to_string().chars().map(escaped).collect()
+}
+
+/// The shortest literal that reads back bit for bit; in parentheses where a sign could join an
+/// expression.
+pub(super) fn literal(value: f64) -> String {
+    if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
+}
+
+/// Capitals, digits and underscores only.
+pub(super) fn identifier(name: &str) -> String {
+    let safe = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
+    if name.is_empty() { "_".to_owned() } else { name.chars().map(safe).collect() }
+}
+
+/// Text that can neither end a comment, nor join lines, nor spell a trigraph.
+pub(crate) fn comment(text: &str) -> String {
+    let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
+    text.chars().map(safe).collect()
+}
+
+/// A real literal of IEC 61131-3 has a point, and digits on both sides of it.
+pub(super) fn real_literal(value: f64) -> String {
+    let text = format!("{value:?}");
+    match text.split_once('e') {
+        Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),
+        Some((digits, exponent)) => format!("{digits}E{exponent}"),
+        None => text,
+    }
 }

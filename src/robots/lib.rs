@@ -369,8 +369,9 @@ fn square<T: Scalar>(v: &[T]) -> T {
     v.iter().fold(T::from(0.0), |sum, v| sum + *v * *v)
 }
 
-/// Least-squares solution of rows that end with their right-hand side, by normal equations, which need no pivots: free of branches,
-/// so that formulas record it. `damping` is added to the diagonal, as a share of its sum.
+/// Least-squares solution of rows that end with their right-hand side, by normal equations, which
+/// need no pivots: free of branches, so that formulas record it. `damping` is added to the
+/// diagonal, as a share of its sum.
 fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> impl Iterator<Item = T> {
     let n = rows.first().map_or(0, |row| row.len() - 1);
     let product = |i: usize, j: usize| rows.iter().fold(T::from(0.0), |sum, row| sum + row[i] * row[j]);

@@ -723,9 +723,10 @@ impl Robot for Serial {
     }
 }
 
-/// A step of Newton's method towards a pose (x, y, z and the rotation row by row) from linearised kinematics, shortened to half a radian
-/// or millimetre where it is long; its size, the errors of position (mm) and orientation (rad times [`TURNED_MM`]) before it, and the trace
-/// of the rotation between both poses, which is 3 where they agree and negative half a turn apart.
+/// A step of Newton's method towards a pose (x, y, z and the rotation row by row) from linearised
+/// kinematics, shortened to half a radian or millimetre where it is long; its size, the errors of
+/// position (mm) and orientation (rad times [`TURNED_MM`]) before it, and the trace of the rotation
+/// between both poses, which is 3 where they agree and negative half a turn apart.
 fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
     let (at, columns) = linearised.split_at(12);
     let gap: Vec<T> = (0..3).map(|i| pose[i] - at[i]).collect();
@@ -743,7 +744,8 @@ fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
     (step.into_iter().map(|v| v * shorter).collect(), errors)
 }
 
-/// Damping of joints that move nothing, as a share of what all joints move: a redundant arm and a singular pose have such.
+/// Damping of joints that move nothing, as a share of what all joints move: a redundant arm and a
+/// singular pose have such.
 const SINGULAR: f64 = 1e-14;
 
 /// A turn by one radian weighs like this path in a pose, mm.

@@ -7,13 +7,14 @@ use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Selection, StatedPoses};
 use etalon_identify::{Fixture, Surface};
 use etalon_robots::Robot;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Axes of the world.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// An `[[observe]]` of a truth: one row at each of its poses and in each round. Keys are the columns of the table.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Observe {
     /// `point`, `pose`, `distance`, `contact`, `plane`, `line`, `sphere` or `joints`.
@@ -35,7 +36,7 @@ pub struct Observe {
 }
 
 /// A `[[known]]` of a truth: one row without a pose, about fixed things alone.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stated {
     /// `point`, `distance`, `plane`, `line` or `sphere`.
@@ -52,7 +53,7 @@ pub struct Stated {
 }
 
 /// Names of what a row refers to.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 pub struct To {
     /// The point that a distance leads to.
     pub other: Option<String>,

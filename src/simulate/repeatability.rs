@@ -7,6 +7,7 @@ use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus};
 use etalon_formats::Export;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Stream of the noise of the robot: no file has it.
@@ -15,7 +16,7 @@ const VISITS: u64 = 1 << 34;
 const MOVED_MM: f64 = 1e-6;
 
 /// `[repeatability]` of a truth: how the robot repeats.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Repeating {
     /// The export that the visits go to.
@@ -39,7 +40,7 @@ pub struct Repeating {
 }
 
 /// How a pose repeats by itself.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scatter {
     /// Standard deviations of x, y and z.

@@ -5,10 +5,11 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, unit};
 use etalon_identify::geometric::{LeadMeasurements, Measurements, OffsetMeasurements, ShaftMeasurements, Turned};
 use etalon_robots::{PlanarPose, RailTable};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Balls and probed points, and the displacements at which they are measured. Places are in the world, lengths in mm.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Setup {
     /// Ball N.
@@ -31,7 +32,7 @@ pub struct Setup {
 }
 
 /// Ball N on the shaft, turned by actuator 3 alone.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Arc {
     /// Along the shaft from revolute joint 2, to its left, and above the plane.
@@ -44,7 +45,7 @@ pub struct Arc {
 }
 
 /// The platform turned about C, commanded through the nominal inverse kinematics.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Turn {
     /// Ball I from C in the world, and above the plane.
@@ -61,7 +62,7 @@ pub struct Turn {
 }
 
 /// The shaft, probed on rings all round it.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftSetup {
     /// Its radius.
@@ -86,7 +87,7 @@ pub struct ShaftSetup {
 }
 
 /// Home, actuators 2 and 3 to mid-travel, actuator 1 to its end.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OffsetSetup {
     /// Commanded displacement of actuators 2 and 3.
@@ -102,7 +103,7 @@ pub struct OffsetSetup {
 }
 
 /// A ball on the carriage of an actuator.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LeadSetup {
     /// Number of the actuator, 1 to 3.
@@ -117,7 +118,7 @@ pub struct LeadSetup {
 }
 
 /// A scale bar in one position.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BarSetup {
     /// One ball, in the world.
@@ -132,7 +133,7 @@ pub struct BarSetup {
 }
 
 /// A ball that does not move.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallSetup {
     /// Where it is, in the world.

@@ -16,6 +16,7 @@ use etalon_identify::{Observation, Settings, identify_from};
 use etalon_math::statistics::rms;
 use etalon_robots::{Kinematics, Parameter, PlanarPose, Quantity, Robot};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -96,7 +97,7 @@ impl Study<'_> {
 }
 
 /// Where poses are commanded and errors counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Frame {
     /// The robot's own base: the base in the world and the targets cancel.
@@ -156,7 +157,7 @@ impl Landing {
 }
 
 /// `study.toml`: sets of poses that might be measured, side by side.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyFile {
     /// The robot file, beside this one.
@@ -200,7 +201,7 @@ fn hundred() -> u64 {
 }
 
 /// A set of poses, by its name.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Set {
     /// Its name.
@@ -211,7 +212,7 @@ pub struct Set {
 
 /// Poses: of a table, by joint values, or on circles, discs and grids. Positions are those of the platform in the base frame, or of the only
 /// target in the world, which all working modes reach that limits allow.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Places {
     /// Table of poses, in the form of the candidates of `etalon plan`, beside the file.
@@ -231,7 +232,7 @@ pub struct Places {
 }
 
 /// A rectangular grid of positions.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Grid {
     /// One corner.

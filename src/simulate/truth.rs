@@ -8,6 +8,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_campaign::parse;
 use etalon_robots::{PlanarPose, Robot};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -18,7 +19,7 @@ const DRAWN: u64 = 1 << 40;
 const ATTEMPTS: u64 = 1000;
 
 /// `truth.toml`: what is true, and what is measured.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Truth {
     /// Seed of the noise.
@@ -93,7 +94,7 @@ fn six() -> usize {
 }
 
 /// Position and orientation (Rz Ry Rx).
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Placement {
     /// Position.
@@ -103,7 +104,7 @@ pub struct Placement {
 }
 
 /// A point of a feature.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LabelledPoint {
     /// Its label.
@@ -122,7 +123,7 @@ fn once() -> usize {
 }
 
 /// A set of poses.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Poses {
     /// The labelled point that the tool stands on; `joints` then state which way it is reached, and the log what the encoders
@@ -143,7 +144,7 @@ pub struct Poses {
 
 /// Poses whose joint values are drawn, evenly and each by itself, with the seed; where a pose touches something, they are drawn until they
 /// come there.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Drawn {
     /// Number of poses.
@@ -156,7 +157,7 @@ pub struct Drawn {
 }
 
 /// Positions spread evenly on a circle, from its +x side counterclockwise.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Circle {
     /// Centre.

@@ -4,6 +4,7 @@ use super::Scene;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -12,7 +13,7 @@ use std::f64::consts::TAU;
 const ZEROS: u64 = 1 << 35;
 
 /// `[unmodelled]` of a truth. Joints by name; theirs are in mm or deg.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Unmodelled {
     /// Lost motion of a joint: between where it stands after a move up and after one down.
@@ -28,7 +29,7 @@ pub struct Unmodelled {
 }
 
 /// Error of an encoder between the lines of its scale: a sine of its value.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Interpolation {
     /// Largest error.

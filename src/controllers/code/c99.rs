@@ -1,8 +1,7 @@
 //! C99 without dependencies but `math.h`.
 
 use super::{Function, Notation, formulas};
-use crate::c_header::literal;
-use crate::template::render;
+use crate::template::{literal, render};
 use crate::{Exporter, Given};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;

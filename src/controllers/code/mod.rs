@@ -9,7 +9,7 @@ mod structured_text;
 
 pub(super) use c99::{C99, functions};
 pub(super) use python::PythonCode;
-pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, real_literal, scl, units};
+pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, scl, units};
 
 use super::Given;
 use etalon_base::expression::{Formula, Operation};

@@ -1,8 +1,7 @@
 //! Python without dependencies but `math`.
 
 use super::{Function, Notation, formulas};
-use crate::c_header::literal;
-use crate::template::render;
+use crate::template::{literal, render};
 use crate::{Exporter, Given};
 use etalon_base::message::Result;
 use minijinja::context;

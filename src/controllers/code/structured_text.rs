@@ -2,6 +2,7 @@
 //! as XML, and Siemens as SCL.
 
 use super::{Notation, formulas, interface, kept, statements};
+use crate::template::real_literal;
 use crate::{Exporter, Given};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
@@ -38,16 +39,6 @@ pub(crate) enum Kind {
 }
 
 struct Iec;
-
-/// A real literal of IEC 61131-3 has a point, and digits on both sides of it.
-pub(crate) fn real_literal(value: f64) -> String {
-    let text = format!("{value:?}");
-    match text.split_once('e') {
-        Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),
-        Some((digits, exponent)) => format!("{digits}E{exponent}"),
-        None => text,
-    }
-}
 
 impl Notation for Iec {
     fn constant(&self, value: f64) -> String {
@@ -101,7 +92,8 @@ ELSE
 END_IF;
 ";
 
-/// Newton's method with the recorded step; `{N}` and `{L}` are the joints and the last of them, `{I}` the last input of the step.
+/// Newton's method with the recorded step; `{N}` and `{L}` are the joints and the last of them,
+/// `{I}` the last input of the step.
 const INVERSE: &str = "\
 q := start;
 valid := FALSE;
