@@ -264,7 +264,8 @@ pub fn evaluate(
         }
     }
     let judged = sets.last();
-    let stated: [(&str, Option<f64>, ErrorQuantity, fn(&Statistics) -> f64); 4] = [
+    type Figure = fn(&Statistics) -> f64;
+    let stated: [(&str, Option<f64>, ErrorQuantity, Figure); 4] = [
         ("position_max_mm", limits.position_max_mm, Position, |s| s.max),
         ("position_mean_mm", limits.position_mean_mm, Position, |s| s.mean),
         ("position_rms_mm", limits.position_rms_mm, Position, |s| s.rms),

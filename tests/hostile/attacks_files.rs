@@ -507,7 +507,9 @@ struct Attack {
     whole: Rc<BTreeMap<String, Vec<u8>>>,
 }
 
-const KINDS: [(&str, fn(&mut Attack)); 6] = [
+type Kind = (&'static str, fn(&mut Attack));
+
+const KINDS: [Kind; 6] = [
     ("special files", Attack::special_file),
     ("kills", Attack::kill),
     ("commands at once", Attack::at_once),

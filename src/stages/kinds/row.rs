@@ -127,7 +127,8 @@ impl Row {
         let length = if columns.numbers.contains_key("u_mm") { "u_mm" } else { "ux_mm" };
         let or = |stated: f64, other: Option<f64>| if stated.is_nan() { other.unwrap_or(f64::NAN) } else { stated };
         let rows = joints.into_iter().zip(orientations).zip(stations).enumerate();
-        let row = |(row, ((joints, orientation), station)): (usize, ((Vec<f64>, Written), Option<String>))| {
+        type Read = ((Vec<f64>, Written), Option<String>);
+        let row = |(row, ((joints, orientation), station)): (usize, Read)| {
             let (number, text) = (|name: &str| columns.number(name, row), |name: &str| columns.text(name, row));
             Self {
                 line: lines.get(row).map(|line| *line as usize),
