@@ -179,10 +179,12 @@ impl Chart {
     }
 }
 
-/// Room at the left of an upright axis for its name and labels.
+/// Room at the left of an upright axis for its name and labels; letters of names are wider than digits.
 pub(super) fn left_of(up: &Axis, name: &str) -> f64 {
     let ticks = upright_ticks(up);
-    widest(ticks.iter().map(|(_, label)| label.as_str())) + if name.is_empty() { 14.0 } else { 34.0 }
+    let labels = widest(ticks.iter().map(|(_, label)| label.as_str()));
+    let wider = if up.is_labelled() { 1.17 } else { 1.0 };
+    wider * labels + if name.is_empty() { 18.0 } else { 34.0 }
 }
 
 fn upright_ticks(up: &Axis) -> Vec<(f64, String)> {
