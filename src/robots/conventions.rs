@@ -11,6 +11,7 @@ use super::{
     meaning, wrong_targets,
 };
 use etalon_base::pose::{Pose, Vector, unit};
+use std::cmp::Ordering;
 
 /// Serial arm.
 pub(super) const MODEL: Model = Model::new::<Keys>("serial");
@@ -185,7 +186,9 @@ impl JointKeys {
         let foreign = if self.prismatic { self.limits_rad.map(|_| "limits") } else { self.travel_mm.map(|_| "travel") };
         let kind = match (foreign, stated) {
             (Some(key), _) => FaultKind::RangeOfOtherMotion { key, own },
-            (_, Some([lower, upper])) if !(lower < upper) => FaultKind::NoRange { key: own, ends: [lower, upper] },
+            (_, Some([lower, upper])) if lower.partial_cmp(&upper) != Some(Ordering::Less) => {
+                FaultKind::NoRange { key: own, ends: [lower, upper] }
+            }
             _ => return Ok(stated),
         };
         Err(Fault::new(At::Item("joint", i), kind).into())

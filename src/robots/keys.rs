@@ -270,6 +270,9 @@ impl<'v> Reader<'v> {
     }
 }
 
+/// Builds the robot that values describe, with these targets.
+type Build = fn(&Values, &[String]) -> Result<Box<dyn Robot>, Faults>;
+
 /// A kinematic model.
 #[derive(Debug)]
 pub struct Model {
@@ -278,7 +281,7 @@ pub struct Model {
     /// `true` if its keys state the geometry, so that the nominal parameters need not.
     pub states_geometry: bool,
     keys: fn() -> Vec<Key>,
-    build: fn(&Values, &[String]) -> Result<Box<dyn Robot>, Faults>,
+    build: Build,
 }
 
 impl Model {

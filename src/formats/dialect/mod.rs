@@ -1,12 +1,12 @@
 //! How a file is to be read, as a campaign states it.
 
 mod columns;
-mod dialect;
+mod description;
 mod text;
 
 pub use columns::{Column, ColumnAt, Columns, FromRow, Role};
-pub(crate) use dialect::quoted;
-pub use dialect::{Decimal, Delimiter, Dialect, Unit, coordinate_type, two_commas};
+pub(crate) use description::quoted;
+pub use description::{Decimal, Delimiter, Dialect, Unit, coordinate_type, two_commas};
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 
 use schemars::Schema;

@@ -248,7 +248,7 @@ impl<'a> File<'a> {
         if let Some(group) = self.group(index).filter(|group| !group.is_empty()) {
             return axes.next().filter(|_| axes.next().is_none()).map(|axis| (group, axis));
         }
-        let axis = words().last().and_then(axis)?;
+        let axis = words().next_back().and_then(axis)?;
         let label = name.trim_end().strip_suffix(|c: char| c.is_alphanumeric())?;
         let label = label.trim_end_matches(['.', '_', '-', ':', '/', ',', ' ', '\t']);
         (!label.is_empty() && words().count() > 1).then_some((label, axis))

@@ -74,7 +74,8 @@ pub fn standing(recording: &Recording, settings: &Settings) -> Result<Vec<Standi
             .collect(),
     };
     let visits = visits(&stood, &places, settings.near_mm);
-    let standing = |(i, (s, visit)): (usize, (&Standstill, Option<(PoseName, i64)>))| {
+    type Visit<'s> = (&'s Standstill, Option<(PoseName, i64)>);
+    let standing = |(i, (s, visit)): (usize, Visit)| {
         let before = i.checked_sub(1).map(|i| &stood[i]);
         let arrived = settings.band_mm.and_then(|band| arrival(stream, before, s, band));
         Standing {
