@@ -75,7 +75,7 @@ fn slip_is_refused(name: &str, [from, to]: [&str; 2], says: &str) {
 #[test]
 fn a_leg_in_metres_is_refused() {
     let slip = ["leg2_mm = \"L2\"", "leg2_m = \"L2\""];
-    slip_is_refused("hexapod", slip, "the nominal robot cannot be where the joints put it");
+    slip_is_refused("hexapod", slip, "joint `leg2` = 61046 mm is out of range");
 }
 
 /// Of a delta whose arms are alike any two exchanged are the same as any others.
