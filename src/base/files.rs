@@ -15,7 +15,13 @@ const LARGEST_STATEMENT: u64 = 16 << 20;
 
 /// Opens a regular file for reading: a pipe may never answer, and a device never end.
 pub fn open(path: &Path) -> std::io::Result<File> {
+    let file = open_regular(path)?;
     OPENED.with_borrow_mut(|opened| opened.iter_mut().for_each(|all| all.push(path.to_owned())));
+    Ok(file)
+}
+
+/// [`open`] for a second look at an input: the file is not recorded.
+fn open_regular(path: &Path) -> std::io::Result<File> {
     match std::fs::metadata(path)? {
         kind if kind.is_dir() => Err(std::io::Error::other("it is a folder")),
         kind if !kind.is_file() => Err(std::io::Error::other("it is not a regular file")),
@@ -254,7 +260,7 @@ pub fn sha256(bytes: &[u8]) -> String {
 
 /// The same of a file, which is read piece by piece.
 pub fn sha256_of_file(path: &Path) -> std::io::Result<String> {
-    let (mut digest, mut file, mut piece) = (Sha256::new(), open(path)?, vec![0; 1 << 16]);
+    let (mut digest, mut file, mut piece) = (Sha256::new(), open_regular(path)?, vec![0; 1 << 16]);
     loop {
         match file.read(&mut piece)? {
             0 => return Ok(hexadecimal(&digest.finalize())),

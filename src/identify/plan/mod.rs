@@ -103,7 +103,7 @@ impl Plan {
     }
 }
 
-/// Chooses among the configurations `observations` (see [`candidates::configurations`]). `progress` is called with the
+/// Chooses among the configurations `observations` (see `configurations`). `progress` is called with the
 /// steps that have ended and with how many there are at most.
 pub fn plan(
     robot: &dyn Robot,
