@@ -60,23 +60,25 @@ compare: $(ETALON)
 # the libraries are built once, as the program has them; etalon's own crates are not optimised for the tests of single files
 CRATES := $(patsubst src/%/Cargo.toml,etalon-%,$(wildcard src/*/Cargo.toml)) etalon
 UNOPTIMISED := $(foreach crate,$(CRATES),$(foreach option,opt-level=0 debug-assertions=true codegen-units=256,--config profile.release.package.$(crate).$(option)))
-RUN := cargo $(if $(shell command -v cargo-nextest),nextest run --no-fail-fast,test --no-fail-fast) --locked --release
+RUN := cargo $(if $(shell command -v cargo-nextest),nextest run,test) --locked --release
 WHOLE := $(RUN) --test laws --test etalon
+# a test that fails stops no other
+KEEP := --no-fail-fast
 SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED)
 
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
 	$(WHOLE) --no-run
 	@# those of single files are compiled while the others run, which hold the folder of the build no longer after a second
-	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) --workspace --lib) >$$log 2>&1 & single=$$!; \
-	$(WHOLE) || { kill $$single; exit 1; }; \
+	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) $(KEEP) --workspace --lib) >$$log 2>&1 & single=$$!; \
+	$(WHOLE) $(KEEP) || { kill $$single; exit 1; }; \
 	wait $$single && code=0 || code=$$?; cat $$log; exit $$code
 
 unit:
-	$(SINGLE) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
+	$(SINGLE) $(KEEP) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
 
 quick:
-	$(SINGLE) --workspace --lib --test etalon -E 'kind(lib) | test(/^(architecture|golden)/)'
+	$(SINGLE) $(KEEP) --workspace --lib --test etalon -E 'kind(lib) | test(/^(architecture|golden)/)'
 
 # five parts of the time: two for attacks on files and processes, one each for mutants of statements and of data, one for readers
 ATTACK ?= 600
