@@ -78,7 +78,8 @@ unit:
 	$(SINGLE) $(KEEP) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
 
 quick:
-	$(SINGLE) $(KEEP) --workspace --lib --test etalon -E 'kind(lib) | test(/^(architecture|golden)/)'
+	$(SINGLE) $(KEEP) --workspace --lib
+	$(SINGLE) $(KEEP) --test etalon -- architecture golden
 
 # five parts of the time: two for attacks on files and processes, one each for mutants of statements and of data, one for readers
 ATTACK ?= 600

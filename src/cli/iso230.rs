@@ -6,7 +6,7 @@ use etalon_base::message::{Message, Result};
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::{AxisDocument, AxisPositioning, to_json};
 use etalon_formats::table;
-use etalon_math::axis::{Approach, AxisPosition};
+use etalon_standards::iso230::{Approach, AxisPosition};
 use std::path::PathBuf;
 
 /// Accuracy and repeatability of positioning of a linear axis (ISO 230-2:2014), and its compensation table

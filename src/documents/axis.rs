@@ -1,6 +1,7 @@
 //! What `etalon iso230` answers.
 
-use etalon_math::axis;
+use crate::mirror::mirror;
+use etalon_standards::iso230;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,110 +17,79 @@ pub struct AxisDocument {
     pub positions: Vec<AxisPosition>,
 }
 
-/// The runs to one position from one side.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Approach {
-    /// Runs, n.
-    pub runs: usize,
-    /// Mean unidirectional positioning deviation x̄i.
-    pub mean_mm: f64,
-    /// Estimator of the unidirectional positioning repeatability si, with n − 1.
-    pub estimator_mm: f64,
-    /// Unidirectional positioning repeatability Ri = 4 si.
-    pub repeatability_mm: f64,
+mirror! {
+    /// The runs to one position from one side.
+    #[derive(Copy)]
+    struct Approach of iso230::Approach {
+        /// Runs, n.
+        runs: usize,
+        /// Mean unidirectional positioning deviation x̄i.
+        mean_mm: f64,
+        /// Estimator of the unidirectional positioning repeatability si, with n − 1.
+        estimator_mm: f64,
+        /// Unidirectional positioning repeatability Ri = 4 si.
+        repeatability_mm: f64,
+    }
 }
 
-/// One position of the axis, approached from both sides.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct AxisPosition {
-    /// Programmed position.
-    pub position_mm: f64,
-    /// In positive direction (↑).
-    pub forward: Approach,
-    /// In negative direction (↓).
-    pub backward: Approach,
-    /// Mean bidirectional positioning deviation x̄i = (x̄i↑ + x̄i↓) / 2.
-    pub mean_mm: f64,
-    /// Reversal error Bi = x̄i↑ − x̄i↓.
-    pub reversal_mm: f64,
-    /// Bidirectional positioning repeatability Ri = max(2 si↑ + 2 si↓ + |Bi|, Ri↑, Ri↓).
-    pub repeatability_mm: f64,
+mirror! {
+    /// One position of the axis, approached from both sides.
+    #[derive(Copy)]
+    struct AxisPosition of iso230::AxisPosition {
+        /// Programmed position.
+        position_mm: f64,
+        /// In positive direction (↑).
+        forward: Approach,
+        /// In negative direction (↓).
+        backward: Approach,
+        /// Mean bidirectional positioning deviation x̄i = (x̄i↑ + x̄i↓) / 2.
+        mean_mm: f64,
+        /// Reversal error Bi = x̄i↑ − x̄i↓.
+        reversal_mm: f64,
+        /// Bidirectional positioning repeatability Ri = max(2 si↑ + 2 si↓ + |Bi|, Ri↑, Ri↓).
+        repeatability_mm: f64,
+    }
 }
 
-/// A quantity of both directions together, and of each.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Directions {
-    /// Bidirectional.
-    pub both_mm: f64,
-    /// Unidirectional, in positive direction (↑).
-    pub forward_mm: f64,
-    /// Unidirectional, in negative direction (↓).
-    pub backward_mm: f64,
+mirror! {
+    /// A quantity of both directions together, and of each.
+    #[derive(Copy)]
+    struct Directions of iso230::Directions {
+        /// Bidirectional.
+        both_mm: f64,
+        /// Unidirectional, in positive direction (↑).
+        forward_mm: f64,
+        /// Unidirectional, in negative direction (↓).
+        backward_mm: f64,
+    }
 }
 
-/// Positioning of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct AxisPositioning {
-    /// Reversal error B = max |Bi|.
-    pub reversal_mm: f64,
-    /// Mean reversal error B̄, the mean of all Bi.
-    pub mean_reversal_mm: f64,
-    /// Positioning repeatability R = max Ri.
-    pub repeatability: Directions,
-    /// Systematic positioning error E = max x̄i − min x̄i, of both directions together over all x̄i↑ and x̄i↓.
-    pub systematic: Directions,
-    /// Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the bidirectional means.
-    pub mean_systematic_mm: f64,
-    /// Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si), of both directions together over ↑ and ↓.
-    pub accuracy: Directions,
+mirror! {
+    /// Positioning of an axis.
+    #[derive(Copy)]
+    struct AxisPositioning of iso230::AxisPositioning {
+        /// Reversal error B = max |Bi|.
+        reversal_mm: f64,
+        /// Mean reversal error B̄, the mean of all Bi.
+        mean_reversal_mm: f64,
+        /// Positioning repeatability R = max Ri.
+        repeatability: Directions,
+        /// Systematic positioning error E = max x̄i − min x̄i, of both directions together over all x̄i↑ and x̄i↓.
+        systematic: Directions,
+        /// Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the bidirectional means.
+        mean_systematic_mm: f64,
+        /// Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si), of both directions together over ↑ and ↓.
+        accuracy: Directions,
+    }
 }
 
 impl AxisDocument {
     /// The document of an axis measured at `positions`, ascending.
-    pub fn new(positions: &[axis::AxisPosition]) -> Self {
+    pub fn new(positions: &[iso230::AxisPosition]) -> Self {
         Self {
             schema: "etalon/iso230/1".to_owned(),
-            axis: axis::AxisPositioning::new(positions).into(),
+            axis: iso230::AxisPositioning::new(positions).into(),
             positions: positions.iter().map(|&position| position.into()).collect(),
-        }
-    }
-}
-
-impl From<axis::Approach> for Approach {
-    fn from(value: axis::Approach) -> Self {
-        let axis::Approach { runs, mean_mm, estimator_mm, repeatability_mm } = value;
-        Self { runs, mean_mm, estimator_mm, repeatability_mm }
-    }
-}
-
-impl From<axis::AxisPosition> for AxisPosition {
-    fn from(value: axis::AxisPosition) -> Self {
-        let axis::AxisPosition { position_mm, forward, backward, mean_mm, reversal_mm, repeatability_mm } = value;
-        let (forward, backward) = (forward.into(), backward.into());
-        Self { position_mm, forward, backward, mean_mm, reversal_mm, repeatability_mm }
-    }
-}
-
-impl From<axis::Directions> for Directions {
-    fn from(value: axis::Directions) -> Self {
-        let axis::Directions { both_mm, forward_mm, backward_mm } = value;
-        Self { both_mm, forward_mm, backward_mm }
-    }
-}
-
-impl From<axis::AxisPositioning> for AxisPositioning {
-    fn from(value: axis::AxisPositioning) -> Self {
-        Self {
-            reversal_mm: value.reversal_mm,
-            mean_reversal_mm: value.mean_reversal_mm,
-            repeatability: value.repeatability.into(),
-            systematic: value.systematic.into(),
-            mean_systematic_mm: value.mean_systematic_mm,
-            accuracy: value.accuracy.into(),
         }
     }
 }

@@ -17,7 +17,9 @@ macro_rules! mirror {
         }
     };
     ($(#[$meta:meta])* enum $name:ident of $plain:ty { $($(#[$inner:meta])* $variant:ident,)* }) => {
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[derive(
+            Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema,
+        )]
         $(#[$meta])*
         pub enum $name { $($(#[$inner])* $variant,)* }
 

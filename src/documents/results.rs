@@ -1,41 +1,13 @@
 //! Results of the mathematics as documents spell them. A variant or field that is renamed there does not compile here: no document changes by it.
 
+use crate::mirror::mirror;
 use etalon_identify as identify;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// An enum of a document, with conversions from and to the enum of the mathematics that has the same variants.
-macro_rules! spelled {
-    ($(#[$of:meta])* $name:ident = $theirs:path { $($(#[$doc:meta])* $variant:ident,)+ }) => {
-        $(#[$of])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-        #[serde(rename_all = "snake_case")]
-        pub enum $name {
-            $($(#[$doc])* $variant,)+
-        }
-
-        impl From<$theirs> for $name {
-            fn from(value: $theirs) -> Self {
-                match value {
-                    $(<$theirs>::$variant => Self::$variant,)+
-                }
-            }
-        }
-
-        impl From<$name> for $theirs {
-            fn from(value: $name) -> Self {
-                match value {
-                    $($name::$variant => Self::$variant,)+
-                }
-            }
-        }
-    };
-}
-
-spelled! {
+mirror! {
     /// Why the solver stopped.
-    Termination = etalon_math::Termination {
+    #[serde(rename_all = "snake_case")]
+    enum Termination of etalon_math::Termination {
         /// The last step no longer changed the parameters.
         StepVanished,
         /// The residuals are orthogonal to every column of the Jacobian: a stationary point.
@@ -68,10 +40,11 @@ impl fmt::Display for Termination {
     }
 }
 
-spelled! {
+mirror! {
     /// What is compared.
+    #[serde(rename_all = "snake_case")]
     #[derive(Default)]
-    ResidualKind = identify::ResidualKind {
+    enum ResidualKind of identify::ResidualKind {
         /// Coordinates of each target, weighted by the instrument's uncertainty.
         #[default]
         Targets,
@@ -80,9 +53,10 @@ spelled! {
     }
 }
 
-spelled! {
+mirror! {
     /// What standard uncertainties rest on.
-    UncertaintyFrom = identify::UncertaintyFrom {
+    #[serde(rename_all = "snake_case")]
+    enum UncertaintyFrom of identify::UncertaintyFrom {
         /// The stated uncertainty of the instrument: chi-square does not reject the model.
         Instrument,
         /// The residuals, each taken as independent of the others.
@@ -98,9 +72,10 @@ spelled! {
     }
 }
 
-spelled! {
+mirror! {
     /// A source of uncertainty.
-    UncertaintySource = identify::UncertaintySource {
+    #[serde(rename_all = "snake_case")]
+    enum UncertaintySource of identify::UncertaintySource {
         /// The instrument: its stated uncertainty, or that which readings state of themselves.
         Instrument,
         /// How well the robot finds a measured point again, as stated.
@@ -128,9 +103,10 @@ spelled! {
     }
 }
 
-spelled! {
+mirror! {
     /// A figure made of the position errors of an identification: its derivatives by each of them.
-    Figure = identify::Figure {
+    #[serde(rename_all = "snake_case")]
+    enum Figure of identify::Figure {
         /// Their mean size.
         Mean,
         /// Their root mean square.
@@ -140,9 +116,10 @@ spelled! {
     }
 }
 
-spelled! {
+mirror! {
     /// The part in whose frame a tool point is stated.
-    ToolFrame = identify::ToolFrame {
+    #[serde(rename_all = "snake_case")]
+    enum ToolFrame of identify::ToolFrame {
         /// The flange of an arm.
         Flange,
         /// A platform, at its centre C.
@@ -152,42 +129,30 @@ spelled! {
     }
 }
 
-/// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Replicates {
-    /// Standard deviation of a coordinate among repeats of a pose, mm.
-    pub repeats_mm: f64,
-    /// Its degrees of freedom.
-    pub degrees_of_freedom: usize,
-    /// Standard deviation of a coordinate that the model leaves at a pose, without the scatter of repeats, mm.
-    pub lack_of_fit_mm: f64,
-    /// Probability of residuals as large as these if the model were right (F test of lack of fit).
-    pub p_value: f64,
-}
-
-impl From<identify::Replicates> for Replicates {
-    fn from(value: identify::Replicates) -> Self {
-        let identify::Replicates { repeats_mm, degrees_of_freedom, lack_of_fit_mm, p_value } = value;
-        Self { repeats_mm, degrees_of_freedom, lack_of_fit_mm, p_value }
+mirror! {
+    /// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1).
+    #[derive(Copy)]
+    struct Replicates of identify::Replicates {
+        /// Standard deviation of a coordinate among repeats of a pose, mm.
+        repeats_mm: f64,
+        /// Its degrees of freedom.
+        degrees_of_freedom: usize,
+        /// Standard deviation of a coordinate that the model leaves at a pose, without the scatter of repeats, mm.
+        lack_of_fit_mm: f64,
+        /// Probability of residuals as large as these if the model were right (F test of lack of fit).
+        p_value: f64,
     }
 }
 
-/// How well a reading is controlled by the others: of its coordinates the worst.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ReadingReliability {
-    /// Redundancy number r = 1 - h, from 0 (nothing controls it) to 1: the share of an error that its residual shows.
-    pub redundancy: f64,
-    /// Largest residual over its standard deviation σ √r.
-    pub w: f64,
-    /// Least error of a coordinate that is detected with a power of 80 % (significance level 0.1 %): 4.13 σ / √r, mm.
-    pub detectable_mm: f64,
-}
-
-impl From<identify::ReadingReliability> for ReadingReliability {
-    fn from(value: identify::ReadingReliability) -> Self {
-        let identify::ReadingReliability { redundancy, w, detectable_mm } = value;
-        Self { redundancy, w, detectable_mm }
+mirror! {
+    /// How well a reading is controlled by the others: of its coordinates the worst.
+    #[derive(Copy)]
+    struct ReadingReliability of identify::ReadingReliability {
+        /// Redundancy number r = 1 - h, from 0 (nothing controls it) to 1: the share of an error that its residual shows.
+        redundancy: f64,
+        /// Largest residual over its standard deviation σ √r.
+        w: f64,
+        /// Least error of a coordinate that is detected with a power of 80 % (significance level 0.1 %): 4.13 σ / √r, mm.
+        detectable_mm: f64,
     }
 }

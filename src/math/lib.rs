@@ -6,7 +6,6 @@
 //! rows ([`WithPriors`]), a [`Loss`] reduces the influence of outliers.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
-pub mod axis;
 mod blocks;
 mod eigen;
 mod factor;

@@ -89,8 +89,13 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
         let column: Vec<f64> = rows.iter().map(|row| row.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
         let Some(expected) = expected(robot, k, &column, of) else { continue };
         let [lower, upper] = expected.ends;
-        for (row, value) in rows.iter().zip(column).filter(|(_, value)| *value < lower || *value > upper) {
-            problems.0.push(out_of_range(joint, value, &expected, row));
+        let out = rows.iter().zip(&column).filter(|(_, value)| **value < lower || **value > upper);
+        let out: Vec<Message> = out.map(|(row, value)| out_of_range(joint, *value, &expected, row)).collect();
+        match out.first() {
+            Some(first) if 2 * out.len() > rows.len() => {
+                problems.0.push(column_out_of_range(joint, &column, &expected, out.len(), first));
+            }
+            _ => problems.0.extend(out),
         }
     }
     problems.0.sort_by_key(|message| message.place.as_ref().and_then(|place| place.line));
@@ -132,6 +137,23 @@ fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
     (sorted.len() >= FEWEST).then_some(Expected { ends, reason: "as half of its values lie together", remedy: STATE })
 }
 
+/// One message for a joint most of whose values are out of range; `first` is that of the first of them.
+fn column_out_of_range(joint: &Joint, column: &[f64], expected: &Expected, out: usize, first: &Message) -> Message {
+    let (factor, units) = match joint.quantity {
+        Quantity::Angle => (1f64.to_radians(), "degrees instead of radians"),
+        _ => (1e-3, "millimetres instead of metres"),
+    };
+    let [lower, upper] = expected.ends;
+    let fits = column.iter().filter(|value| value.is_finite()).all(|value| (lower..=upper).contains(&(factor * value)));
+    let what = format!("{} ({out} of {} values are)", first.what, column.len());
+    let message = Message { what, ..first.clone() };
+    if fits {
+        message.hint(format!("check the unit of its column: all values are in range in {units}"))
+    } else {
+        message
+    }
+}
+
 fn out_of_range(joint: &Joint, value: f64, expected: &Expected, row: &JointRow) -> Message {
     let unit = joint.quantity.unit();
     let rounded = |value: f64| (1e4 * joint.quantity.outward(value)).round() / 1e4;
@@ -157,8 +179,12 @@ mod tests {
         <limit lower=\"0\" upper=\"0.8\" effort=\"1\" velocity=\"1\"/></joint>\
         <joint name=\"table\" type=\"continuous\"><parent link=\"b\"/><child link=\"c\"/></joint></robot>";
 
-    /// Whether the values of a sliding and of a turning joint, mm and deg, in range.
+    /// `true` if the values of a sliding and of a turning joint, mm and deg, are in range.
     fn in_range(robot: &str, rows: impl IntoIterator<Item = [f64; 2]>) -> bool {
+        messages(robot, rows).is_empty()
+    }
+
+    fn messages(robot: &str, rows: impl IntoIterator<Item = [f64; 2]>) -> Vec<Message> {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("robot.toml");
         std::fs::write(&path, robot).unwrap();
@@ -169,7 +195,8 @@ mod tests {
             joints: vec![mm, deg.to_radians()],
             place: Place::default(),
         };
-        check(robot.as_ref(), &rows.into_iter().map(row).collect::<Vec<_>>(), Joints::Measured).is_ok()
+        let rows: Vec<JointRow> = rows.into_iter().map(row).collect();
+        check(robot.as_ref(), &rows, Joints::Measured).err().unwrap_or_default().0
     }
 
     /// Twenty rows of small motions, and one more.
@@ -190,6 +217,17 @@ mod tests {
         }
         // a few rows have no middle half
         assert!(in_range(TABLE, [[0.0, 0.0], [123_456_789.0, 0.0]]));
+    }
+
+    #[test]
+    fn a_column_out_of_range_is_one_message_which_names_a_unit_where_it_explains_all() {
+        let column = |factor: f64| (0..20).map(move |i| [0.0, factor * f64::from(i + 20)]);
+        let hint = |factor: f64| match &messages(TABLE, column(factor))[..] {
+            [one] => one.hint.clone().unwrap(),
+            all => panic!("{all:?}"),
+        };
+        assert!(hint(180.0 / std::f64::consts::PI).contains("degrees instead of radians"));
+        assert!(!hint(1e6).contains("instead of"));
     }
 
     #[test]

@@ -75,7 +75,7 @@ fn slip_is_refused(name: &str, [from, to]: [&str; 2], says: &str) {
 #[test]
 fn a_leg_in_metres_is_refused() {
     let slip = ["leg2_mm = \"L2\"", "leg2_m = \"L2\""];
-    slip_is_refused("hexapod", slip, "joint `leg2` = 61046 mm is out of range");
+    slip_is_refused("hexapod", slip, "all values are in range in millimetres instead of metres");
 }
 
 /// Of a delta whose arms are alike any two exchanged are the same as any others.

@@ -236,8 +236,8 @@ fn the_time_of_a_run_grows_with_targets_of_validation_poses_and_not_with_their_s
         start.elapsed().as_secs_f64()
     };
     let (few, many) = (time_s(100), time_s(400));
-    // four times as many targets, and sixteen times the time where it is not linear
-    assert!(many < 10.0 * few, "{few:.1} s with 100, {many:.1} s with 400");
+    // four times as many targets; sixteen times the time before
+    assert!(many < 6.0 * few, "{few:.1} s with 100, {many:.1} s with 400");
 }
 
 #[test]

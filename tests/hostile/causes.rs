@@ -69,7 +69,11 @@ fn degrees_that_are_read_as_radians_reach_no_pose() {
     let scratch = copy_sample("dextar");
     scratch.replace("campaign.toml", "theta1_deg", "theta1_rad");
     scratch.replace("campaign.toml", "theta2_deg", "theta2_rad");
-    run(&scratch, 2, &["joint `theta1` = 3114.7848 deg is out of range", "check its decimal mark and unit"]);
+    run(
+        &scratch,
+        2,
+        &["joint `theta1` = 3114.7848 deg is out of range", "all values are in range in degrees instead of radians"],
+    );
 }
 
 #[test]

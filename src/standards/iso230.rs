@@ -1,7 +1,7 @@
 //! Positioning of a linear axis by ISO 230-2:2014 (terms and formulas of its clause 3): deviations of measured from programmed positions,
 //! approached n times from either side.
 
-use crate::statistics::{mean, standard_deviation};
+use etalon_math::statistics::{mean, standard_deviation};
 
 /// The runs to one position from one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
