@@ -16,6 +16,7 @@ pub use repeatability::{Repeating, Scatter};
 pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
 
+use etalon_base::cell::is_formula;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::noise::Noise;
@@ -164,6 +165,10 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     }
     let table = campaign.file.observations.as_ref();
     check_table(campaign, truth)?;
+    if let Some(point) = truth.points.iter().find(|point| is_formula(&point.label)) {
+        let what = format!("the label `{}` of a [[point]] would be a formula in a spreadsheet", point.label);
+        return Err(Message::error(what).hint("give the point a label that does not begin with = + - or @").into());
+    }
     let mut robot = campaign.build_robot_with(&observed::targets(truth))?;
     let own = robot.parameters().len();
     let items = observed::items(truth, robot.as_mut())?;

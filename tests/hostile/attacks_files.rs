@@ -267,6 +267,10 @@ fn no_cell_that_is_written_is_a_formula() {
     let arguments = ["identify", "--robot", "campaign/robot.toml", "--observations", "campaign/observations.csv"];
     let (code, said) = said(&scratch, &arguments);
     assert!(code == Some(2) && said.contains("would be a formula"), "{said}");
+    // nor does a simulation write one
+    let scratch = copy_sample("column-arm");
+    scratch.replace("truth.toml", "label = \"floor_1\"", &format!("label = \"{formula}\""));
+    ends(&scratch, "simulate", 2, &["the label `=cmd|'/C calc'!A0` of a [[point]] would be a formula"]);
     // a remark is carried along
     let scratch = copy_sample("draw-wire");
     let table = std::fs::read_to_string(scratch.path().join("observations.csv")).unwrap();

@@ -228,19 +228,6 @@ fn targets_of_validation_poses_alone_are_not_judged() {
 }
 
 #[test]
-fn the_time_of_a_run_grows_with_targets_of_validation_poses_and_not_with_their_square() {
-    let time_s = |more: usize| {
-        let scratch = with_unplaced_targets(more);
-        let start = std::time::Instant::now();
-        ends(&scratch, "run", 0, &[]);
-        start.elapsed().as_secs_f64()
-    };
-    let (few, many) = (time_s(100), time_s(400));
-    // four times as many targets; sixteen times the time before
-    assert!(many < 6.0 * few, "{few:.1} s with 100, {many:.1} s with 400");
-}
-
-#[test]
 fn residuals_that_the_documents_do_not_state_are_not_read() {
     use polars::prelude::{DataFrame, NamedFrom, ParquetCompression, Series};
     let scratch = with_unplaced_targets(0);

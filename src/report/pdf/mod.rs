@@ -15,7 +15,7 @@ use super::{Attachment, TYPESET};
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::Presentation;
-use printable::{Letters, printable};
+use printable::{Letters, printable, printable_picture};
 use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
@@ -52,8 +52,8 @@ pub(super) fn pdf(
         let report = Bytes::new(serde_json::to_vec(&data).map_err(fail)?);
         let mut files =
             vec![(TYPESET.0, template.clone()), ("report.json", report), ("attachments.json", attached.clone())];
-        if let Some((_, logo)) = presentation.logo.as_deref().and_then(logo_file) {
-            files.push(("logo", Bytes::new(logo)));
+        if let Some((ending, logo)) = presentation.logo.as_deref().and_then(logo_file) {
+            files.push(("logo", Bytes::new(if ending == "svg" { printable_picture(logo, letters) } else { logo })));
         }
         let files = files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect();
         let (desk, title) = (Desk::new(files, date)?, contents.title.clone());

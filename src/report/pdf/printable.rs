@@ -37,6 +37,12 @@ pub(super) fn printable(value: &mut Value, letters: Letters) {
     }
 }
 
+/// The bytes of an SVG picture with the text replaced that cannot be shown.
+pub(super) fn printable_picture(svg: Vec<u8>, letters: Letters) -> Vec<u8> {
+    let replaced = std::str::from_utf8(&svg).ok().and_then(|text| shown(text, letters));
+    replaced.map_or(svg, String::into_bytes)
+}
+
 /// An inline picture as a file of its own, with the style that it has on a page.
 fn styled(svg: &str) -> String {
     const STYLE: &str = concat!(

@@ -64,6 +64,21 @@ fn long_right_to_left_and_unknown_letters_do_no_harm() {
 }
 
 #[test]
+fn a_logo_with_letters_that_no_font_has_does_no_harm() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("logo.svg");
+    for text in ["\u{feff}x", "\u{1f600}", "\u{e000}", "\u{627}\u{644}\u{64b} a\u{64b} \u{eb3}"] {
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 20'><text y='15' font-size='12'>{text}</text></svg>"
+        );
+        std::fs::write(&file, svg).unwrap();
+        let mut documents = Documents::demo();
+        documents.campaign.report.logo = Some(crate::branding::logo(&file).unwrap());
+        typeset_of(&documents);
+    }
+}
+
+#[test]
 fn nothing_and_numbers_that_are_none_are_typeset() {
     let mut documents = Documents::demo();
     documents.errors.clear();
