@@ -46,9 +46,8 @@ pub fn recommend(
     inputs: &BTreeMap<String, String>,
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<RecommendationDocument> {
-    let mut selected = select(campaign, stated, robot, joined)?;
-    selected.leave_unplaced_out(robot)?;
-    let Selected { sets, settings, messages, .. } = selected;
+    let Selected { sets, settings, messages, .. } =
+        select(campaign, stated, robot, joined)?.leave_unplaced_out(robot)?;
     if !settings.conditions.is_empty() {
         let message = Message::error("parameters are recommended from measured positions alone");
         return Err(message.hint("leave rows of other kinds out").into());

@@ -31,7 +31,7 @@ pub fn validate(
 ) -> Result<Validated> {
     let mut selected = select(campaign, stated, robot, joined)?;
     if frames != GivenFrames::Given {
-        selected.leave_unplaced_out(robot)?;
+        selected = selected.leave_unplaced_out(robot)?;
     }
     let Selected { sets, settings, mut messages, .. } = selected;
     if frames == GivenFrames::Prior && document.is_none() {

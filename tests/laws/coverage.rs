@@ -13,7 +13,7 @@ use etalon::documents::{CompareDocument, CompareFamily, FramesDocument};
 use etalon::formats::Point;
 use etalon::run::walk;
 use etalon::simulate::{Truth, simulate, true_values};
-use etalon::stages::identification;
+use etalon::stages::{frames, identification};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -9,12 +9,11 @@ use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::identify::{Observation, Settings, fit_frames, identify_from};
+use etalon::identify::{Observation, Settings, Systematic};
 use etalon::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::walk;
-use etalon::stages::evaluate::{self, Sets};
-use etalon::stages::plausible::plausibility;
-use etalon::stages::remedies::remedied;
+use etalon::stages::evaluate::Sets;
+use etalon::stages::identification::Solved;
 use etalon::stages::repeats::stale;
 use rayon::prelude::*;
 
@@ -30,13 +29,10 @@ struct Bench {
 fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<Message> {
     let settings = Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() };
     let found = || {
-        let before = fit_frames(robot, observations, &settings).map_err(remedied)?;
-        let found = identify_from(robot, observations, &settings, &before).map_err(remedied)?;
         let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
-        let errors = evaluate::errors(robot, &sets, &before, &found.values);
-        let mut messages = plausibility(robot, observations, &settings, &before, &found, &errors);
-        messages.extend(found.warnings);
-        Ok(messages)
+        let mut solved = Solved::new(robot, &sets, &settings, &Systematic::default())?;
+        solved.judge(robot, &sets, &settings, Vec::new());
+        Ok(solved.found.warnings)
     };
     found().unwrap_or_else(|problems: etalon::base::message::Problems| problems.0)
 }
