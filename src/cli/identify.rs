@@ -68,14 +68,8 @@ pub struct Identify {
 
 impl Identify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        for (name, stated) in [
-            ("--standard-uncertainty-um", self.standard_uncertainty_um),
-            ("--common-uncertainty-um", self.common_uncertainty_um),
-        ] {
-            if let Some(message) = implausible(name, stated) {
-                return Err(Problems::from(message).into());
-            }
-        }
+        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)?;
         let robot_file = read_robot(&self.robot)?;
         let mut observed = self.format.read(&self.observations)?;
         let mut messages = self.leave_rows_out(&mut observed)?;
@@ -90,15 +84,11 @@ impl Identify {
             hold: self.hold.clone(),
             ..Settings::default()
         };
+        let order = self.orientation.as_deref().map(str::parse).transpose();
         let without = Stated {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
-            order: self
-                .orientation
-                .as_deref()
-                .map(str::parse)
-                .transpose()
-                .map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
+            order: order.map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
         };
         let exclusions = self.exclusions()?;
         let observations = &Observations::Table(observed.table.clone());
@@ -113,12 +103,10 @@ impl Identify {
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.observations].into_iter().chain(&described))?;
         let document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, &inputs);
-        let faces = Faces::identification(&document);
-        if self.json {
-            return answer(&faces, Some(to_json(&document)?));
+        if !self.json {
+            remark(&document.messages);
         }
-        remark(&document.messages);
-        answer(&faces, None)
+        answer(&Faces::identification(&document), self.json.then(|| to_json(&document)).transpose()?)
     }
 
     /// The rules of `--exclude`.
@@ -148,10 +136,12 @@ impl Identify {
 }
 
 /// An error where what an option states is not the standard uncertainty of a coordinate in micrometres.
-pub(super) fn implausible(option: &str, stated_um: Option<f64>) -> Option<Message> {
-    stated_um.filter(|u| !PLAUSIBLE_UM.contains(u))?;
+pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<(), Problems> {
+    if stated_um.is_none_or(|u| PLAUSIBLE_UM.contains(&u)) {
+        return Ok(());
+    }
     let message = Message::error(format!("{option} is not an uncertainty of a coordinate in micrometres"));
-    Some(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um"))
+    Err(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um").into())
 }
 
 /// A warning about columns that nothing reads.

@@ -7,7 +7,6 @@ use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, Stated};
-use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
@@ -21,6 +20,7 @@ use etalon_formats::table;
 use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings, Systematic};
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
+use toml::Spanned;
 
 /// What a campaign identifies.
 #[derive(Clone, Debug)]
@@ -126,18 +126,19 @@ impl Solved {
         Ok(Self { before, found: found.map_err(remedied)? })
     }
 
-    /// Errors before and after. What shows that the result can be no robot comes first among its warnings, then `messages`.
+    /// Errors before and after. What shows that the result can be no robot comes first among its warnings, then what is `said`.
     pub fn judge(
         &mut self,
         robot: &dyn Robot,
         sets: &Sets,
         settings: &Settings,
-        messages: Vec<Message>,
+        said: Vec<Message>,
     ) -> Vec<PointError> {
-        let errors = evaluate::errors(robot, sets, &self.before, &self.found.values);
-        self.found.warnings.splice(0..0, messages);
-        let messages = plausibility(robot, &sets.calibration, settings, &self.before, &self.found, &errors);
-        self.found.warnings.splice(0..0, messages);
+        let Self { before, found } = self;
+        let errors = evaluate::errors(robot, sets, before, &found.values);
+        found.warnings.splice(0..0, said);
+        let messages = plausibility(robot, &sets.calibration, settings, before, found, &errors);
+        found.warnings.splice(0..0, messages);
         errors
     }
 }
@@ -244,10 +245,12 @@ impl<'a> Input<'a> {
     /// Observations of a campaign.
     pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
         let settings = campaign.settings(stated);
+        let orientation = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref());
+        let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
         let without = Stated {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
-            order: angle_order(campaign)?,
+            order: orientation.map(order).transpose()?,
         };
         let place = |problems: Problems| match &campaign.file.observations {
             Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
@@ -276,13 +279,6 @@ impl<'a> Input<'a> {
     }
 }
 
-/// The order of angles that the campaign states.
-fn angle_order(campaign: &Campaign) -> Result<Option<AngleOrder>> {
-    let Some(text) = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref()) else { return Ok(None) };
-    let order = text.get_ref().parse().map_err(|message: Message| message.at(campaign.place(text)))?;
-    Ok(Some(order))
-}
-
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
 /// nowhere near the measurements.
 pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
@@ -291,16 +287,16 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     };
     let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut Vec::new())?;
     let mut messages = stale(robot, &observed.observations);
-    messages.extend(wrong_set_up(robot, &observed.observations, &observed.settings));
+    let set_up = check_set_up(robot, &observed.observations, &observed.settings);
+    messages.extend(set_up.err().unwrap_or_default().0);
     Ok(messages)
 }
 
 /// An error where the nominal robot is nowhere near the measurements.
-pub(super) fn wrong_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Message> {
-    if observations.is_empty() {
-        return None;
-    }
-    etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())
+pub(super) fn check_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<()> {
+    let problem = || etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm());
+    let problem = if observations.is_empty() { None } else { problem() };
+    problem.map_or(Ok(()), |problem| Err(problem.into()))
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.
