@@ -8,10 +8,8 @@
 use etalon::campaign::Campaign;
 use etalon::formats::table;
 use etalon::identify::{Settings, identify};
-use etalon::run::check::{Prepared, check};
+use etalon::run::walk::{Observed as Walked, observed};
 use etalon::stages::evaluate;
-use etalon::stages::frames;
-use etalon::stages::join;
 use etalon::stages::kinds::Observed;
 use std::path::Path;
 use std::process::Command;
@@ -24,10 +22,7 @@ fn main() {
         println!("skipped: {name} is not set");
         return;
     }
-    let Prepared { gathered: imported, robot, .. } = check(&campaign).expect("import");
-    let features = frames::fit_features(&campaign, &imported.points).expect("features");
-    let frames = frames::make_frames(&campaign, &imported.points, &features, false).expect("frames");
-    let mut joined = join::join(&campaign, &imported, &frames, robot.as_ref()).expect("join");
+    let Walked { robot, mut joined, .. } = observed(&campaign).expect("observed");
     let observations = joined.observations[0].1.positions(robot.as_ref(), &mut Vec::new()).expect("observations");
     let stated = campaign.file.identify.as_ref().expect("[identify]");
     let selections = campaign.selections(stated).expect("selections");

@@ -7,7 +7,7 @@
 //!
 //! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`] and [`cli`], which are the program.
 //! `docs/architecture.md` has the table of crates with their dependencies and one measured point walked from the export to the
-//! report. [`run::pipeline`] is the order of the stages on one screen.
+//! report. [`run::walk`] is the order of the stages on one screen.
 //!
 //! | crate | contents |
 //! | --- | --- |

@@ -1,7 +1,7 @@
 //! `etalon check`
 
 use super::{Verdict, print_text, print_with, remark};
-use crate::run::check::everything;
+use crate::run::walk::everything;
 use etalon_base::message::{Problems, printable};
 use etalon_campaign::Campaign;
 use etalon_documents::{CheckDocument, ImportDocument};

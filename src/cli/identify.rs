@@ -3,11 +3,11 @@
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
-use crate::stages::evaluate::{self, Sets};
-use crate::stages::exclusions::{Exclusion, exclude, excluded_rows};
-use crate::stages::joint_range::{self, Joints};
+use crate::stages::evaluate::Sets;
+use crate::stages::exclusions::{Exclusion, excluded_rows};
+use crate::stages::identification::{Input, Solved};
+use crate::stages::join::Observations;
 use crate::stages::kinds::{self, Observed, Stated};
-use crate::stages::plausible::plausibility;
 use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
 use etalon_base::files;
@@ -16,7 +16,7 @@ use etalon_campaign::{Exclude, read_robot};
 use etalon_documents::parameters_document;
 use etalon_documents::to_json;
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
-use etalon_identify::{ResidualKind, Settings, fit_frames, identify_from, weigh};
+use etalon_identify::{ResidualKind, Settings, Systematic, weigh};
 use etalon_report::Faces;
 use etalon_robots::Robot;
 use std::path::PathBuf;
@@ -68,14 +68,8 @@ pub struct Identify {
 
 impl Identify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        for (name, stated) in [
-            ("--standard-uncertainty-um", self.standard_uncertainty_um),
-            ("--common-uncertainty-um", self.common_uncertainty_um),
-        ] {
-            if let Some(message) = implausible(name, stated) {
-                return Err(Problems::from(message).into());
-            }
-        }
+        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)?;
         let robot_file = read_robot(&self.robot)?;
         let mut observed = self.format.read(&self.observations)?;
         let mut messages = self.leave_rows_out(&mut observed)?;
@@ -90,40 +84,29 @@ impl Identify {
             hold: self.hold.clone(),
             ..Settings::default()
         };
+        let order = self.orientation.as_deref().map(str::parse).transpose();
         let without = Stated {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
-            order: self
-                .orientation
-                .as_deref()
-                .map(str::parse)
-                .transpose()
-                .map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
+            order: order.map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,
         };
         let exclusions = self.exclusions()?;
-        joint_range::check_table(robot.as_ref(), &observed.table, &exclusions, Joints::Measured).map_err(here)?;
-        let Observed { mut observations, mut settings } =
-            kinds::observed(robot.as_mut(), &observed.table, without, settings, &mut messages).map_err(here)?;
-        messages.extend(exclude(&exclusions, robot.as_ref(), &mut observations, &mut settings.conditions)?);
+        let observations = &Observations::Table(observed.table.clone());
+        let input = Input { observations, without, settings, exclusions, place: Box::new(here) };
+        let Observed { observations, mut settings } = input.observed(robot.as_mut(), &mut messages)?;
         messages.extend(weigh(&observations, robot.dimension(), &mut settings).map_err(remedied).map_err(here)?);
         messages.extend(stale(robot.as_ref(), &observations));
-        let before = fit_frames(robot.as_ref(), &observations, &settings).map_err(remedied)?;
-        let mut found = identify_from(robot.as_ref(), &observations, &settings, &before).map_err(remedied)?;
-        found.warnings.splice(0..0, messages);
         let calibration_conditions = settings.conditions.clone();
         let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };
-        let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
-        let messages = plausibility(robot.as_ref(), &sets.calibration, &settings, &before, &found, &errors);
-        found.warnings.splice(0..0, messages);
+        let mut solved = Solved::new(robot.as_ref(), &sets, &settings, &Systematic::default())?;
+        solved.judge(robot.as_ref(), &sets, &settings, messages);
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.observations].into_iter().chain(&described))?;
-        let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);
-        let faces = Faces::identification(&document);
-        if self.json {
-            return answer(&faces, Some(to_json(&document)?));
+        let document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, &inputs);
+        if !self.json {
+            remark(&document.messages);
         }
-        remark(&document.messages);
-        answer(&faces, None)
+        answer(&Faces::identification(&document), self.json.then(|| to_json(&document)).transpose()?)
     }
 
     /// The rules of `--exclude`.
@@ -153,10 +136,12 @@ impl Identify {
 }
 
 /// An error where what an option states is not the standard uncertainty of a coordinate in micrometres.
-pub(super) fn implausible(option: &str, stated_um: Option<f64>) -> Option<Message> {
-    stated_um.filter(|u| !PLAUSIBLE_UM.contains(u))?;
+pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<(), Problems> {
+    if stated_um.is_none_or(|u| PLAUSIBLE_UM.contains(&u)) {
+        return Ok(());
+    }
     let message = Message::error(format!("{option} is not an uncertainty of a coordinate in micrometres"));
-    Some(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um"))
+    Err(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um").into())
 }
 
 /// A warning about columns that nothing reads.

@@ -4,7 +4,7 @@ mod plan;
 mod stream;
 
 use super::table_file::TableFile;
-use super::{Verdict, answer, remark};
+use super::{Verdict, answer, check_positive, remark};
 use crate::stages::iso9283::pose::PoseTables;
 use crate::stages::iso9283::{limits, load};
 use etalon_base::message::{Message, Problems};
@@ -182,14 +182,9 @@ impl ByOptions {
 impl PoseOptions {
     /// Characteristics of poses.
     fn run(&self, poses: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
-        if self.expanded_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
-            return Err(Problems::from(Message::error("--expanded-uncertainty-um must be positive")).into());
-        }
-        for (option, limit) in [("--ap-limit-mm", self.ap_limit_mm), ("--rp-limit-mm", self.rp_limit_mm)] {
-            if limit.is_some_and(|limit| !(limit > 0.0 && limit.is_finite())) {
-                return Err(Problems::from(Message::error(format!("{option} must be positive"))).into());
-            }
-        }
+        check_positive("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
+        check_positive("--ap-limit-mm", self.ap_limit_mm)?;
+        check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }

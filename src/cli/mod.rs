@@ -34,6 +34,7 @@ use clap::{Parser, Subcommand};
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
 use etalon_report::Faces;
+use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::process::ExitCode;
@@ -176,6 +177,23 @@ fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdic
 /// What a report shows on a terminal, or JSON where that is asked for.
 fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
     print_with(json.unwrap_or_else(|| faces.terminal().into_bytes()), Verdict::of(faces.is_met()))
+}
+
+/// Checks that the number of an option, where it is stated, is positive.
+fn check_positive(option: &str, stated: Option<f64>) -> Result<(), Problems> {
+    match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
+        true => Ok(()),
+        false => Err(Message::error(format!("{option} must be positive")).into()),
+    }
+}
+
+/// A table of poses, each with values by the names of their columns.
+fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &'a BTreeMap<String, f64>)>) -> String {
+    let row = |(pose, values): (P, &BTreeMap<String, f64>)| {
+        let cells: Vec<String> = columns.iter().filter_map(|name| Some(values.get(*name)?.to_string())).collect();
+        format!("{pose},{}\n", cells.join(","))
+    };
+    format!("pose,{}\n", columns.join(",")) + &rows.map(row).collect::<String>()
 }
 
 /// How far a long command has come, in the last line of a terminal.

@@ -2,14 +2,14 @@
 
 use super::report::Reports;
 use super::table_file::TableFile;
-use super::{Verdict, answer, progress, remark};
+use super::{Verdict, answer, check_positive, pose_table, progress, remark};
 use crate::simulate::true_values;
 use crate::stages::candidates::configurations;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::remedies::remedied;
 use etalon_base::bounds::option_at_most;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{RobotFile, read_robot, read_true_parameters};
 use etalon_documents::observability_summary;
@@ -23,7 +23,6 @@ use etalon_identify::{Observation, Settings};
 use etalon_report::Faces;
 use etalon_robots::{Parameter, Robot};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Identifications of a simulated calibration, whose mean is evaluated (section 4.6).
@@ -118,9 +117,7 @@ pub struct Plan {
 
 impl Plan {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        if self.standard_uncertainty_um.is_some_and(|u| !(u > 0.0 && u.is_finite())) {
-            return Err(Problems::from(Message::error("--standard-uncertainty-um must be positive")).into());
-        }
+        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         let written = [&self.poses, &self.targets].into_iter().flatten();
         files::refuse_overwriting(written, self.inputs())?;
         self.reports.check(self.inputs())?;
@@ -153,11 +150,10 @@ impl Plan {
         }
         let faces = Faces::plan(&document, self.reports.over(Presentation::default())?)?;
         self.reports.write(&faces)?;
-        if self.json {
-            return answer(&faces, Some(to_json(&document)?));
+        if !self.json {
+            remark(&document.messages);
         }
-        remark(&document.messages);
-        answer(&faces, None)
+        answer(&faces, self.json.then(|| to_json(&document)).transpose()?)
     }
 
     /// Every file that is read.
@@ -345,16 +341,10 @@ fn joint_values(robot: &dyn Robot, o: &Observation) -> BTreeMap<String, f64> {
 
 /// The chosen configurations as a table: candidates again, or targets of a controller.
 fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
-    let mut columns: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
-    columns.extend(robot.has_assembly_modes().then(|| ASSEMBLY.to_owned()));
-    let mut text = format!("pose,{}\n", columns.join(","));
-    for planned in &document.chosen {
-        for configuration in &planned.configurations {
-            let cells: Vec<String> = columns.iter().filter_map(|c| Some(configuration.get(c)?.to_string())).collect();
-            let _ = writeln!(text, "{},{}", planned.pose, cells.join(","));
-        }
-    }
-    text
+    let joints: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
+    let modes = robot.has_assembly_modes().then_some(ASSEMBLY);
+    let columns: Vec<&str> = joints.iter().map(String::as_str).chain(modes).collect();
+    pose_table(&columns, document.chosen.iter().flat_map(|p| p.configurations.iter().map(|c| (&p.pose, c))))
 }
 
 /// A pose of an option.

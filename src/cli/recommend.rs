@@ -2,8 +2,8 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
-use crate::run::check::presentation;
 use crate::run::validation::recommend;
+use crate::run::walk::presentation;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::Campaign;

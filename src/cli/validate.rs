@@ -2,9 +2,9 @@
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
-use crate::run::check::presentation;
 use crate::run::documents::read_parameters;
 use crate::run::validation::validate;
+use crate::run::walk::presentation;
 use crate::stages::validation::Validated;
 use etalon_campaign::Campaign;
 use etalon_documents::{GivenFrames, to_json};

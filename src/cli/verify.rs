@@ -1,6 +1,6 @@
 //! `etalon verify`
 
-use super::identify::unread;
+use super::identify::{check_uncertainty, unread};
 use super::plan::read as candidates_of;
 use super::report::Reports;
 use super::table_file::TableFile;
@@ -62,9 +62,7 @@ pub struct Verify {
 
 impl Verify {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        if let Some(message) = super::identify::implausible("--standard-uncertainty-um", self.standard_uncertainty_um) {
-            return Err(Problems::from(message).into());
-        }
+        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         let given = [Some(&self.robot), Some(&self.parameters), self.observations.as_ref(), self.candidates.as_ref()];
         self.reports.check(given.into_iter().flatten())?;
         let robot_file = read_robot(&self.robot)?;

@@ -1,7 +1,6 @@
 //! A campaign from its files to its output folder.
 
 pub mod batch;
-pub mod check;
 pub mod documents;
 mod names;
 pub mod output;
@@ -9,3 +8,4 @@ pub mod pipeline;
 mod statements;
 pub mod summary;
 pub mod validation;
+pub mod walk;

@@ -1,14 +1,11 @@
-//! The hallway: every stage is a function from the documents before it to the document after it.
+//! A campaign from its exports to its output folder.
 
-use crate::run::check::{Prepared, check};
 use crate::run::output::Output;
 use crate::run::summary::summary;
-use crate::stages::frames;
+use crate::run::walk::{Mode, Walk};
 use crate::stages::gather::Gathered;
-use crate::stages::geometric;
-use crate::stages::identification::{Identified, identify};
-use crate::stages::iso9283;
-use crate::stages::join::{self, Joined};
+use crate::stages::identification::Identified;
+use crate::stages::join::Joined;
 use crate::stages::kinds;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Message, Problems, Result};
@@ -72,45 +69,15 @@ pub fn run_for(campaign: &Campaign, wanted: Wanted, durability: Durability) -> R
 
 /// The same, and nothing is written.
 pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
-    let mut warnings = Vec::new();
-    stages(campaign, &mut warnings).map_err(|problems| {
-        let repeated = |message: &Message| problems.0.contains(message);
-        Problems(warnings.iter().filter(|m| !repeated(m)).chain(&problems.0).cloned().collect())
-    })
-}
-
-fn stages(campaign: &Campaign, warnings: &mut Vec<Message>) -> Result<Evaluated> {
-    // gather: exports and logs become points and joint values
-    let Prepared { mut gathered, mut robot, tests, geometric: measured, presentation } = check(campaign)?;
-    warnings.clone_from(&gathered.document.messages);
-
-    // fit: points become features
-    let features = frames::fit_features(campaign, &gathered.points)?;
-
-    // frames: features and targets become the world
-    let frames = frames::make_frames(campaign, &gathered.points, &features, robot.dimension() == 2)?;
-
-    // tests: attained poses, recorded motions and loads become characteristics of ISO 9283
-    let tested = iso9283::evaluate(campaign, &tests, &gathered, &frames)?;
-    gathered.document.sources.extend(tests.sources);
-    gathered.document.messages.extend(features.messages.clone());
-
-    let (mut joined, mut identified) = (None, None);
-    if let Some(stated) = &campaign.file.identify {
-        // join: measurements meet joint values
-        let observed = joined.insert(join::joined(campaign, &gathered, &frames, robot.as_ref())?);
-        gathered.document.messages.append(&mut observed.messages);
-        gathered.document.unmatched = std::mem::take(&mut observed.unmatched);
-        warnings.clone_from(&gathered.document.messages);
-
-        // identify: observations become parameters, and errors before and after
-        let inputs = gathered.document.inputs();
-        identified = Some(identify(campaign, stated, robot.as_mut(), observed, &frames, &inputs)?);
-    }
-
-    // geometry: balls, a shaft and an arm give the same parameters without a model
-    let geometric = geometric::calibrate(campaign, robot.as_ref(), measured, identified.as_ref())?;
-
+    let mut walk = Walk::sound(campaign, Mode::Run)?;
+    walk.on(campaign).map_err(|problems| {
+        let first = walk.gathered.document.messages.iter().filter(|m| !problems.0.contains(m));
+        Problems(first.chain(&problems.0).cloned().collect())
+    })?;
+    let (Some(features), Some(frames), Some(presentation)) = (walk.features, walk.frames, walk.presentation) else {
+        return Err(walk.problems);
+    };
+    let Walk { gathered, joined, geometric, identified, tested, .. } = walk;
     let summary = summary(campaign, presentation);
     Ok(Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested })
 }

@@ -2,7 +2,7 @@
 
 use super::observed::{Item, What};
 use super::{Scene, Turn};
-use crate::stages::identification;
+use crate::stages::identification::Input;
 use crate::stages::join::Observations;
 use crate::stages::kinds;
 use crate::stages::orientations::{ANGLES, AngleOrder, ROTATION_VECTOR};
@@ -399,8 +399,8 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let table = etalon_formats::observations_with(file, text, &stated.layout()).map_err(|more| more.at(&here()))?;
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     let mut robot = campaign.build_robot_with(&kinds::targets(&table)?)?;
-    let read =
-        identification::observed(campaign, identify, robot.as_mut(), &Observations::Table(table), &mut Vec::new())?;
+    let table = Observations::Table(table);
+    let read = Input::of(campaign, identify, &table)?.read(robot.as_mut(), &mut Vec::new())?;
     let value = |p: &etalon_robots::Parameter| scene.robot.index(&p.name).map_or(p.nominal, |i| scene.values[i]);
     let values: Vec<f64> = robot.parameters().iter().map(value).collect();
     let instrument = campaign.file.instrument.standard_uncertainty_mm();

@@ -44,13 +44,8 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
         let key = (pose, joints.iter().map(|q| q.to_bits()).collect::<Vec<_>>());
         let k = *places.entry(key).or_insert_with(|| {
             let seen = if names.is_some() { None } else { Some([0.0; 3]) };
-            all.push(Observation {
-                pose,
-                cycle: 1,
-                joints,
-                targets: vec![seen; robot.targets().len()],
-                ..Observation::default()
-            });
+            let targets = vec![seen; robot.targets().len()];
+            all.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
             all.len() - 1
         });
         if let Some(name) = names.as_ref().map(|n| &n[row]) {
@@ -71,13 +66,8 @@ fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> R
     let mut all = Vec::new();
     for (&pose, position) in poses.iter().zip(table::coordinates(table)?) {
         for joints in robot.inverse_all(&nominal, position).unwrap_or_default() {
-            all.push(Observation {
-                pose,
-                cycle: 1,
-                joints,
-                targets: vec![Some(position); robot.targets().len()],
-                ..Observation::default()
-            });
+            let targets = vec![Some(position); robot.targets().len()];
+            all.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
         }
     }
     if all.is_empty() {

@@ -35,26 +35,15 @@ pub struct Sets {
 pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
     let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
     let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| poses.range(..pose).count());
-    let mut sets = Sets::default();
-    for o in &observed.observations {
-        let i = index(o.pose);
-        if selections.calibrates(o.pose, i) {
-            sets.calibration.push(o.clone());
-        }
-        if selections.validates(o.pose, i) {
-            sets.validation.push(o.clone());
-        }
+    let calibrates = |pose: PoseName| selections.calibrates(pose, index(pose));
+    let validates = |pose: PoseName| selections.validates(pose, index(pose));
+    let (observations, conditions) = (observed.observations.iter(), observed.settings.conditions.iter());
+    Sets {
+        calibration: observations.clone().filter(|o| calibrates(o.pose)).cloned().collect(),
+        validation: observations.filter(|o| validates(o.pose)).cloned().collect(),
+        calibration_conditions: conditions.clone().filter(|c| calibrates(c.pose)).cloned().collect(),
+        validation_conditions: conditions.filter(|c| validates(c.pose)).cloned().collect(),
     }
-    for c in &observed.settings.conditions {
-        let i = index(c.pose);
-        if selections.calibrates(c.pose, i) {
-            sets.calibration_conditions.push(c.clone());
-        }
-        if selections.validates(c.pose, i) {
-            sets.validation_conditions.push(c.clone());
-        }
-    }
-    sets
 }
 
 /// Errors of every observation of both sets with two sets of parameters.

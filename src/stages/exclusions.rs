@@ -1,9 +1,10 @@
 //! Readings and rows that are left out, each with its reason, which the report repeats.
 
+use crate::stages::kinds::Observed;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Exclude, Identify, Selection, StatedPoses};
-use etalon_identify::{Condition, Observation};
+use etalon_identify::{Condition, Observation, Settings};
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -52,12 +53,8 @@ impl Exclusion {
 
 /// Leaves out the readings of the poses that are excluded, and names them with their reasons. What a rule names must have been measured,
 /// whatever other rules exclude.
-pub fn exclude(
-    rules: &[Exclusion],
-    robot: &dyn Robot,
-    observations: &mut Vec<Observation>,
-    conditions: &mut Vec<Condition>,
-) -> Result<Vec<Message>> {
+pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) -> Result<Vec<Message>> {
+    let Observed { observations, settings: Settings { conditions, .. } } = observed;
     let (mut messages, mut problems) = (Vec::new(), Problems::default());
     let measured = readings(observations, conditions);
     let mut excluded: BTreeSet<usize> = BTreeSet::new();

@@ -132,16 +132,21 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
             from_targets(campaign, points, targets, each.is_some())?
         }
         Some(world) => from_plane(campaign, &Geometry::of(campaign, points, features, world), world)?,
-        None => WorldFrame {
-            definition: "the coordinates of the exports are those of the world".to_owned(),
-            planar: false,
-            poses: vec![FramePose { pose: None, cycle: None, export_T_world: Pose::identity(), covariance: None }],
-            common_covariance: None,
-            rms_mm: None,
-            max_mm: None,
-            reference_mm: Vec::new(),
-        },
+        None => fixed("the coordinates of the exports are those of the world".to_owned(), Pose::identity()),
     })
+}
+
+/// A world frame that is the same for all poses.
+fn fixed(definition: String, export_T_world: Pose) -> WorldFrame {
+    WorldFrame {
+        definition,
+        planar: false,
+        poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
+        common_covariance: None,
+        rms_mm: None,
+        max_mm: None,
+        reference_mm: Vec::new(),
+    }
 }
 
 /// What a world frame is made from, by name.
@@ -209,15 +214,7 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         ends.iter().map(|e| format!("`{}`", e.get_ref())).collect::<Vec<_>>().join(" to "),
         world.towards.as_ref().map_or("", |t| t.get_ref()),
     );
-    Ok(WorldFrame {
-        definition,
-        planar: false,
-        poses: vec![FramePose { pose: None, cycle: None, export_T_world: from_axes(origin, x, y), covariance: None }],
-        common_covariance: None,
-        rms_mm: None,
-        max_mm: None,
-        reference_mm: Vec::new(),
-    })
+    Ok(fixed(definition, from_axes(origin, x, y)))
 }
 
 /// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x − u)) / 2 for each coordinate

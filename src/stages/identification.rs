@@ -7,7 +7,6 @@ use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, Stated};
-use crate::stages::orientations::AngleOrder;
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
@@ -18,9 +17,10 @@ use etalon_campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
 use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use etalon_formats::table;
-use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings};
+use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings, Systematic};
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
+use toml::Spanned;
 
 /// What a campaign identifies.
 #[derive(Clone, Debug)]
@@ -33,6 +33,8 @@ pub struct Identified {
     pub errors: Vec<PointError>,
     /// The observations that were used.
     pub sets: Sets,
+    /// What they were weighed with.
+    pub settings: Settings,
     /// What the solver found.
     pub found: Identification,
 }
@@ -47,40 +49,33 @@ pub fn identify(
     frames: &FramesDocument,
     inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
-    let mut selected = select(campaign, stated, robot, joined)?;
+    let selected = select(campaign, stated, robot, joined)?.leave_unplaced_out(robot)?;
     let robot: &dyn Robot = robot;
-    selected.leave_unplaced_out(robot)?;
     let Selected { mut sets, settings, poses, selections, mut messages } = selected;
-    let mut before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
-    let mut found =
-        etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic).map_err(remedied)?;
+    let mut solved = Solved::new(robot, &sets, &settings, &systematic)?;
     if stated.outliers == OutlierRule::Exclude {
         let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
         let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
-        while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &found)? {
+        while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &solved.found)? {
             messages.push(left_out);
-            before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
-            found = etalon_identify::identify_with(robot, &sets.calibration, &settings, &before, &systematic)
-                .map_err(remedied)?;
+            solved = Solved::new(robot, &sets, &settings, &systematic)?;
         }
     }
     for (name, log) in joined.observations.iter().skip(1) {
         let observations = log.positions(robot, &mut messages)?;
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
-        leave_out(campaign, stated, robot, &mut theirs)?;
+        exclude(&Exclusion::of_campaign(campaign, stated), robot, &mut theirs)?;
         let others = evaluate::split(&theirs, &poses, &selections);
         let theirs = etalon_identify::identify(robot, &others.calibration, &settings).map_err(remedied)?;
-        let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &found };
+        let first = LogFit { name: &campaign.file.logs[0].name, sets: &sets, found: &solved.found };
         let other = LogFit { name, sets: &others, found: &theirs };
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
-        found.warnings.extend(warnings.into_iter().flatten());
+        solved.found.warnings.extend(warnings.into_iter().flatten());
     }
-    found.warnings.splice(0..0, messages);
-    let mut errors = evaluate::errors(robot, &sets, &before, &found.values);
-    let messages = plausibility(robot, &sets.calibration, &settings, &before, &found, &errors);
-    found.warnings.splice(0..0, messages);
+    let mut errors = solved.judge(robot, &sets, &settings, messages);
+    let Solved { before, mut found } = solved;
     let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
@@ -112,7 +107,40 @@ pub fn identify(
     }
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
-    Ok(Identified { parameters, accuracy, errors, sets, found })
+    Ok(Identified { parameters, accuracy, errors, sets, settings, found })
+}
+
+/// Parameters of the nominal robot with base and targets fitted, and what the solver finds from there.
+pub struct Solved {
+    /// All parameters before.
+    pub before: Vec<f64>,
+    /// Those after.
+    pub found: Identification,
+}
+
+impl Solved {
+    /// Identifies from the calibration observations.
+    pub fn new(robot: &dyn Robot, sets: &Sets, settings: &Settings, systematic: &Systematic) -> Result<Self> {
+        let before = etalon_identify::fit_frames(robot, &sets.calibration, settings).map_err(remedied)?;
+        let found = etalon_identify::identify_with(robot, &sets.calibration, settings, &before, systematic);
+        Ok(Self { before, found: found.map_err(remedied)? })
+    }
+
+    /// Errors before and after. What shows that the result can be no robot comes first among its warnings, then what is `said`.
+    pub fn judge(
+        &mut self,
+        robot: &dyn Robot,
+        sets: &Sets,
+        settings: &Settings,
+        said: Vec<Message>,
+    ) -> Vec<PointError> {
+        let Self { before, found } = self;
+        let errors = evaluate::errors(robot, sets, before, &found.values);
+        found.warnings.splice(0..0, said);
+        let messages = plausibility(robot, &sets.calibration, settings, before, found, &errors);
+        found.warnings.splice(0..0, messages);
+        errors
+    }
 }
 
 /// The observations of a campaign in its sets, and what weighs them.
@@ -136,9 +164,9 @@ impl Selected {
     ///
     /// # Errors
     /// If nothing else is measured at the validation poses.
-    pub fn leave_unplaced_out(&mut self, robot: &dyn Robot) -> Result<()> {
-        let Some(arm) = robot.free_base() else { return Ok(()) };
-        let Self { sets, settings, messages, .. } = self;
+    pub fn leave_unplaced_out(mut self, robot: &dyn Robot) -> Result<Self> {
+        let Some(arm) = robot.free_base() else { return Ok(self) };
+        let Self { sets, settings, messages, .. } = &mut self;
         let mut placed = vec![false; robot.targets().len()];
         let measured =
             |o: &Observation| -> Vec<usize> { (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect() };
@@ -149,7 +177,7 @@ impl Selected {
         let seen = sets.validation.iter().flat_map(measured).chain(of_conditions);
         let unplaced: BTreeSet<usize> = seen.filter(|&k| !placed[k]).collect();
         if unplaced.is_empty() {
-            return Ok(());
+            return Ok(self);
         }
         for o in &mut sets.validation {
             o.targets.iter_mut().zip(&placed).filter(|(_, placed)| !**placed).for_each(|(target, _)| *target = None);
@@ -170,16 +198,15 @@ impl Selected {
         messages.push(Message::warning(what).to_decide().hint(hint));
         let of_place = |k: usize| (0..3).map(move |axis| arm.target_place(k) + axis);
         settings.hold.extend(unplaced.into_iter().flat_map(of_place).map(|i| robot.parameters()[i].name.clone()));
-        Ok(())
+        Ok(self)
     }
 }
 
 /// What a campaign selects of the observations of its first log; what they refer to is added to the parameters of `robot`.
 pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joined: &Joined) -> Result<Selected> {
     let mut messages = Vec::new();
-    let mut observed = observed(campaign, stated, robot, &joined.observations[0].1, &mut messages)?;
+    let observed = Input::of(campaign, stated, &joined.observations[0].1)?.observed(robot, &mut messages)?;
     let robot: &dyn Robot = robot;
-    messages.extend(leave_out(campaign, stated, robot, &mut observed)?);
     messages.extend(stale(robot, &observed.observations));
     let poses = observed.poses();
     check_selections(campaign, &poses)?;
@@ -204,39 +231,52 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
-/// What was observed, and what is identified from it: what the rows of a table refer to is added to the parameters of `robot`.
-pub(crate) fn observed(
-    campaign: &Campaign,
-    stated: &Identify,
-    robot: &mut dyn Robot,
-    observations: &Observations,
-    messages: &mut Vec<Message>,
-) -> Result<Observed> {
-    let settings = campaign.settings(stated);
-    let without = Stated {
-        length_mm: settings.standard_uncertainty_mm,
-        rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
-        order: angle_order(campaign)?,
-    };
-    let exclusions = Exclusion::of_campaign(campaign, stated);
-    let found = match observations {
-        Observations::Table(table) => joint_range::check_table(robot, table, &exclusions, Joints::Measured),
-        // the join has checked its rows, by their lines in the log
-        Observations::Log(_) => Ok(()),
-    };
-    let found = found.and_then(|()| observations.observed(robot, without, settings, messages));
-    let place = |problems: Problems| match &campaign.file.observations {
-        Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
-        None => problems,
-    };
-    found.map_err(place)
+/// Observations, and what a campaign or options state of them.
+pub(crate) struct Input<'a> {
+    pub observations: &'a Observations,
+    pub without: Stated,
+    pub settings: Settings,
+    pub exclusions: Vec<Exclusion>,
+    /// States where problems of the observations are.
+    pub place: Box<dyn Fn(Problems) -> Problems + 'a>,
 }
 
-/// The order of angles that the campaign states.
-fn angle_order(campaign: &Campaign) -> Result<Option<AngleOrder>> {
-    let Some(text) = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref()) else { return Ok(None) };
-    let order = text.get_ref().parse().map_err(|message: Message| message.at(campaign.place(text)))?;
-    Ok(Some(order))
+impl<'a> Input<'a> {
+    /// Observations of a campaign.
+    pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
+        let settings = campaign.settings(stated);
+        let orientation = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref());
+        let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
+        let without = Stated {
+            length_mm: settings.standard_uncertainty_mm,
+            rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
+            order: orientation.map(order).transpose()?,
+        };
+        let place = |problems: Problems| match &campaign.file.observations {
+            Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
+            None => problems,
+        };
+        let exclusions = Exclusion::of_campaign(campaign, stated);
+        Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
+    }
+
+    /// What was observed, and what is identified from it: what the rows of a table refer to is added to the parameters of `robot`.
+    pub fn read(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
+        let checked = match self.observations {
+            Observations::Table(table) => joint_range::check_table(robot, table, &self.exclusions, Joints::Measured),
+            // the join has checked its rows, by their lines in the log
+            Observations::Log(_) => Ok(()),
+        };
+        let read = |()| self.observations.observed(robot, self.without, self.settings.clone(), messages);
+        checked.and_then(read).map_err(&self.place)
+    }
+
+    /// The same without what is excluded, which `messages` name.
+    pub fn observed(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
+        let mut observed = self.read(robot, messages)?;
+        messages.extend(exclude(&self.exclusions, robot, &mut observed)?);
+        Ok(observed)
+    }
 }
 
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
@@ -245,31 +285,18 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Vec::new());
     };
-    let mut observed = observed(campaign, stated, robot, observations, &mut Vec::new())?;
-    let robot: &dyn Robot = robot;
-    leave_out(campaign, stated, robot, &mut observed)?;
+    let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut Vec::new())?;
     let mut messages = stale(robot, &observed.observations);
-    messages.extend(wrong_set_up(robot, &observed.observations, &observed.settings));
+    let set_up = check_set_up(robot, &observed.observations, &observed.settings);
+    messages.extend(set_up.err().unwrap_or_default().0);
     Ok(messages)
 }
 
 /// An error where the nominal robot is nowhere near the measurements.
-pub(super) fn wrong_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Message> {
-    if observations.is_empty() {
-        return None;
-    }
-    etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())
-}
-
-/// Leaves out what the campaign excludes.
-fn leave_out(
-    campaign: &Campaign,
-    stated: &Identify,
-    robot: &dyn Robot,
-    observed: &mut Observed,
-) -> Result<Vec<Message>> {
-    let Observed { observations, settings } = observed;
-    exclude(&Exclusion::of_campaign(campaign, stated), robot, observations, &mut settings.conditions)
+pub(super) fn check_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<()> {
+    let problem = || etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm());
+    let problem = if observations.is_empty() { None } else { problem() };
+    problem.map_or(Ok(()), |problem| Err(problem.into()))
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.

@@ -3,7 +3,7 @@
 
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
-use crate::stages::identification::{Identified, identify, select};
+use crate::stages::identification::{Identified, identify};
 use crate::stages::join::Joined;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
@@ -83,12 +83,9 @@ pub fn distributions(
 ) -> Result<UncertaintyDocument> {
     let inputs = BTreeMap::new();
     let identified = identify(campaign, stated, robot, joined, frames, &inputs)?;
-    let mut selected = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
-    selected.leave_unplaced_out(robot)?;
-    let settings = selected.settings;
-    let found = &identified.found;
-    let trials = Trials { seed: draws.seed, ..Trials::new(campaign, robot, (points, frames), &settings, &identified) };
+    let (found, settings) = (&identified.found, &identified.settings);
+    let trials = Trials { seed: draws.seed, ..Trials::new(campaign, robot, (points, frames), &identified) };
     let positions_alone = settings.conditions.is_empty();
     if !positions_alone && trials.systematic.is_stated() {
         let what = "errors common to all readings (scale, temperature, homing) are drawn of positions of targets alone";
@@ -167,9 +164,9 @@ impl<'a> Trials<'a> {
         campaign: &'a Campaign,
         robot: &'a dyn Robot,
         (points, frames): (&[Point], &FramesDocument),
-        settings: &'a Settings,
         identified: &'a Identified,
     ) -> Self {
+        let settings = &identified.settings;
         let planar = robot.dimension() == 2;
         let key = |f: &FramePose| (f.pose.zip(f.cycle), f.export_T_world);
         let by_pose: BTreeMap<_, _> = frames.world.poses.iter().map(key).collect();

@@ -12,9 +12,7 @@ use polars::prelude::DataFrame;
 /// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes that are taken from the
 /// measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
-    let measured = positions(robot, table)?;
-    let lines = if table.column("line").is_ok() { table::integers(table, "line")? } else { Vec::new() };
-    grouped(robot, &measured, messages, |row| lines.get(row).map(|line| *line as usize))
+    grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
 }
 
 /// Observations of measured positions; `line` is the line of a position in its file.
@@ -83,13 +81,12 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
     }
     let modes = stated_modes(robot, table)?;
     let covariances = covariances(table, robot.dimension())?;
-    let lines = if table.column("line").is_ok() { table::integers(table, "line")? } else { Vec::new() };
+    let line = table::lines(table)?;
     let position = |(row, joints): (usize, Vec<f64>)| {
         let (pose, cycle, name) = (poses[row], cycles[row], &names[row]);
         let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
             let what = format!("pose {pose} cycle {cycle} of the observations: `{name}` is not a target of this robot");
-            let line = lines.get(row).map(|line| *line as usize);
-            let message = Message::error(what).at(Place { line, ..Place::default() });
+            let message = Message::error(what).at(Place { line: line(row), ..Place::default() });
             message.hint_names(name, robot.targets().iter().map(String::as_str))
         })?;
         let (at_mm, covariance_mm2, assembly) = (xyz[row], covariances[row], modes[row]);
@@ -138,9 +135,9 @@ fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covaria
     let needed: Vec<_> = all.into_iter().filter(|(_, i, j)| *i.max(j) < dimension).collect();
     table::require(table, &needed.iter().map(|(name, ..)| (*name).to_owned()).collect::<Vec<_>>())?;
     let columns = needed.iter().map(|(name, ..)| table::numbers(table, name)).collect::<Result<Vec<_>>>()?;
-    let lines = if table.column("line").is_ok() { table::integers(table, "line")? } else { Vec::new() };
+    let line = table::lines(table)?;
     let of_row = |row: usize| -> Result<Option<Covariance>> {
-        let at = || Place { line: lines.get(row).map(|l| *l as usize), ..Place::default() };
+        let at = || Place { line: line(row), ..Place::default() };
         let values: Vec<f64> = columns.iter().map(|column| column[row]).collect();
         if values.iter().all(|v| v.is_nan()) {
             return Ok(None);

@@ -6,7 +6,7 @@
 //! Friedman, 7.10.2). What is not stable is found once, by all poses, and held in every fold.
 
 use super::evaluate::{self, Sets, summarise};
-use super::identification::{Selected, select, wrong_set_up};
+use super::identification::{Selected, check_set_up, select};
 use super::join::Joined;
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
@@ -46,16 +46,13 @@ pub fn recommend(
     inputs: &BTreeMap<String, String>,
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<RecommendationDocument> {
-    let mut selected = select(campaign, stated, robot, joined)?;
-    selected.leave_unplaced_out(robot)?;
-    let Selected { sets, settings, messages, .. } = selected;
+    let Selected { sets, settings, messages, .. } =
+        select(campaign, stated, robot, joined)?.leave_unplaced_out(robot)?;
     if !settings.conditions.is_empty() {
         let message = Message::error("parameters are recommended from measured positions alone");
         return Err(message.hint("leave rows of other kinds out").into());
     }
-    if let Some(error) = wrong_set_up(robot, &sets.calibration, &settings) {
-        return Err(error.into());
-    }
+    check_set_up(robot, &sets.calibration, &settings)?;
     Study::new(robot, &sets.calibration, settings)?.document(inputs, messages, report)
 }
 

@@ -2,7 +2,7 @@
 
 use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{Noise, given, other_nominal, robot_values};
-use super::identification::{Selected, select, wrong_set_up};
+use super::identification::{Selected, check_set_up, select};
 use super::join::Joined;
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
@@ -31,16 +31,14 @@ pub fn validate(
 ) -> Result<Validated> {
     let mut selected = select(campaign, stated, robot, joined)?;
     if frames != GivenFrames::Given {
-        selected.leave_unplaced_out(robot)?;
+        selected = selected.leave_unplaced_out(robot)?;
     }
     let Selected { sets, settings, mut messages, .. } = selected;
     if frames == GivenFrames::Prior && document.is_none() {
         let message = Message::error("nominal parameters have no uncertainty that `--frames prior` could use");
         return Err(message.hint("name identified ones with `--parameters`, or use `--frames refit`").into());
     }
-    if let Some(error) = wrong_set_up(robot, &sets.calibration, &settings) {
-        return Err(error.into());
-    }
+    check_set_up(robot, &sets.calibration, &settings)?;
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
     let values = Values::of(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;

@@ -4,7 +4,7 @@ use crate::support::documents_of;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::documents::{Iso9283Document, Iso9283Pose, Iso9283Variation};
-use etalon::run::check::everything;
+use etalon::run::walk::everything;
 use etalon::simulate::Truth;
 use etalon::standards::iso9283::pose::coplanarity::from_the_others;
 use etalon::standards::iso9283::pose::repeatability::pose_repeatability;

@@ -177,8 +177,8 @@ fn a_ball_that_bears_the_coordinates_of_another_is_named() {
         let (ball, other) = (cells(ball), cells(balls[(i + 5) % balls.len()]));
         let scratch = copy_sample("dextar");
         scratch.replace("exports/plate.txt", &ball.join(","), &[&ball[..3], &other[3..]].concat().join(","));
-        let found = etalon::run::check::check(&Campaign::read(&scratch.path()).unwrap()).unwrap();
-        let said: String = found.gathered.document.messages.iter().map(|m| m.what.clone() + "\n").collect();
+        let (found, _) = etalon::run::walk::everything(&Campaign::read(&scratch.path()).unwrap());
+        let said: String = found.messages.iter().map(|m| m.what.clone() + "\n").collect();
         let named = |a: &str, b: &str| said.contains(&format!("`{a}` lies where `{b}` is"));
         assert!(named(&ball[2], &other[2]) || named(&other[2], &ball[2]), "{}: {said}", ball[2]);
     }

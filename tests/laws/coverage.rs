@@ -11,9 +11,9 @@ use etalon::campaign::Campaign;
 use etalon::compare::{Compared, compare};
 use etalon::documents::{CompareDocument, CompareFamily, FramesDocument};
 use etalon::formats::Point;
-use etalon::run::check;
+use etalon::run::walk;
 use etalon::simulate::{Truth, simulate, true_values};
-use etalon::stages::{frames, identification, join};
+use etalon::stages::{frames, identification};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -50,15 +50,11 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
     simulate(&Campaign::read(&folder).expect("campaign"), &truth).expect("simulated");
     (changes.files)(scratch, &truth);
     let campaign = Campaign::read(&folder).expect("campaign");
-    let mut prepared = check::check(&campaign).expect("prepared");
-    let robot = prepared.robot.as_mut();
-    let planar = robot.dimension() == 2;
-    let features = frames::fit_features(&campaign, &prepared.gathered.points).expect("features");
-    let placed = frames::make_frames(&campaign, &prepared.gathered.points, &features, planar).expect("frames");
-    let joined = join::join(&campaign, &prepared.gathered, &placed, robot).expect("joined");
+    let walk::Observed { mut robot, frames, joined, .. } = walk::observed(&campaign).expect("observed");
+    let robot = robot.as_mut();
     let stated = campaign.file.identify.as_ref().expect("[identify]");
     let identified =
-        identification::identify(&campaign, stated, robot, &joined, &placed, &Default::default()).expect("found");
+        identification::identify(&campaign, stated, robot, &joined, &frames, &Default::default()).expect("found");
     let found = &identified.found;
     truth.parameters.retain(|name, _| robot.index(name).is_some());
     let values = true_values(robot, &truth.parameters).expect("truth");
@@ -66,7 +62,7 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
         let u = found.standard_uncertainty(i).expect("identified");
         (robot.parameters()[i].name.clone(), (found.values[i] - values[i]).abs() <= NORMAL * u)
     };
-    let held = found.free.iter().map(holds).chain(frame_held(&placed, &truth, planar)).collect();
+    let held = found.free.iter().map(holds).chain(frame_held(&frames, &truth, robot.dimension() == 2)).collect();
     let compared = Compared {
         identified: Some((identified.parameters, identified.accuracy)),
         ..super::compare::identified(&seed.to_string(), &[], &[], &mut |_| {})

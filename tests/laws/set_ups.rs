@@ -9,14 +9,12 @@ use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::campaign::Campaign;
-use etalon::identify::{Observation, Settings, fit_frames, identify_from};
+use etalon::identify::{Observation, Settings, Systematic};
 use etalon::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
-use etalon::run::check;
-use etalon::stages::evaluate::{self, Sets};
-use etalon::stages::plausible::plausibility;
-use etalon::stages::remedies::remedied;
+use etalon::run::walk;
+use etalon::stages::evaluate::Sets;
+use etalon::stages::identification::Solved;
 use etalon::stages::repeats::stale;
-use etalon::stages::{frames, join};
 use rayon::prelude::*;
 
 /// A robot, how it is measured, and what a slip looks like on it.
@@ -31,13 +29,10 @@ struct Bench {
 fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<Message> {
     let settings = Settings { standard_uncertainty_mm: Some(u_mm), ..Settings::default() };
     let found = || {
-        let before = fit_frames(robot, observations, &settings).map_err(remedied)?;
-        let found = identify_from(robot, observations, &settings, &before).map_err(remedied)?;
         let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
-        let errors = evaluate::errors(robot, &sets, &before, &found.values);
-        let mut messages = plausibility(robot, observations, &settings, &before, &found, &errors);
-        messages.extend(found.warnings);
-        Ok(messages)
+        let mut solved = Solved::new(robot, &sets, &settings, &Systematic::default())?;
+        solved.judge(robot, &sets, &settings, Vec::new());
+        Ok(solved.found.warnings)
     };
     found().unwrap_or_else(|problems: etalon::base::message::Problems| problems.0)
 }
@@ -98,15 +93,11 @@ fn irb120() -> Option<Bench> {
     std::env::var_os("ETALON_REFERENCE")?;
     let scratch = crate::support::scratch::copy_sample("abb-irb120");
     let campaign = Campaign::read(&scratch.path()).expect("campaign");
-    let prepared = check::check(&campaign).expect("prepared");
-    let features = frames::fit_features(&campaign, &prepared.gathered.points).expect("features");
-    let placed = frames::make_frames(&campaign, &prepared.gathered.points, &features, false).expect("frames");
-    let joined = join::join(&campaign, &prepared.gathered, &placed, prepared.robot.as_ref()).expect("joined");
-    let joined = &joined.observations[0].1;
-    let observations = joined.positions(prepared.robot.as_ref(), &mut Vec::new()).expect("observations");
+    let walk::Observed { robot, joined, .. } = walk::observed(&campaign).expect("observed");
+    let observations = joined.observations[0].1.positions(robot.as_ref(), &mut Vec::new()).expect("observations");
     let observations = observations.into_iter().step_by(12).collect();
     let u_mm = campaign.file.instrument.standard_uncertainty_mm();
-    Some(Bench { name: "IRB 120 (measured)", robot: prepared.robot, observations, u_mm })
+    Some(Bench { name: "IRB 120 (measured)", robot, observations, u_mm })
 }
 
 fn prexyt() -> Bench {

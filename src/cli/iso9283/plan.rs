@@ -1,6 +1,6 @@
 //! `etalon iso9283 plan`
 
-use super::super::{Verdict, print, print_written, say};
+use super::super::{Verdict, pose_table, print, print_written, say};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::read_robot;
@@ -93,24 +93,14 @@ fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<St
 fn csv(places: &Iso9283Places) -> String {
     let there = |name: &&str| places.points.first().is_some_and(|p| p.contains_key(*name));
     let columns: Vec<&str> = XYZ.into_iter().chain(ANGLES).filter(there).collect();
-    let mut text = format!("pose,{}\n", columns.join(","));
-    for (i, point) in places.points.iter().enumerate() {
-        let cells: Vec<String> = columns.iter().filter_map(|name| Some(point.get(*name)?.to_string())).collect();
-        let _ = writeln!(text, "{},{}", i + 1, cells.join(","));
-    }
-    text
+    pose_table(&columns, (1..).zip(&places.points))
 }
 
 /// Joint values of a list of places; those that are not reached are left out.
 fn joints(places: &Iso9283Places) -> String {
-    let columns: Vec<&String> = places.joints.iter().flatten().next().map(|q| q.keys().collect()).unwrap_or_default();
-    let names: Vec<&str> = columns.iter().map(|name| name.as_str()).collect();
-    let mut text = format!("pose,{}\n", names.join(","));
-    for (i, q) in places.joints.iter().enumerate().filter_map(|(i, q)| Some((i, q.as_ref()?))) {
-        let cells: Vec<String> = columns.iter().filter_map(|name| Some(q.get(*name)?.to_string())).collect();
-        let _ = writeln!(text, "{},{}", i + 1, cells.join(","));
-    }
-    text
+    let rows = (1..).zip(&places.joints).filter_map(|(pose, joints)| Some((pose, joints.as_ref()?)));
+    let columns = places.joints.iter().flatten().next().into_iter().flat_map(|joints| joints.keys());
+    pose_table(&columns.map(String::as_str).collect::<Vec<_>>(), rows)
 }
 
 fn programme(document: &Iso9283PlanDocument) -> String {

@@ -105,7 +105,7 @@ pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument,
 }
 
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
-pub fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
+fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     let Some(definition) = &campaign.file.join else {
         return Err(Message::error("a join needs [join]").at(Place::file(campaign.path.as_str())).into());
     };

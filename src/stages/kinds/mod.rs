@@ -76,13 +76,12 @@ const MEANT_ROWS: usize = 6;
 /// rows alone, which then say nothing of the robot. Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
 fn misspelt(observations: &DataFrame) -> Result<Problems> {
     let mut problems = Problems::default();
-    let lines = observations.column("line").is_ok().then(|| table::integers(observations, "line")).transpose()?;
-    let line = |row: usize| lines.as_ref().map(|lines| lines[row] as usize);
+    let line = table::lines(observations)?;
     let fixed = fixed_rows(observations)?;
     for (column, most) in SHARED.into_iter().filter(|(name, _)| observations.column(name).is_ok()) {
         let names = table::texts(observations, column)?;
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], line));
+        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], &line));
     }
     Ok(problems)
 }

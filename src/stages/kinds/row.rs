@@ -122,8 +122,7 @@ impl Row {
         let x_mm: Vec<f64> = (0..height).map(|row| columns.number(table::XYZ[0], row)).collect();
         let stations = other_stations((0..height).map(|row| columns.text(STATION, row)).collect(), &x_mm);
         let partial = partial_rows(robot, observations)?;
-        let lines =
-            if observations.column("line").is_ok() { table::integers(observations, "line")? } else { Vec::new() };
+        let line = table::lines(observations)?;
         let length = if columns.numbers.contains_key("u_mm") { "u_mm" } else { "ux_mm" };
         let or = |stated: f64, other: Option<f64>| if stated.is_nan() { other.unwrap_or(f64::NAN) } else { stated };
         let rows = joints.into_iter().zip(orientations).zip(stations).enumerate();
@@ -131,7 +130,7 @@ impl Row {
         let row = |(row, ((joints, orientation), station)): (usize, Read)| {
             let (number, text) = (|name: &str| columns.number(name, row), |name: &str| columns.text(name, row));
             Self {
-                line: lines.get(row).map(|line| *line as usize),
+                line: line(row),
                 kind: match text("kind") {
                     kind if !kind.is_empty() => kind,
                     _ if orientation.is_given() => "pose".to_owned(),

@@ -1,0 +1,265 @@
+//! The hallway: a campaign on its way through the stages, each of which makes something from what those before it have made.
+
+use super::{names, statements};
+use crate::stages::frames;
+use crate::stages::gather::{self, Gathered};
+use crate::stages::geometric;
+use crate::stages::identification::{Identified, check_selections, identify, preview};
+use crate::stages::iso9283::{self, TestData};
+use crate::stages::join::{self, Joined};
+use crate::stages::kinds;
+use etalon_base::message::{Problems, Result, Severity};
+use etalon_base::pattern::matches_pattern;
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::Campaign;
+use etalon_documents::{
+    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Presentation,
+};
+use etalon_formats::Point;
+use etalon_report::branding;
+use etalon_robots::Robot;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+/// How far a campaign goes, and what a stage that fails does to those after it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// To its results; a stage that fails ends the walk.
+    #[default]
+    Run,
+    /// To its observations; likewise.
+    Observe,
+    /// To the solver; every error is collected, and the later stages are tried on what is left of their input.
+    Check,
+}
+
+/// A campaign on its way through the stages: what each has made so far.
+#[derive(Default)]
+pub(super) struct Walk {
+    mode: Mode,
+    /// Errors that have not ended the walk.
+    pub problems: Problems,
+    /// Points, joint values, and the list of inputs, with warnings.
+    pub gathered: Gathered,
+    pub robot: Option<Box<dyn Robot>>,
+    /// Tables and recordings of tests by ISO 9283.
+    tests: TestData,
+    /// Measurements of the geometric calibration, where the campaign has one.
+    measured: Option<geometric::Gathered>,
+    /// Language, logo and templates of the report.
+    pub presentation: Option<Presentation>,
+    /// All files are read, and the robot has what they need.
+    is_read: bool,
+    /// Features and frames are stated, and every label that they name is present.
+    is_named: bool,
+    pub features: Option<FeaturesDocument>,
+    pub frames: Option<FramesDocument>,
+    pub tested: Characteristics,
+    pub joined: Option<Joined>,
+    pub identified: Option<Identified>,
+    pub geometric: Option<GeometricDocument>,
+}
+
+/// A campaign as far as its observations.
+pub struct Observed {
+    /// Points, joint values, and the list of inputs, with the warnings of all stages.
+    pub gathered: Gathered,
+    /// The robot.
+    pub robot: Box<dyn Robot>,
+    /// The world.
+    pub frames: FramesDocument,
+    /// Measurements that met joint values.
+    pub joined: Joined,
+}
+
+/// Takes a campaign, which identifies something, as far as its observations.
+///
+/// # Errors
+/// Everything that is wrong with its statements and files, or what the first stage that fails reports.
+pub fn observed(campaign: &Campaign) -> Result<Observed> {
+    let mut walk = Walk::sound(campaign, Mode::Observe)?;
+    walk.on(campaign)?;
+    match (walk.robot, walk.frames, walk.joined) {
+        (Some(robot), Some(frames), Some(joined)) => Ok(Observed { gathered: walk.gathered, robot, frames, joined }),
+        _ => Err(walk.problems),
+    }
+}
+
+/// Checks all that can stop a run before it identifies: the list of inputs with all warnings, and every error.
+pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
+    let mut walk = Walk::gather(campaign, Mode::Check);
+    let ended = walk.on(campaign);
+    walk.problems.keep(ended);
+    (walk.gathered.document, walk.problems)
+}
+
+impl Walk {
+    /// Gathers; what is wrong ends the walk.
+    pub fn sound(campaign: &Campaign, mode: Mode) -> Result<Self> {
+        let mut walk = Self::gather(campaign, mode);
+        std::mem::take(&mut walk.problems).check()?;
+        Ok(walk)
+    }
+
+    /// Exports and logs become points and joint values, and all that is stated is checked on them.
+    fn gather(campaign: &Campaign, mode: Mode) -> Self {
+        let mut walk = Self { mode, ..Self::default() };
+        let problems = &mut walk.problems;
+        statements::check(campaign, problems);
+        statements::values(campaign, problems);
+        statements::conditions(campaign, problems);
+        walk.presentation = problems.keep(presentation(campaign));
+        let before = problems.0.len();
+        statements::frames(campaign, problems);
+        let (gathered, more) = gather::recover(campaign);
+        let whole = |keys: &[&str]| !keys.iter().any(|key| campaign.unread.affects(&[key]));
+        walk.is_read = more.0.is_empty() && whole(&["export", "log", "join"]);
+        // a label that is missing may be in a file that did not read
+        let opened = gathered.document.sources.iter().filter(|s| s.kind == "export" && s.rows_read > 0).count();
+        let complete = opened == campaign.file.exports.len();
+        names::labels(campaign, &gathered, complete, problems);
+        walk.is_named = complete && problems.0.len() == before && whole(&["feature", "frame"]);
+        let usable = walk.is_named && walk.is_read;
+        if let (Some(definition), true) = (&campaign.file.geometric, usable && whole(&["geometric"])) {
+            walk.measured = problems.keep(geometric::gather(campaign, definition, &gathered.points));
+        }
+        let (tests, wrong) = iso9283::read(campaign);
+        if usable && whole(&["repeatability"]) {
+            problems.0.extend(iso9283::label_problems(campaign, &tests, &gathered).0);
+        }
+        problems.0.extend(more.0);
+        problems.0.extend(wrong.0);
+        let targets = gathered.observations.as_ref().map(|t| kinds::targets(&t.table).map_err(|more| t.place(more)));
+        let targets = targets.and_then(|targets| problems.keep(targets)).unwrap_or_default();
+        walk.robot = problems.keep(campaign.build_robot_with(&targets));
+        if let Some(robot) = &walk.robot {
+            names::robot(campaign, robot.as_ref(), problems);
+            let before = problems.0.len();
+            names::logs(campaign, robot.as_ref(), problems);
+            if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_none() {
+                names::targets(campaign, robot.as_ref(), &gathered, problems);
+            }
+            // without its joints a log cannot be joined, nor can points without their targets
+            walk.is_read &= problems.0.len() == before;
+        }
+        Self { gathered, tests, ..walk }
+    }
+
+    /// Goes on through the stages in their order.
+    pub fn on(&mut self, campaign: &Campaign) -> Result<()> {
+        if campaign.unread.affects(&["export"]) {
+            // the unit, or the list of points, is not known
+            return Ok(());
+        }
+        // fit, frames: points become features, and features and targets the world
+        self.place(campaign)?;
+        // tests: attained poses, recorded motions and loads become characteristics of ISO 9283
+        if let (Mode::Run, Some(frames)) = (self.mode, &self.frames) {
+            self.tested = iso9283::evaluate(campaign, &self.tests, &self.gathered, frames)?;
+            self.gathered.document.sources.append(&mut self.tests.sources);
+        }
+        // join: measurements meet joint values
+        self.join(campaign)?;
+        let document = &mut self.gathered.document;
+        document.messages.extend(self.features.iter().flat_map(|features| features.messages.clone()));
+        // select: observations of the poses that are stated; a run does so when it identifies
+        if self.mode == Mode::Check {
+            self.select(campaign);
+        }
+        if let Some(joined) = &mut self.joined {
+            self.gathered.document.messages.append(&mut joined.messages);
+            self.gathered.document.unmatched = std::mem::take(&mut joined.unmatched);
+        }
+        // identify: observations become parameters, and errors before and after
+        let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };
+        if let (Some(stated), Some(joined), Some(frames)) = (&campaign.file.identify, &self.joined, &self.frames) {
+            let inputs = self.gathered.document.inputs();
+            self.identified = Some(identify(campaign, stated, robot.as_mut(), joined, frames, &inputs)?);
+        }
+        // geometry: balls, a shaft and an arm give the same parameters without a model
+        let measured = self.measured.take();
+        self.geometric = geometric::calibrate(campaign, robot.as_ref(), measured, self.identified.as_ref())?;
+        Ok(())
+    }
+
+    fn place(&mut self, campaign: &Campaign) -> Result<()> {
+        let reads = |p: &Point| p.xyz_mm.iter().all(|v| v.is_finite());
+        // what is placed and joined has no coordinate that does not read
+        let unreadable: Vec<Point> = self.gathered.points.extract_if(.., |p| !reads(p)).collect();
+        let points = &self.gathered.points;
+        let affected = |name: &str| unreadable.iter().any(|p| matches_pattern(name, &p.label));
+        let mut whole = Cow::Borrowed(campaign);
+        if self.mode == Mode::Check {
+            // features whose points all read
+            let present = |name: &str| points.iter().any(|p| matches_pattern(name, &p.label));
+            whole.to_mut().file.features.retain(|_, feature| {
+                let labels = feature.element().map_or(&[][..], |(_, labels)| labels);
+                labels.iter().all(|label| present(label.get_ref()) && !affected(label.get_ref()))
+            });
+        }
+        self.features = self.mode.keep(&mut self.problems, frames::fit_features(&whole, points))?;
+        if let Some(features) = &self.features
+            && self.is_named
+            && !gather::used_labels(campaign).into_iter().any(affected)
+        {
+            let planar = self.robot.as_ref().is_some_and(|robot| robot.dimension() == 2);
+            let frames = frames::make_frames(campaign, points, features, planar);
+            self.frames = self.mode.keep(&mut self.problems, frames)?;
+        }
+        Ok(())
+    }
+
+    fn join(&mut self, campaign: &Campaign) -> Result<()> {
+        let (Some(robot), true, true) = (&self.robot, self.is_read, campaign.identifies()) else { return Ok(()) };
+        let joined = match &self.frames {
+            Some(frames) => join::joined(campaign, &self.gathered, frames, robot.as_ref()).map(Some),
+            None => join::counts(campaign, &self.gathered, robot.as_ref()).map(|()| None),
+        };
+        self.joined = self.mode.keep(&mut self.problems, joined)?.flatten();
+        Ok(())
+    }
+
+    /// Looks for what is wrong with the set-up and with the selections of poses; without a join these select from all points.
+    fn select(&mut self, campaign: &Campaign) {
+        let mut poses: BTreeSet<PoseName> = self.gathered.points.iter().filter_map(|p| p.pose).collect();
+        if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
+            let shown = self.problems.keep(preview(campaign, robot.as_mut(), joined)).unwrap_or_default();
+            let (errors, warnings): (Vec<_>, Vec<_>) =
+                shown.into_iter().partition(|message| message.severity == Severity::Error);
+            self.problems.0.extend(errors);
+            self.gathered.document.messages.extend(warnings);
+            let first = joined.observations.first();
+            poses = first.and_then(|(_, first)| first.poses().ok()).unwrap_or_default();
+        }
+        // a join by time may find no pose before the log is read
+        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) {
+            self.problems.keep(check_selections(campaign, &poses));
+        }
+    }
+}
+
+impl Mode {
+    /// The value of a stage, or what it fails with: an error that ends the walk, or one of those that are collected.
+    fn keep<T>(self, problems: &mut Problems, result: Result<T>) -> Result<Option<T>> {
+        match self {
+            Self::Check => Ok(problems.keep(result)),
+            Self::Run | Self::Observe => result.map(Some),
+        }
+    }
+}
+
+/// Language, logo and templates of the report, read and checked.
+pub fn presentation(campaign: &Campaign) -> Result<Presentation> {
+    let stated = &campaign.file.report;
+    let mut presentation = Presentation { language: stated.language, ..Presentation::default() };
+    if let Some(file) = &stated.logo {
+        let logo = branding::logo(&campaign.resolve(file)?);
+        presentation.logo = Some(logo.map_err(|more| more.at(&campaign.place(file)))?);
+    }
+    if let Some(folder) = &stated.templates {
+        let read = branding::templates(&campaign.resolve(folder)?);
+        presentation.templates = read.map_err(|more| more.at(&campaign.place(folder)))?;
+    }
+    etalon_report::check_templates(&presentation)?;
+    Ok(presentation)
+}
