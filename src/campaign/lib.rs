@@ -267,12 +267,14 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 /// use etalon_campaign::read_robot;
 /// use std::path::Path;
 ///
-/// let robot = read_robot(Path::new("../../samples/dextar/robot.toml"))?.build(&[])?;
-/// assert_eq!(robot.model(), "five_bar");
+/// let file = read_robot(Path::new("../../samples/abb-irb120/robot.toml"))?;
+/// let robot = file.build(&["SMR".to_owned()])?;
 ///
-/// // the motors of the DexTAR are 275 mm apart (thesis, eq. 4.24)
-/// let d = robot.index("d").expect("the distance of the motors");
-/// assert_eq!(robot.nominal()[d], 275.0);
+/// // joints at zero: by its drawing the flange is at x = 302 + 72 mm and z = 290 + 270 + 70 mm
+/// let arm = robot.kinematics().expect("an arm has kinematics");
+/// let flange = arm.tool_pose(&robot.nominal(), &[0.0; 6]).expect("a pose");
+/// let [x_mm, _, z_mm] = flange.translation_mm;
+/// assert!((x_mm - 374.0).abs() < 1e-9 && (z_mm - 630.0).abs() < 1e-9);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
