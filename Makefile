@@ -4,7 +4,7 @@
 # make compare CAMPAIGNS="FOLDER ..." compare campaigns of one robot, the oldest first
 # make clean-NAME remove the output of campaign NAME; make clean that of all
 # make test    run the tests
-# make quick   the tests of single files, of the architecture and of golden documents: before each commit
+# make quick   the tests of single files, of the architecture and of golden documents, and the examples of the documentation: before each commit
 # make unit CRATE=NAME those of one crate, some seconds after an edit; T=NAME only those whose path holds NAME
 # make attack  set the program under random attacks for ten minutes, by a seed that is printed: damaged files and bytes, kills, commands at once,
 #              hostile names, mutants of campaigns; SEED= repeats one, ATTACK= states another time in seconds, ETALON_PROGRAM= another build
@@ -65,6 +65,8 @@ WHOLE := $(RUN) --test laws --test etalon
 # a test that fails stops no other
 KEEP := --no-fail-fast
 SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED)
+# examples of the documentation: nextest runs none
+EXAMPLES := env CARGO_INCREMENTAL=1 cargo test --locked --release $(UNOPTIMISED) --doc --workspace
 
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
@@ -72,7 +74,7 @@ test:
 	@# those of single files are compiled while the others run, which hold the folder of the build no longer after a second
 	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) $(KEEP) --workspace --lib) >$$log 2>&1 & single=$$!; \
 	$(WHOLE) $(KEEP) || { kill $$single; exit 1; }; \
-	wait $$single && code=0 || code=$$?; cat $$log; exit $$code
+	wait $$single && code=0 || code=$$?; cat $$log; $(EXAMPLES) $(KEEP) || code=$$?; exit $$code
 
 unit:
 	$(SINGLE) $(KEEP) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
@@ -80,6 +82,7 @@ unit:
 quick:
 	$(SINGLE) $(KEEP) --workspace --lib
 	$(SINGLE) $(KEEP) --test etalon -- architecture golden
+	$(EXAMPLES) $(KEEP)
 
 # five parts of the time: two for attacks on files and processes, one each for mutants of statements and of data, one for readers
 ATTACK ?= 600

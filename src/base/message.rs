@@ -125,6 +125,25 @@ fn floor_boundary(source: &str, index: usize) -> usize {
 
 impl Message {
     /// An error: the work stops.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use etalon_base::message::{Message, Place};
+    ///
+    /// let message = Message::error("`10,5` is not a number")
+    ///     .at(Place::line("joints.csv", 7, "3;10,5"))
+    ///     .expected("an angle (deg)")
+    ///     .hint("state `decimal = \",\"`");
+    /// let lines = [
+    ///     "error: `10,5` is not a number",
+    ///     "  --> joints.csv:7",
+    ///     "    7 | 3;10,5",
+    ///     "  expected: an angle (deg)\n",
+    ///     "hint: state `decimal = \",\"`",
+    /// ];
+    /// assert_eq!(message.to_string(), lines.join("\n"));
+    /// ```
     pub fn error(what: impl Into<String>) -> Self {
         let (severity, rank) = (Severity::Error, Rank::Decide);
         Self { severity, rank, what: what.into(), place: None, expected: None, hint: None }
@@ -297,6 +316,20 @@ pub fn one_line(text: &str) -> String {
 }
 
 /// Everything that is wrong, found in one pass: what a stage returns instead of its document.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_base::message::{Message, Problems};
+///
+/// let mut problems = Problems(vec![Message::warning("pose 4 has 29 cycles")]);
+/// let warnings = problems.clone().check().expect("a warning does not stop the work");
+/// assert_eq!(warnings.len(), 1);
+///
+/// problems.0.push(Message::error("pose 7 has no commanded position"));
+/// let both = problems.check().expect_err("an error does");
+/// assert_eq!(both.0.len(), 2);
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Problems(pub Vec<Message>);
 

@@ -4,6 +4,25 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// A stream of random numbers.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_base::noise::Noise;
+///
+/// // trial 3 of seed 42, twice: ten thousand errors of standard deviation 2 µm
+/// let draw = |trial| {
+///     let mut noise = Noise::new(42, trial);
+///     (0..10_000).map(|_| noise.gaussian(0.002)).collect::<Vec<f64>>()
+/// };
+/// let errors_mm = draw(3);
+/// assert_eq!(errors_mm, draw(3));
+/// assert_ne!(errors_mm, draw(4));
+///
+/// // the standard deviation of 10 000 errors scatters by 0.7 % (1 / √(2 n))
+/// let mean_square = errors_mm.iter().map(|e| e * e).sum::<f64>() / 10_000.0;
+/// assert!((mean_square.sqrt() / 0.002 - 1.0).abs() < 0.03);
+/// ```
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {

@@ -131,6 +131,22 @@ impl<T: Scalar> Pose<T> {
     }
 
     /// `a_T_b` and `b_T_c` give `a_T_c`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use etalon_base::pose::Pose;
+    /// use std::f64::consts::FRAC_PI_2;
+    ///
+    /// // a base at x = 100 mm, turned by 90° about z; a flange 50 mm along the x axis of the base
+    /// let world_T_base = Pose::from_xyz_rpy([100.0, 0.0, 0.0], [0.0, 0.0, FRAC_PI_2]);
+    /// let base_T_flange = Pose::identity().shift(0, 50.0);
+    /// let world_T_flange = world_T_base.then(&base_T_flange);
+    ///
+    /// let [x_mm, y_mm, _] = world_T_flange.translation_mm;
+    /// assert!((x_mm - 100.0).abs() < 1e-12 && (y_mm - 50.0).abs() < 1e-12);
+    /// assert!((world_T_flange.inverse().angle_rad() - FRAC_PI_2).abs() < 1e-12);
+    /// ```
     pub fn then(&self, other: &Self) -> Self {
         let mut rotation = [[T::from(0.0); 3]; 3];
         for (row, mine) in rotation.iter_mut().zip(&self.rotation) {

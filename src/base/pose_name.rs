@@ -14,6 +14,23 @@ use std::sync::{Mutex, PoisonError};
 /// The name of a pose: a whole number (`7`, `07`), or any other text (`home`, `A-3`, `P7`), letter by letter as it is written.
 ///
 /// Numbers sort before texts, texts by natural order: `P2` before `P10`.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_base::message::Message;
+/// use etalon_base::pose_name::PoseName;
+///
+/// assert_eq!(PoseName::new("07")?, 7);
+///
+/// // numbers first, then texts in natural order
+/// let mut poses = [PoseName::new("P10")?, PoseName::new("P2")?, PoseName::new("12")?];
+/// poses.sort();
+/// assert_eq!(poses.map(|pose| pose.to_string()), ["12", "P2", "P10"]);
+///
+/// assert!(PoseName::new("=A1+1").is_err(), "a spreadsheet would compute it");
+/// # Ok::<(), Message>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PoseName {
     /// A number.

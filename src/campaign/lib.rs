@@ -35,6 +35,21 @@ use toml_file::Recovered;
 pub use toml_file::parse;
 
 /// A campaign with the folder it lives in and the text it was read from.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_campaign::Campaign;
+/// use std::path::Path;
+///
+/// let campaign = Campaign::read(Path::new("../../samples/prexyt-cmm"))?;
+/// assert_eq!(campaign.file.exports.len(), 2);
+/// assert_eq!(campaign.build_robot()?.targets(), ["K", "L"]);
+///
+/// // expanded uncertainty of the machine 2.7 µm, k = 2
+/// assert!((campaign.file.instrument.standard_uncertainty_mm() - 0.00135).abs() < 1e-12);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Campaign {
     /// `campaign.toml`.
@@ -245,6 +260,23 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 }
 
 /// Reads a robot file on its own.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_campaign::read_robot;
+/// use std::path::Path;
+///
+/// let file = read_robot(Path::new("../../samples/abb-irb120/robot.toml"))?;
+/// let robot = file.build(&["SMR".to_owned()])?;
+///
+/// // joints at zero: by its drawing the flange is at x = 302 + 72 mm and z = 290 + 270 + 70 mm
+/// let arm = robot.kinematics().expect("an arm has kinematics");
+/// let flange = arm.tool_pose(&robot.nominal(), &[0.0; 6]).expect("a pose");
+/// let [x_mm, _, z_mm] = flange.translation_mm;
+/// assert!((x_mm - 374.0).abs() < 1e-9 && (z_mm - 630.0).abs() < 1e-9);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
     let (robot, problems) = RobotFile::recover(path, &files::read_text(path)?);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)

@@ -61,6 +61,40 @@ pub trait Exporter {
 }
 
 /// What is exported.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_controllers::{Given, by_name};
+/// use etalon_documents::ParametersDocument;
+///
+/// # let json = r#"{
+/// #     "schema": "etalon/parameters/2", "robot": "five_bar",
+/// #     "parameters": [{
+/// #         "name": "d", "unit": "mm", "nominal": 275.0, "before": 275.0, "value": 274.8051,
+/// #         "standard_uncertainty": 0.001, "status": "identified", "confounded_with": []
+/// #     }],
+/// #     "residuals": {
+/// #         "kind": "targets", "count": 9, "degrees_of_freedom": 8, "rms": 1e-3, "max": 2e-3,
+/// #         "uncertainties_from": "instrument", "uncertainties_enlarged_by": 1.0
+/// #     },
+/// #     "solver": {
+/// #         "method": "", "iterations": 3, "termination": "step_vanished", "meaning": ""
+/// #     },
+/// #     "covariance": [[1e-6]], "messages": [],
+/// #     "provenance": { "version": "0.1.0", "inputs": {} }
+/// # }"#;
+/// # let problems = |problems: etalon_base::message::Problems| problems.to_string();
+/// // text of a parameters.json: the distance `d` of two motors is 274.8051 mm, u = 1 µm
+/// let document: ParametersDocument = serde_json::from_str(json)?;
+/// let csv = by_name("csv").expect("a format");
+/// let csv = csv.write(&Given::parameters(&document)).map_err(problems)?;
+///
+/// let csv = String::from_utf8(csv)?;
+/// let row = csv.lines().nth(1).expect("one parameter a row");
+/// assert!(row.starts_with("d,mm,275.0,274.8051,0.001,identified,"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Given<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,

@@ -66,6 +66,41 @@ impl ParametersDocument {
     ///
     /// # Errors
     /// What does not.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use etalon_documents::ParametersDocument;
+    ///
+    /// # let json = r#"{
+    /// #     "schema": "etalon/parameters/2", "robot": "five_bar",
+    /// #     "parameters": [{
+    /// #         "name": "d", "unit": "mm", "nominal": 275.0, "before": 275.0, "value": 274.8051,
+    /// #         "standard_uncertainty": 0.001, "status": "identified", "confounded_with": []
+    /// #     }],
+    /// #     "residuals": {
+    /// #         "kind": "targets", "count": 9, "degrees_of_freedom": 8, "rms": 1e-3, "max": 2e-3,
+    /// #         "uncertainties_from": "instrument", "uncertainties_enlarged_by": 1.0
+    /// #     },
+    /// #     "solver": {
+    /// #         "method": "", "iterations": 3, "termination": "step_vanished", "meaning": ""
+    /// #     },
+    /// #     "covariance": [[1e-6]], "messages": [],
+    /// #     "provenance": { "version": "0.1.0", "inputs": {} }
+    /// # }"#;
+    /// // text of a parameters.json: the distance `d` of two motors is 274.8051 mm, u = 1 µm
+    /// let document: ParametersDocument = serde_json::from_str(json)?;
+    /// document.check()?;
+    ///
+    /// let d = document.identified().next().expect("one parameter was identified");
+    /// assert_eq!((d.name.as_str(), d.unit.as_str()), ("d", "mm"));
+    /// let correction_mm = d.value - d.nominal;
+    /// assert!((correction_mm + 0.1949).abs() < 1e-12);
+    ///
+    /// // the covariance is in the units of the parameters: mm²
+    /// assert!((document.covariance[0][0].sqrt() - 0.001).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn check(&self) -> Result<(), String> {
         let identified = self.identified().count();
         let rows = self.covariance.len();

@@ -15,6 +15,21 @@ use etalon_math::{smallest_eigenvector, symmetric_eigen};
 /// Fits a circle in the plane to at least three points that are not on one line; z of its centre is zero.
 ///
 /// Orthogonal distance from Taubin's start (Chernov 2010, "Circular and linear regression", 4 and 5).
+///
+/// # Examples
+///
+/// ```
+/// use etalon_fit::{Settings, circle2d};
+///
+/// // corners of a rectangle of 6 mm by 8 mm: the diagonal, 10 mm, is the diameter of their circle
+/// let corners_mm = [[0.0, 0.0], [6.0, 0.0], [6.0, 8.0], [0.0, 8.0]];
+/// let fit = circle2d(&corners_mm, &Settings::default())?;
+///
+/// let [x_mm, y_mm, _] = fit.point_mm;
+/// assert!((x_mm - 3.0).abs() < 1e-12 && (y_mm - 4.0).abs() < 1e-12);
+/// assert!((fit.radius_mm.expect("a circle has a radius") - 5.0).abs() < 1e-12);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn circle2d(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
     settings.check(Element::Circle2d)?;
     let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), settings)?;
@@ -158,6 +173,22 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
 /// Fits a sphere to at least four points that are not in one plane.
 ///
 /// Orthogonal distance (Shakarji 1998, 3.3) from Taubin's start.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_fit::{Probe, Settings, Side, sphere};
+///
+/// // centres of a probe of radius 2 mm that touched a ball at the origin from five sides
+/// let a = 12.0;
+/// let centres_mm = [[a, 0.0, 0.0], [-a, 0.0, 0.0], [0.0, a, 0.0], [0.0, -a, 0.0], [0.0, 0.0, a]];
+/// let probe = Some(Probe { radius_mm: 2.0, side: Side::Outside });
+/// let ball = sphere(&centres_mm, &Settings { probe, ..Settings::default() })?;
+///
+/// assert!((ball.radius_mm.expect("a sphere has a radius") - 10.0).abs() < 1e-12);
+/// assert!(ball.max_mm() < 1e-12);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn sphere(points: &[Vector], settings: &Settings) -> Result<Fit> {
     sphere_of(points.into(), settings)
 }

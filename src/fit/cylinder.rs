@@ -16,6 +16,22 @@ use etalon_base::pose::Vector;
 ///
 /// Orthogonal distance to the axis (Shakarji 1998, 3.4). The start is searched over the hemisphere of axes with a
 /// circle for each (after Eberly, "Fitting 3D data with a cylinder", Geometric Tools 2019), the best are followed.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_fit::{Settings, cylinder};
+///
+/// // three sections of a bore of radius 5 mm about the z axis
+/// let section_mm = [[5.0, 0.0], [3.0, 4.0], [-3.0, 4.0], [-5.0, 0.0], [-3.0, -4.0], [3.0, -4.0]];
+/// let points_mm = [0.0, 20.0, 40.0].map(|z| section_mm.map(|[x, y]| [x, y, z])).concat();
+/// let bore = cylinder(&points_mm, &Settings::default())?;
+///
+/// assert!((bore.radius_mm.expect("a cylinder has a radius") - 5.0).abs() < 1e-9);
+/// let [_, _, z] = bore.direction.expect("a cylinder has an axis");
+/// assert!((z - 1.0).abs() < 1e-9);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn cylinder(points: &[Vector], settings: &Settings) -> Result<Fit> {
     cylinder_of(points.into(), settings)
 }

@@ -69,6 +69,22 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
 /// Fits a plane to at least three points that are not on one line.
 ///
 /// The normal is the principal direction of least spread of the centred points (Shakarji 1998, 3.2).
+///
+/// # Examples
+///
+/// ```
+/// use etalon_fit::{Settings, plane};
+///
+/// // corners of a plate of 100 mm at z = 50 mm, by turns 0.01 mm below and above
+/// let (low, high) = (49.99, 50.01);
+/// let corners_mm = [[0.0, 0.0, low], [100.0, 0.0, high], [100.0, 100.0, low], [0.0, 100.0, high]];
+/// let fit = plane(&corners_mm, &Settings::default())?;
+///
+/// let [_, _, z] = fit.direction.expect("a plane has a normal");
+/// assert!((z - 1.0).abs() < 1e-12);
+/// assert!((fit.form_mm() - 0.02).abs() < 1e-12);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn plane(points: &[Vector], settings: &Settings) -> Result<Fit> {
     plane_of(points.into(), settings)
 }

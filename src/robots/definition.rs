@@ -66,6 +66,20 @@ pub enum Effect {
 }
 
 /// One parameter of a model.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_robots::{Parameter, Quantity, Role};
+///
+/// // an encoder offset: degrees outside, radians inside
+/// let mut offset = Parameter::new("delta1", Quantity::Angle, Role::Robot, 0.0);
+/// assert_eq!(offset.quantity.unit(), "deg");
+///
+/// offset.state_tolerance(180.0);
+/// assert_eq!(offset.tolerance, std::f64::consts::PI);
+/// assert!(offset.tolerance_is_stated);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     /// Name as in the thesis, e.g. `x_c`.

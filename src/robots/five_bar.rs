@@ -103,6 +103,23 @@ impl Description for Limits {
 pub const WORKING_MODES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
 /// The five-bar with its nominal parameters and what it reaches.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_robots::{FiveBar, Robot};
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// let robot = FiveBar::default();
+/// let mut parameters = robot.nominal();
+/// parameters[robot.index("d").expect("the distance of the motors")] = 276.0; // mm
+///
+/// // the proximal links (230 mm) point along y and their ends are 276 mm apart; above them the
+/// // distal links (230 mm) close a triangle of height √(230² - 138²) = 184 mm
+/// let linkage = robot.direct(&parameters, [FRAC_PI_2, FRAC_PI_2], 1.0);
+/// let [x_mm, y_mm] = linkage.e;
+/// assert!(x_mm.abs() < 1e-9 && (y_mm - (230.0 + 184.0)).abs() < 1e-9);
+/// ```
 #[derive(Clone, Debug)]
 pub struct FiveBar {
     definition: Definition,

@@ -69,6 +69,21 @@ impl JointRange {
 }
 
 /// A robot whose targets are seen by a measuring system.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_robots::{Prexyt, Robot};
+///
+/// let robot: &dyn Robot = &Prexyt::default();
+/// assert_eq!(robot.targets(), ["K", "L"]);
+/// assert_eq!(robot.joints()[0].column(), "rho1_mm");
+///
+/// // the balls K and L of the table are 146 mm apart, along x where carriages 2 and 3 are level
+/// let (nominal, joints_mm) = (robot.nominal(), [100.0, 200.0, 200.0]);
+/// let [k, l] = [0, 1].map(|target| robot.position(&nominal, &joints_mm, target));
+/// assert!((l[0] - k[0] - 146.0).abs() < 1e-9 && (l[1] - k[1]).abs() < 1e-9);
+/// ```
 pub trait Robot: Send + Sync {
     /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
     fn model(&self) -> &'static str {

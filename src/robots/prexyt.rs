@@ -110,6 +110,24 @@ impl<const FULL: bool> Description for Table<FULL> {
 }
 
 /// The PreXYT with its nominal parameters.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_robots::{Prexyt, Robot};
+/// use std::f64::consts::FRAC_PI_4;
+///
+/// let robot = Prexyt::default();
+/// let nominal = robot.nominal();
+///
+/// // rails 2 and 3 are 394 mm apart: carriages that differ by 394 mm turn the platform by 45°
+/// let pose = robot.direct(&nominal, &[100.0, 50.0, 444.0]);
+/// assert!((pose.theta_rad - FRAC_PI_4).abs() < 1e-12);
+///
+/// // carriage 1 stands at x = 116 mm when its actuator is at zero; y = 50 mm + x tan 45°
+/// assert!((pose.x_mm - 216.0).abs() < 1e-9);
+/// assert!((pose.y_mm - 266.0).abs() < 1e-9);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Prexyt {
     definition: Definition,

@@ -449,6 +449,26 @@ pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
 }
 
 /// A robot in space whose joints follow each other, with its targets and the non-geometric effects that are modelled.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_robots::{Robot, Serial, SerialJoint};
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// // three parallel axes, 400 mm and 300 mm apart (modified Denavit-Hartenberg parameters)
+/// let (alpha_rad, theta_rad, d_mm) = (0.0, 0.0, 0.0);
+/// let joints = [0.0, 400.0, 300.0].map(|a_mm| SerialJoint {
+///     alpha_rad, a_mm, theta_rad, d_mm, prismatic: false, parallel: true,
+/// });
+/// let gravity = [0.0, 0.0, -1.0];
+/// let arm = Serial::new(&joints, &["SMR".to_owned()], gravity, &[], &[]);
+///
+/// // the elbow at 90°
+/// let flange = arm.direct(&arm.nominal(), &[0.0, FRAC_PI_2, 0.0]);
+/// let [x_mm, y_mm, _] = flange.translation_mm;
+/// assert!((x_mm - 400.0).abs() < 1e-9 && (y_mm - 300.0).abs() < 1e-9);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Serial {
     definition: Definition,

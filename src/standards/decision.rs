@@ -4,6 +4,23 @@
 use crate::iso9283::statistics::interval::Interval;
 
 /// Decision rule.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_standards::decision::{Conformity, DecisionRule};
+/// use etalon_standards::iso9283::statistics::interval::Interval;
+///
+/// // 0.39 mm ± 0.03 mm where 0.40 mm is the limit
+/// let interval = Some(Interval { low_mm: 0.36, high_mm: 0.42 });
+/// let judged = |rule: DecisionRule| rule.judge(0.39, interval, 0.40);
+///
+/// assert_eq!(judged(DecisionRule::SimpleAcceptance), Conformity::Conforming);
+/// // 0.42 mm is beyond the limit
+/// assert_eq!(judged(DecisionRule::Guarded), Conformity::Neither);
+/// // 0.03 mm is less than a quarter of the limit
+/// assert_eq!(judged(DecisionRule::SharedRisk), Conformity::Conforming);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DecisionRule {
     /// The value alone is compared with the limit (ILAC-G8:09/2019, 4.2.1).

@@ -45,6 +45,26 @@ pub struct Directions {
 }
 
 /// Positioning of an axis.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_standards::iso230::{Approach, AxisPosition, AxisPositioning};
+///
+/// // deviations (nm) at two positions of a stage, approached five times from either side
+/// let approach = |nm: [f64; 5]| Approach::new(&nm.map(|d| (d - 0.02) * 1e-6)).expect("two runs");
+/// let (up2, up5) = ([-87.0, -97.0, -97.0, -95.0, -82.0], [-100.0, -112.0, -129.0, -109.0, -97.0]);
+/// let down2 = [-103.0, -104.0, -95.0, -111.0, -93.0];
+/// let down5 = [-104.0, -126.0, -130.0, -141.0, -107.0];
+/// let axis = AxisPositioning::new(&[
+///     AxisPosition::new(-4.88, approach(up2), approach(down2)), // mm
+///     AxisPosition::new(10.48, approach(up5), approach(down5)),
+/// ]);
+///
+/// // B(5) and R(5) in a report of the Paul Scherrer Institute (ecmccfg, fat_sat/report.md)
+/// assert!((axis.reversal_mm * 1e6 - 12.2).abs() < 0.01);
+/// assert!((axis.repeatability.both_mm * 1e6 - 68.82).abs() < 0.01);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisPositioning {
     /// Reversal error B = max |Bi|.

@@ -145,6 +145,25 @@ pub(super) fn recognise(text: &str) -> Option<(&'static str, Recognised)> {
 }
 
 /// Format of an export, as a campaign states it: a name, or a dialect of delimited text.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_formats::Format;
+/// use etalon_formats::dialect::Unit;
+///
+/// let format = Format::named("polyworks").expect("a known format");
+/// let text = "K_1 1.0 2.0 3.0\nL_1 1.0 2.0".into();
+/// let (points, problems) = format.read("balls.txt", &text, Unit::Inch);
+///
+/// // an inch is 25.4 mm
+/// assert_eq!(&*points[0].label, "K_1");
+/// assert!((points[0].xyz_mm[0] - 25.4).abs() < 1e-12);
+///
+/// // the second row lacks a number
+/// let place = problems.0[0].place.as_ref().expect("a place in the file");
+/// assert_eq!((place.file.as_str(), place.line), ("balls.txt", Some(2)));
+/// ```
 #[derive(Clone)]
 pub struct Format {
     kind: &'static dyn ExportFormat,

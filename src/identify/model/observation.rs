@@ -7,6 +7,23 @@ use etalon_robots::Robot;
 use std::collections::BTreeMap;
 
 /// One pose of one cycle: joint values and the targets that were measured.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_identify::Observation;
+/// use etalon_robots::{Prexyt, Robot};
+///
+/// // ball K alone was measured at pose 3, 0.02 mm in x beside its nominal place
+/// let (robot, joints) = (Prexyt::default(), vec![100.0, 200.0, 200.0]); // mm
+/// let [x, y, z] = robot.position(&robot.nominal(), &joints, 0);
+/// let targets = vec![Some([x + 0.02, y, z]), None];
+/// let observation = Observation { pose: 3.into(), joints, targets, ..Observation::default() };
+///
+/// let misses: Vec<_> = observation.misses(&robot, &robot.nominal()).collect();
+/// let [(0, [dx_mm, dy_mm, _])] = misses[..] else { panic!("one target was measured") };
+/// assert!((dx_mm - 0.02).abs() < 1e-12 && dy_mm == 0.0);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observation {
     /// Name of the pose.

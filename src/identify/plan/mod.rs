@@ -105,6 +105,28 @@ impl Plan {
 
 /// Chooses among the configurations `observations` (see `configurations`). `progress` is called with the
 /// steps that have ended and with how many there are at most.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_identify::{Observation, Settings, plan::{Criterion, Request, plan}};
+/// use etalon_robots::{Prexyt, Robot};
+///
+/// // the gain of carriage 2 alone is free: it shows most where the carriage is farthest from zero
+/// let (robot, criterion) = (Prexyt::default(), Criterion::D);
+/// let candidates = [300.0, 0.0, 100.0, 200.0].map(|rho2| {
+///     let (joints, targets) = (vec![85.0, rho2, rho2], vec![Some([0.0; 3]); 2]); // mm
+///     Observation { pose: (rho2 as i64).into(), joints, targets, ..Observation::default() }
+/// });
+/// let names = robot.parameters().iter().map(|p| p.name.clone()).filter(|n| n != "delta2");
+/// let settings = Settings { hold: names.collect(), ..Settings::default() };
+/// let (single, start, starts, seed, nodes) = (false, vec![], 4, 1, 100);
+/// let request = Request { positions: 2, criterion, single, start, starts, seed, nodes };
+/// let plan = plan(&robot, &candidates, &settings, &request, &|_, _| {})?;
+/// assert_eq!(plan.chosen, [0, 3]);
+/// assert_eq!(plan.at_most_below_percent(), Some(0.0), "proven: no choice is better");
+/// # Ok::<(), etalon_identify::Error>(())
+/// ```
 pub fn plan(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -16,6 +16,19 @@ pub struct PoseAccuracy {
 }
 
 /// Accuracy of position; at least one attained position.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_standards::iso9283::pose::accuracy::pose_accuracy;
+///
+/// // two cycles, whose barycentre is 0.03 mm in x and 0.04 mm in y from the commanded position
+/// let commanded_mm = [100.0, 200.0, 300.0];
+/// let attained_mm = [[100.02, 200.05, 300.0], [100.04, 200.03, 300.0]];
+/// let accuracy = pose_accuracy(&attained_mm, commanded_mm)?;
+/// assert!((accuracy.ap_mm - 0.05).abs() < 1e-12);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn pose_accuracy(attained_mm: &[Vector], commanded_mm: Vector) -> Result<PoseAccuracy> {
     crate::iso9283::statistics::sample::positions(attained_mm, 1, "pose accuracy")?;
     let mean_mm = mean_position(attained_mm);

@@ -27,6 +27,19 @@ pub struct PoseRepeatability {
 }
 
 /// Repeatability of position; at least two attained positions.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
+///
+/// // radii of 3, 1, 1 and 3 µm: mean 2 µm, standard deviation √(4/3) µm
+/// let attained_mm = [-0.003, -0.001, 0.001, 0.003].map(|x| [x, 0.0, 0.0]);
+/// let repeatability = pose_repeatability(&attained_mm)?;
+/// assert!((repeatability.mean_radius_mm - 0.002).abs() < 1e-12);
+/// assert!((repeatability.rp_mm - 0.001 * (2.0 + 3.0 * (4.0f64 / 3.0).sqrt())).abs() < 1e-12);
+/// # Ok::<(), etalon_base::message::Problems>(())
+/// ```
 pub fn pose_repeatability(attained_mm: &[Vector]) -> Result<PoseRepeatability> {
     crate::iso9283::statistics::sample::positions(attained_mm, 2, "pose repeatability")?;
     let radius = spread(&radii_mm(attained_mm, &[0, 1, 2]));
