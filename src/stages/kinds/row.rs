@@ -1,80 +1,54 @@
 //! Rows of a table of observations of several kinds.
 
-use super::Stated;
-use crate::stages::orientations::{Written, written};
-use etalon_base::message::{Place, Problems, Result};
+use super::cells::{ByColumn, Cell, Cells, STATION, check_fixed, names};
+use super::kind::RowKind;
+use super::{KINDS, Stated, kind};
+use crate::stages::orientations::{AngleOrder, Written, written};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table;
 use etalon_formats::tables::joints::joint_values;
+use etalon_identify::{Condition, Settings};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
-/// Columns of numbers of all kinds beside those of positions.
-const NUMBERS: [&str; 22] = [
-    "qw",
-    "qx",
-    "qy",
-    "qz",
-    "rx_deg",
-    "ry_deg",
-    "rz_deg",
-    "rx_rad",
-    "ry_rad",
-    "rz_rad",
-    "a_deg",
-    "b_deg",
-    "c_deg",
-    "a_rad",
-    "b_rad",
-    "c_rad",
-    "value_deg",
-    "value_mm",
-    "distance_mm",
-    "offset_mm",
-    "u_mm",
-    "urot_deg",
-];
-/// Column of the name of a line: `line` are the lines of the file.
-pub(super) const LINE: &str = "line_name";
-/// Column of the name of the station of the instrument that measured a point.
-pub(super) const STATION: &str = "station";
+/// Columns of numbers beside those of positions and of single kinds.
+const UNCERTAINTIES: [&str; 2] = ["u_mm", "urot_deg"];
+
+/// Columns of numbers of single kinds, in the order in which they are written.
+pub fn numbers() -> Vec<&'static str> {
+    let mut all: Vec<&str> = Vec::new();
+    for name in KINDS.iter().flat_map(|kind| kind.numbers()) {
+        if !all.contains(&name) {
+            all.push(name);
+        }
+    }
+    all
+}
+
 /// Columns of all kinds beside those of positions, to which the target belongs.
 pub fn columns<'a>() -> impl Iterator<Item = &'a str> {
-    table::TEXTS.into_iter().filter(|name| *name != "target").chain(NUMBERS)
+    ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES)
 }
 
 /// A row of a table; numbers that it does not state are NaN, and names empty.
-pub(super) struct Row {
+pub struct Row {
     pub line: Option<usize>,
-    /// Kind as stated, or `pose` and `point` with and without an orientation.
-    pub kind: String,
+    /// What the row refers to; its kind as stated, or `pose` and `point` with and without an orientation.
+    pub cells: Cells,
     /// `None` for rows about fixed things alone.
     pub pose: Option<PoseName>,
     pub cycle: i64,
     /// Joint values (mm or rad) and directions.
     pub joints: Vec<f64>,
-    pub target: String,
     pub xyz_mm: Vector,
     /// Some coordinates of the target are given, and not all.
     pub is_partial: bool,
     pub orientation: Written,
-    /// Station other than the one whose frame is the world.
-    pub station: Option<String>,
-    /// The row names its station.
-    pub has_station: bool,
-    pub socket: String,
-    pub other: String,
-    pub plane: String,
-    pub line_name: String,
-    pub sphere: String,
-    pub axis: String,
-    pub joint: String,
-    pub value_rad: f64,
-    pub value_mm: f64,
-    pub distance_mm: f64,
-    pub offset_mm: f64,
+    /// The order of three angles of an orientation.
+    pub order: Option<AngleOrder>,
     /// Standard uncertainty of a length: the row's, or that of rows that state none.
     pub u_mm: f64,
     pub u_axes_mm: Vector,
@@ -92,8 +66,13 @@ struct Columns {
 impl Columns {
     fn read(observations: &DataFrame) -> Result<Self> {
         let has = |name: &&str| observations.column(name).is_ok();
-        let numbers = ["value_deg", "value_mm", "distance_mm", "offset_mm", "u_mm", "urot_deg"].into_iter();
-        let numbers = numbers.chain(table::XYZ).chain(table::UNCERTAINTIES).chain(table::COVARIANCES).filter(has);
+        let numbers = numbers()
+            .into_iter()
+            .chain(UNCERTAINTIES)
+            .chain(table::XYZ)
+            .chain(table::UNCERTAINTIES)
+            .chain(table::COVARIANCES)
+            .filter(has);
         let texts = table::TEXTS.into_iter().filter(has);
         Ok(Self {
             numbers: numbers.map(|name| Ok((name, table::numbers(observations, name)?))).collect::<Result<_>>()?,
@@ -107,6 +86,14 @@ impl Columns {
 
     fn text(&self, name: &str, row: usize) -> String {
         self.texts.get(name).map_or_else(String::new, |column| column[row].clone())
+    }
+
+    /// The cells of single kinds.
+    fn cells(&self, row: usize) -> ByColumn {
+        let names = self.texts.iter().filter(|(_, column)| !column[row].is_empty());
+        let names = names.map(|(name, column)| ((*name).to_owned(), Cell::Text(column[row].clone())));
+        let numbers = self.numbers.iter().map(|(name, column)| ((*name).to_owned(), Cell::Number(column[row])));
+        names.chain(numbers).collect()
     }
 }
 
@@ -132,31 +119,24 @@ impl Row {
             let (number, text) = (|name: &str| columns.number(name, row), |name: &str| columns.text(name, row));
             Self {
                 line: lines.get(row).map(|line| *line as usize),
-                kind: match text("kind") {
-                    kind if !kind.is_empty() => kind,
-                    _ if orientation.is_given() => "pose".to_owned(),
-                    _ => "point".to_owned(),
+                cells: Cells {
+                    kind: match text("kind") {
+                        kind if !kind.is_empty() => kind,
+                        _ if orientation.is_given() => "pose".to_owned(),
+                        _ => "point".to_owned(),
+                    },
+                    target: text("target"),
+                    station,
+                    by_column: columns.cells(row),
+                    in_truth: false,
                 },
                 pose: poses[row],
                 cycle: cycles[row],
                 joints,
-                target: text("target"),
                 xyz_mm: table::XYZ.map(number),
                 is_partial: partial[row],
                 orientation,
-                station,
-                has_station: !text(STATION).is_empty(),
-                socket: text("socket"),
-                other: text("other"),
-                plane: text("plane"),
-                line_name: text(LINE),
-                sphere: text("sphere"),
-                axis: text("axis"),
-                joint: text("joint"),
-                value_rad: number("value_deg").to_radians(),
-                value_mm: number("value_mm"),
-                distance_mm: number("distance_mm"),
-                offset_mm: if columns.numbers.contains_key("offset_mm") { number("offset_mm") } else { 0.0 },
+                order: without.order,
                 u_mm: or(number(length), without.length_mm),
                 u_axes_mm: table::UNCERTAINTIES.map(number),
                 has_covariance: table::COVARIANCES.iter().any(|name| !number(name).is_nan()),
@@ -175,9 +155,86 @@ impl Row {
     pub fn has_position(&self) -> bool {
         self.pose.is_some()
             && !self.is_partial
-            && self.station.is_none()
-            && matches!(self.kind.as_str(), "point" | "pose")
+            && self.cells.station.is_none()
+            && kind(&self.cells.kind).is_ok_and(|kind| kind.has_position())
             && self.xyz_mm.iter().any(|v| !v.is_nan())
+    }
+
+    /// Place of a fixed point, mm.
+    pub(super) fn fixed_place(&self) -> Result<Vector> {
+        if self.xyz_mm.iter().any(|v| !v.is_finite()) {
+            let what = format!("the place of `{}` is missing or not a number", self.cells.target);
+            return Err(Message::error(what).into());
+        }
+        Ok(self.xyz_mm)
+    }
+
+    /// Adds what the row states to `settings`, unless it is the position of a target alone.
+    pub fn add_to(&self, settings: &mut Settings, robot: &mut dyn Robot) -> Result<()> {
+        let kind = kind(&self.cells.kind)?;
+        if let Some(name) = &self.cells.station {
+            self.seen_whole(kind, name)?;
+        }
+        let Some(pose) = self.pose else {
+            check_fixed(self.cells.name("target")?, robot)?;
+            settings.known.push(kind.known(self, positive(self.u_mm, false)?, robot)?);
+            return Ok(());
+        };
+        let observed = kind.observed(self, robot)?;
+        if observed.is_empty() {
+            return Ok(());
+        }
+        if self.joints.iter().any(|q| !q.is_finite()) {
+            return Err(Message::error("a joint value is missing or not a number").into());
+        }
+        let target = target_of(kind, &self.cells.target, robot)?;
+        for (kind, own) in observed {
+            let of_row = if kind.is_angle() { self.u_rotation_rad } else { self.u_mm };
+            let standard_uncertainty = positive(if own.is_nan() { of_row } else { own }, kind.is_angle())?;
+            let (cycle, joints) = (self.cycle, self.joints.clone());
+            settings.conditions.push(Condition { pose, cycle, joints, target, kind, standard_uncertainty });
+        }
+        Ok(())
+    }
+
+    /// An error where a row of another station is not a point with all coordinates and one uncertainty.
+    fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
+        let us = self.u_axes_mm;
+        let what = match self.xyz_mm.iter().all(|v| v.is_finite()) {
+            _ if !kind.is_position() => format!("a row of kind `{}` states the station `{station}`", kind.name()),
+            false => format!("a coordinate of what station `{station}` measured is missing or not a number"),
+            true if self.has_covariance => format!("what station `{station}` measured states a covariance"),
+            true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => {
+                format!("the coordinates that station `{station}` measured have uncertainties of their own")
+            }
+            true => return Ok(()),
+        };
+        let expected =
+            "rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first";
+        Err(Message::error(what).expected(expected).into())
+    }
+}
+
+/// Index of the target of a row; 0 if the kind needs none.
+pub fn target_of(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result<usize> {
+    if name.is_empty() && !kind.has_target() {
+        return Ok(0);
+    }
+    let found = robot.targets().iter().position(|target| target == name);
+    Ok(found.ok_or_else(|| Message::error(format!("`{name}` is not a target of this robot")))?)
+}
+
+fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
+    let (column, option) = match is_angle {
+        true => ("urot_deg", "--rotation-uncertainty-deg"),
+        false => ("u_mm", "--standard-uncertainty-um"),
+    };
+    match standard_uncertainty {
+        u if u > 0.0 && u.is_finite() => Ok(u),
+        u if !u.is_nan() => Err(Message::error(format!("`{column}` = {u} is not a standard uncertainty")).into()),
+        _ => Err(Message::error("the row has no standard uncertainty")
+            .hint(format!("state {option}, or a column `{column}`"))
+            .into()),
     }
 }
 
