@@ -196,7 +196,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         texts.push((&stated.file, log::write(&scene, stated)?));
     }
     if let Some(stated) = table {
-        texts.push((&stated.file, table::write(&scene, stated, (&items, &known))?));
+        texts.push((&stated.file, table::write(&scene, stated, &items, &known)?));
     }
     for (file, text) in &texts {
         files::write(&campaign.resolve(file)?, text.as_bytes())?;

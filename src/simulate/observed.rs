@@ -1,7 +1,7 @@
 //! What the truth has observed: rows of a table of observations, by kind, and the fixed things that they refer to.
 
 use super::Truth;
-use crate::stages::kinds::{self, ByColumn, Cell, Cells, Simulated, stated_schema};
+use crate::stages::kinds::{self, ByColumn, Cell, Cells, Simulated, stated_schema, text};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -51,28 +51,23 @@ pub struct Stated {
     pub u_um: f64,
 }
 
-/// An `[[observe]]` as it is simulated.
-pub(super) struct Item<'a> {
-    pub stated: &'a Observe,
+/// An `[[observe]]` or `[[known]]` as it is simulated.
+pub(super) struct Item {
     pub cells: Cells,
     pub simulated: Simulated,
-    /// Index of the target.
+    /// Index of the target of what is observed.
     pub target: usize,
     poses: Option<Selection>,
+    /// Standard uncertainties that the row states.
+    pub u_um: Option<f64>,
+    pub urot_deg: Option<f64>,
 }
 
-impl Item<'_> {
+impl Item {
     /// Whether it is observed at a pose.
     pub(super) fn is_at(&self, pose: i64) -> bool {
         self.poses.as_ref().is_none_or(|poses| poses.contains(PoseName::from(pose), pose as usize - 1, false))
     }
-}
-
-/// A `[[known]]` as it is simulated.
-pub(super) struct Fixed<'a> {
-    pub stated: &'a Stated,
-    pub cells: Cells,
-    pub simulated: Simulated,
 }
 
 /// The targets that the truth observes, each once.
@@ -90,7 +85,7 @@ pub(super) fn targets(truth: &Truth) -> Vec<String> {
 ///
 /// # Errors
 /// Kinds, targets and joints that there are not, and kinds that lack what they refer to.
-pub(super) fn items<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<Item<'a>>> {
+pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     let world = world_station(truth)?;
     let mut items = Vec::new();
     for (number, stated) in (1..).zip(&truth.observe) {
@@ -98,7 +93,7 @@ pub(super) fn items<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<I
             let kind = kinds::kind(&stated.kind)?;
             let mut cells = cells(&stated.kind, &stated.target, &stated.to, &world);
             if let Some(coordinates) = &stated.coordinates {
-                if !kind.is_position() || cells.text("station").is_some() {
+                if !kind.facts().is_position || cells.text("station").is_some() {
                     return Err(Message::error("`coordinates` is for kind `point` without a station").into());
                 }
                 cells.by_column.insert("coordinates".to_owned(), Cell::Text(coordinates.clone()));
@@ -106,7 +101,8 @@ pub(super) fn items<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<I
             let simulated = kind.simulated(&cells, robot)?;
             let target = kinds::target_of(kind, &stated.target, robot)?;
             let poses = stated.poses.as_ref().map(Selection::parse).transpose()?;
-            Ok(Item { stated, cells, simulated, target, poses })
+            let (u_um, urot_deg) = (stated.u_um, stated.urot_deg);
+            Ok(Item { cells, simulated, target, poses, u_um, urot_deg })
         })();
         items.push(item.map_err(|problems| within("observe", number, problems))?);
     }
@@ -117,7 +113,7 @@ pub(super) fn items<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<I
 ///
 /// # Errors
 /// Kinds that state nothing of fixed things, and those that lack what they refer to.
-pub(super) fn known<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<Fixed<'a>>> {
+pub(super) fn known(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     let world = world_station(truth)?;
     let mut known = Vec::new();
     for (number, stated) in (1..).zip(&truth.known) {
@@ -127,7 +123,7 @@ pub(super) fn known<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<F
             Err(_) => Err(kinds::no_known(&stated.kind).into()),
         };
         let simulated = simulated.map_err(|problems| within("known", number, problems))?;
-        known.push(Fixed { stated, cells, simulated });
+        known.push(Item { cells, simulated, target: 0, poses: None, u_um: Some(stated.u_um), urot_deg: None });
     }
     Ok(known)
 }
@@ -135,24 +131,19 @@ pub(super) fn known<'a>(truth: &'a Truth, robot: &mut dyn Robot) -> Result<Vec<F
 /// The cells of a row; a station is another one than that whose frame is the world.
 fn cells(kind: &str, target: &str, to: &ByColumn, world: &str) -> Cells {
     let (kind, target, by_column) = (kind.to_owned(), target.to_owned(), to.clone());
-    let station = station(to).filter(|name| *name != world).map(str::to_owned);
+    let station = text(to, "station").filter(|name| *name != world).map(str::to_owned);
     Cells { kind, target, station, by_column, in_truth: true }
-}
-
-/// The station that the cells name.
-fn station(to: &ByColumn) -> Option<&str> {
-    match to.get("station") {
-        Some(Cell::Text(name)) => Some(name),
-        _ => None,
-    }
 }
 
 /// The station whose frame is the world, as the table will be read: none where something is measured without a station, or else the first.
 fn world_station(truth: &Truth) -> Result<String> {
-    let measured = truth.observe.iter().filter(|o| kinds::kind(&o.kind).is_ok_and(|kind| kind.has_position()));
-    let fixed =
-        truth.known.iter().filter(|k| kinds::kind(&k.kind).is_ok_and(|kind| kind.is_position()) || k.near_mm.is_some());
-    let without = measured.clone().any(|o| station(&o.to).is_none()) || fixed.clone().any(|k| station(&k.to).is_none());
+    let measured = truth.observe.iter().filter(|o| kinds::kind(&o.kind).is_ok_and(|kind| kind.facts().has_position));
+    let fixed = truth
+        .known
+        .iter()
+        .filter(|k| kinds::kind(&k.kind).is_ok_and(|kind| kind.facts().is_position) || k.near_mm.is_some());
+    let without = measured.clone().any(|o| text(&o.to, "station").is_none())
+        || fixed.clone().any(|k| text(&k.to, "station").is_none());
     let mut first: Option<(usize, &Observe)> = None;
     for observe in measured {
         let poses = observe.poses.as_ref().map(Selection::parse).transpose()?;
@@ -164,7 +155,8 @@ fn world_station(truth: &Truth) -> Result<String> {
             first = Some((pose, observe));
         }
     }
-    let first = first.map(|(_, observe)| station(&observe.to)).or_else(|| fixed.map(|k| station(&k.to)).next());
+    let first =
+        first.map(|(_, observe)| text(&observe.to, "station")).or_else(|| fixed.map(|k| text(&k.to, "station")).next());
     Ok(first.flatten().filter(|_| !without).unwrap_or_default().to_owned())
 }
 

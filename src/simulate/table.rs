@@ -1,10 +1,10 @@
 //! A table of observations of every kind, in the layout that the campaign states.
 
-use super::observed::{Fixed, Item};
+use super::observed::Item;
 use super::{Scene, Turn};
 use crate::stages::identification;
 use crate::stages::join::Observations;
-use crate::stages::kinds::{self, Measurement, Simulated};
+use crate::stages::kinds::{self, Measurement};
 use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
@@ -36,11 +36,7 @@ const FAR: f64 = 8.0;
 type Cells = BTreeMap<String, String>;
 
 /// The text of the table of what is observed and known; an error where it would not be read as it is meant.
-pub(super) fn write(
-    scene: &Scene,
-    stated: &ObservationsDefinition,
-    (items, known): (&[Item], &[Fixed]),
-) -> Result<String> {
+pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Item], known: &[Item]) -> Result<String> {
     writable(scene, stated)?;
     let order: Option<AngleOrder> = match &stated.orientation {
         Some(text) => Some(text.get_ref().parse().map_err(|m: Message| m.at(scene.campaign.place(text)))?),
@@ -54,10 +50,10 @@ pub(super) fn write(
         }
         let joints = touching(scene, turn, &here)?;
         for item in here {
-            table.observe(turn, &joints, item)?;
+            table.add(item, Some((turn, &joints)))?;
         }
     }
-    known.iter().try_for_each(|fixed| table.known(fixed))?;
+    known.iter().try_for_each(|item| table.add(item, None))?;
     let text = table.text();
     read_back(scene, stated, &text)?;
     Ok(text)
@@ -90,7 +86,7 @@ fn touching(scene: &Scene, turn: Turn, items: &[&Item]) -> Result<Vec<f64>> {
         return Ok(scene.joints[pose].clone());
     }
     let mut noise = Noise::new(scene.truth.seed, TOUCHED + turn.number as u64);
-    let mut touch = |item: &Item| [0; 3].map(|_| noise.gaussian(scene.u_mm(item.stated.u_um)));
+    let mut touch = |item: &Item| [0; 3].map(|_| noise.gaussian(scene.u_mm(item.u_um)));
     let left: Vec<Vector> = touched.iter().map(|(item, _)| touch(item)).collect();
     let last = if scene.truth.is_drawn(pose) { ATTEMPTS } else { 1 };
     for attempt in 0..last {
@@ -177,62 +173,39 @@ impl Table<'_> {
         renamed.unwrap_or_else(|| (column.to_owned(), 1.0))
     }
 
-    /// Adds a row of what is observed at a pose.
-    fn observe(&mut self, turn: Turn, joints: &[f64], item: &Item) -> Result<()> {
-        let (scene, stated) = (self.scene, item.stated);
-        let mut row = texts(&item.cells);
-        row.insert("pose".to_owned(), turn.pose.to_string());
-        row.insert("cycle".to_owned(), turn.cycle.to_string());
-        for (joint, q) in scene.robot.joints().iter().zip(joints) {
-            self.set(&mut row, &joint.column(), joint.quantity.outward(*q));
-        }
-        if let (true, Some(mode)) = (scene.robot.has_assembly_modes(), joints.last()) {
-            row.insert(ASSEMBLY.to_owned(), format!("{mode:+.0}"));
-        }
-        let position = scene.robot.position(&scene.values, joints, item.target);
-        self.measure(&mut row, &item.simulated, (joints, position), (stated.u_um, stated.urot_deg))?;
-        self.uncertainty(&mut row, "u_mm", stated.u_um.map(|um| um / 1000.0));
-        self.uncertainty(&mut row, "urot_deg", stated.urot_deg);
-        self.rows.push(row);
-        Ok(())
-    }
-
-    fn uncertainty(&self, row: &mut Cells, column: &str, value: Option<f64>) {
-        if let Some(value) = value {
-            row.insert(column.to_owned(), self.number(column, value));
-        }
-    }
-
-    /// Adds a row about a fixed thing.
-    fn known(&mut self, fixed: &Fixed) -> Result<()> {
-        let mut row = texts(&fixed.cells);
-        self.measure(&mut row, &fixed.simulated, (&[], [0.0; 3]), (Some(fixed.stated.u_um), None))?;
-        self.uncertainty(&mut row, "u_mm", Some(fixed.stated.u_um / 1000.0));
-        self.rows.push(row);
-        Ok(())
-    }
-
-    /// Adds the numbers of a row that is measured at joint values and the position of its target, with the uncertainties that it states.
-    fn measure(
-        &mut self,
-        row: &mut Cells,
-        simulated: &Simulated,
-        (joints, position): (&[f64], Vector),
-        (u_um, urot_deg): (Option<f64>, Option<f64>),
-    ) -> Result<()> {
+    /// Adds a row of what is observed at a measurement with its joint values, or known without one.
+    fn add(&mut self, item: &Item, measurement: Option<(Turn, &[f64])>) -> Result<()> {
         let scene = self.scene;
-        let numbers = (simulated.numbers)(&mut Measurement {
+        let named = kinds::names().filter_map(|column| Some((column, item.cells.text(column)?)));
+        let names = [("kind", item.cells.kind.as_str()), ("target", &item.cells.target)].into_iter().chain(named);
+        let mut row: Cells = names.map(|(column, name)| (column.to_owned(), name.to_owned())).collect();
+        let (mut at, mut position) = (&[][..], [0.0; 3]);
+        if let Some((turn, joints)) = measurement {
+            row.insert("pose".to_owned(), turn.pose.to_string());
+            row.insert("cycle".to_owned(), turn.cycle.to_string());
+            for (joint, q) in scene.robot.joints().iter().zip(joints) {
+                self.set(&mut row, &joint.column(), joint.quantity.outward(*q));
+            }
+            if let (true, Some(mode)) = (scene.robot.has_assembly_modes(), joints.last()) {
+                row.insert(ASSEMBLY.to_owned(), format!("{mode:+.0}"));
+            }
+            (at, position) = (joints, scene.robot.position(&scene.values, joints, item.target));
+        }
+        let numbers = (item.simulated.numbers)(&mut Measurement {
             robot: scene.robot,
             values: &scene.values,
-            joints,
+            joints: at,
             position,
-            sigma_mm: scene.u_mm(u_um),
-            sigma_rad: scene.u_rad(urot_deg),
+            sigma_mm: scene.u_mm(item.u_um),
+            sigma_rad: scene.u_rad(item.urot_deg),
             order: self.order,
             is_vector: ROTATION_VECTOR.iter().any(|column| self.heading(column).0 != *column),
             noise: &mut self.noise,
         })?;
-        numbers.into_iter().for_each(|(column, value)| self.set(row, column, value));
+        let stated = [("u_mm", item.u_um.map(|um| um / 1000.0)), ("urot_deg", item.urot_deg)];
+        let stated = stated.into_iter().filter_map(|(column, u)| Some((column, u?)));
+        numbers.into_iter().chain(stated).for_each(|(column, value)| self.set(&mut row, column, value));
+        self.rows.push(row);
         Ok(())
     }
 
@@ -246,7 +219,7 @@ impl Table<'_> {
         let is_stated = |column: &str| match column {
             "target" => layout.target.is_some(),
             "pose" => layout.pose.is_some(),
-            "kind" => self.rows.iter().all(|row| kinds::kind(&row["kind"]).is_ok_and(|kind| kind.has_position())),
+            "kind" => self.rows.iter().all(|row| kinds::kind(&row["kind"]).is_ok_and(|kind| kind.facts().has_position)),
             "cycle" => self.scene.truth.cycles == 1,
             _ => false,
         };
@@ -258,13 +231,6 @@ impl Table<'_> {
         let row = |row: &Cells| line(columns.iter().map(|c| row.get(c).cloned().unwrap_or_default()).collect());
         header + &self.rows.iter().map(row).collect::<String>()
     }
-}
-
-/// The names in a row.
-fn texts(cells: &kinds::Cells) -> Cells {
-    let named = kinds::names().filter_map(|column| Some((column, cells.text(column)?)));
-    let all = [("kind", cells.kind.as_str()), ("target", cells.target.as_str())].into_iter().chain(named);
-    all.map(|(column, name)| (column.to_owned(), name.to_owned())).collect()
 }
 
 impl Scene<'_> {

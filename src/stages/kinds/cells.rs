@@ -28,11 +28,19 @@ pub enum Cell {
 /// Cells by column, beside those of every kind: columns of text that are empty are missing.
 pub type ByColumn = BTreeMap<String, Cell>;
 
+/// The text in a column, if any.
+pub fn text<'a>(cells: &'a ByColumn, column: &str) -> Option<&'a str> {
+    match cells.get(column) {
+        Some(Cell::Text(text)) => Some(text),
+        _ => None,
+    }
+}
+
 /// Schema of the cells that a truth states, by column.
 pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
     let texts = names().map(|name| (name, generator.subschema_for::<Option<String>>()));
     let mut properties: Map<String, _> = texts.map(|(name, schema)| (name.to_owned(), schema.to_value())).collect();
-    for name in KINDS.iter().flat_map(|kind| kind.stated()) {
+    for name in KINDS.iter().flat_map(|kind| kind.facts().stated) {
         properties.insert((*name).to_owned(), generator.subschema_for::<Option<f64>>().to_value());
     }
     json_schema!({ "type": "object", "properties": properties })
@@ -61,10 +69,7 @@ pub struct Cells {
 impl Cells {
     /// The text in a column, if any.
     pub fn text(&self, column: &str) -> Option<&str> {
-        match self.by_column.get(column) {
-            Some(Cell::Text(text)) => Some(text),
-            _ => None,
-        }
+        text(&self.by_column, column)
     }
 
     /// The number in a column, if there is such a column.

@@ -1,8 +1,6 @@
 //! A target in a socket.
 
-use super::cells::Cells;
-use super::kind::{RowKind, Simulated};
-use super::row::Row;
+use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::message::Result;
 use etalon_identify::Kind;
 use etalon_robots::Robot;
@@ -16,8 +14,8 @@ impl Contact {
 }
 
 impl RowKind for Contact {
-    fn name(&self) -> &'static str {
-        "contact"
+    fn facts(&self) -> Facts {
+        Facts { name: "contact", ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {

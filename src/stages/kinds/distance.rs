@@ -1,8 +1,6 @@
 //! The distance of a target from a fixed point, or of two fixed points.
 
-use super::cells::Cells;
-use super::kind::{RowKind, Simulated};
-use super::row::Row;
+use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_identify::{Fixture, Kind, Known};
@@ -11,12 +9,8 @@ use etalon_robots::Robot;
 pub(super) struct Distance;
 
 impl RowKind for Distance {
-    fn name(&self) -> &'static str {
-        "distance"
-    }
-
-    fn numbers(&self) -> Vec<&'static str> {
-        vec!["distance_mm"]
+    fn facts(&self) -> Facts {
+        Facts { name: "distance", numbers: vec!["distance_mm"], ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {

@@ -1,8 +1,7 @@
 //! The value of a joint as it is: of a home switch or a second encoder.
 
-use super::cells::Cells;
-use super::kind::{RowKind, Simulated, not_of};
-use super::row::Row;
+use super::kind::not_of;
+use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::message::{Message, Result};
 use etalon_identify::{JointValue, Kind};
 use etalon_robots::{Quantity, Robot};
@@ -10,16 +9,9 @@ use etalon_robots::{Quantity, Robot};
 pub(super) struct Joints;
 
 impl RowKind for Joints {
-    fn name(&self) -> &'static str {
-        "joints"
-    }
-
-    fn numbers(&self) -> Vec<&'static str> {
-        vec!["value_deg", "value_mm"]
-    }
-
-    fn has_target(&self) -> bool {
-        false
+    fn facts(&self) -> Facts {
+        let numbers = vec!["value_deg", "value_mm"];
+        Facts { name: "joints", numbers, is_of_robot: true, ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {

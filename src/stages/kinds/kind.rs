@@ -1,7 +1,6 @@
 //! Kinds of rows in a table of observations: what a kind has in common with all others.
 
-use super::cells::Cells;
-use super::row::Row;
+use super::{Cells, Row};
 use crate::stages::orientations::AngleOrder;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
@@ -10,42 +9,34 @@ use etalon_formats::table::XYZ;
 use etalon_identify::{Fixture, Kind, Known};
 use etalon_robots::Robot;
 
+/// What is the same in all rows of a kind.
+#[derive(Default)]
+pub struct Facts {
+    /// Name in the column `kind`.
+    pub name: &'static str,
+    /// Columns of numbers beside positions and uncertainties.
+    pub numbers: Vec<&'static str>,
+    /// The columns of these that a truth states; the others are simulated.
+    pub stated: &'static [&'static str],
+    /// A row contains the position of its target.
+    pub has_position: bool,
+    /// A row is the position of its target: single coordinates and further stations are possible.
+    pub is_position: bool,
+    /// A row may be without a target.
+    pub is_of_robot: bool,
+}
+
 /// A kind of rows: its columns, the conditions that a row states, and how a row is simulated.
 pub trait RowKind: Sync {
-    /// Name in the column `kind`.
-    fn name(&self) -> &'static str;
-
-    /// Columns of numbers beside positions and uncertainties.
-    fn numbers(&self) -> Vec<&'static str> {
-        Vec::new()
-    }
-
-    /// Columns of numbers that a truth states; the others are simulated.
-    fn stated(&self) -> &'static [&'static str] {
-        &[]
-    }
-
-    /// `true` if a row contains the position of its target.
-    fn has_position(&self) -> bool {
-        false
-    }
-
-    /// `true` if a row is the position of its target: single coordinates and further stations are possible.
-    fn is_position(&self) -> bool {
-        false
-    }
-
-    /// `true` if a row needs a target.
-    fn has_target(&self) -> bool {
-        true
-    }
+    /// What is the same in all its rows.
+    fn facts(&self) -> Facts;
 
     /// What a row with a pose observed beside a position in the world, each with a standard uncertainty (mm or rad); NaN for that of the row.
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>>;
 
     /// What a row without a pose states of fixed things, with its standard uncertainty (mm).
     fn known(&self, _row: &Row, _u_mm: f64, _robot: &mut dyn Robot) -> Result<Known> {
-        Err(Message::error(format!("a row of kind `{}` has no pose", self.name()))
+        Err(Message::error(format!("a row of kind `{}` has no pose", self.facts().name))
             .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`")
             .into())
     }
@@ -55,7 +46,7 @@ pub trait RowKind: Sync {
 
     /// How a row without a pose is simulated; `near_mm` is about where a place on a surface is.
     fn known_simulated(&self, _: &Cells, _near_mm: Option<Vector>, _: &mut dyn Robot) -> Result<Simulated> {
-        Err(no_known(self.name()).into())
+        Err(no_known(self.facts().name).into())
     }
 }
 

@@ -12,9 +12,9 @@ mod pose;
 mod row;
 mod surface;
 
-pub use cells::{ByColumn, Cell, Cells, names, stated_schema};
-pub use kind::{Measurement, RowKind, Simulated, no_known};
-pub use row::{columns, numbers, target_of};
+pub use cells::{ByColumn, Cell, Cells, names, stated_schema, text};
+pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
+pub use row::{Row, columns, numbers, target_of};
 
 use crate::stages::orientations::{self, AngleOrder, unstated};
 use crate::stages::positions;
@@ -25,7 +25,7 @@ use etalon_formats::table;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
-use row::{Row, fixed_rows, partial_rows, row_poses};
+use row::{fixed_rows, partial_rows, row_poses};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The kinds of rows.
@@ -45,9 +45,9 @@ const KINDS: [&dyn RowKind; 8] = [
 /// # Errors
 /// A name that no kind has.
 pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
-    let found = KINDS.into_iter().find(|kind| kind.name() == name);
+    let found = KINDS.into_iter().find(|kind| kind.facts().name == name);
     Ok(found.ok_or_else(|| {
-        let names = KINDS.iter().map(|kind| kind.name());
+        let names = KINDS.iter().map(|kind| kind.facts().name);
         Message::error(format!("`{name}` is not a kind of observation")).hint_names(name, names)
     })?)
 }
@@ -235,8 +235,9 @@ pub fn observed(
 
 /// An error about a few rows without a station, which would be the world, beside many that have one.
 fn unnamed_station(rows: &[Row]) -> Option<Message> {
-    let points =
-        rows.iter().filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.is_position()));
+    let points = rows
+        .iter()
+        .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().is_position));
     let (named, unnamed): (Vec<&Row>, Vec<&Row>) = points.partition(|row| row.cells.station.is_some());
     let poses = |rows: &[&Row]| rows.iter().map(|row| row.pose).collect::<BTreeSet<_>>().len();
     let all_stated = unnamed.iter().all(|row| row.cells.text(STATION).is_some());

@@ -1,8 +1,7 @@
 //! The position of a target, of which single coordinates and those of further stations are conditions; the place of a fixed point.
 
-use super::cells::Cells;
-use super::kind::{RowKind, Simulated, xyz};
-use super::row::Row;
+use super::kind::xyz;
+use super::{Cells, Facts, Row, RowKind, Simulated};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_identify::{Coordinate, Fixture, Kind, Known, Seen};
@@ -11,16 +10,8 @@ use etalon_robots::Robot;
 pub(super) struct Point;
 
 impl RowKind for Point {
-    fn name(&self) -> &'static str {
-        "point"
-    }
-
-    fn has_position(&self) -> bool {
-        true
-    }
-
-    fn is_position(&self) -> bool {
-        true
+    fn facts(&self) -> Facts {
+        Facts { name: "point", has_position: true, is_position: true, ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {

@@ -1,8 +1,7 @@
 //! Position of a target and orientation of the body that carries it.
 
-use super::cells::Cells;
-use super::kind::{RowKind, Simulated, not_of, xyz};
-use super::row::Row;
+use super::kind::{not_of, xyz};
+use super::{Cells, Facts, Row, RowKind, Simulated};
 use crate::stages::orientations;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
@@ -12,16 +11,9 @@ use etalon_robots::Robot;
 pub(super) struct Body;
 
 impl RowKind for Body {
-    fn name(&self) -> &'static str {
-        "pose"
-    }
-
-    fn numbers(&self) -> Vec<&'static str> {
-        orientations::columns().collect()
-    }
-
-    fn has_position(&self) -> bool {
-        true
+    fn facts(&self) -> Facts {
+        let numbers = orientations::columns().collect();
+        Facts { name: "pose", numbers, has_position: true, ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {

@@ -1,8 +1,8 @@
 //! A target on a plane, line or sphere, or a fixed place there; the radius of a sphere.
 
-use super::cells::{Cells, check_fixed};
-use super::kind::{Measurement, RowKind, Simulated, xyz};
-use super::row::Row;
+use super::cells::check_fixed;
+use super::kind::xyz;
+use super::{Cells, Facts, Measurement, Row, RowKind, Simulated};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
 use etalon_identify::{Fixture, Kind, Known, On, Surface};
@@ -71,16 +71,9 @@ impl OnSurface {
 }
 
 impl RowKind for OnSurface {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn numbers(&self) -> Vec<&'static str> {
-        if self.has_radius { vec!["offset_mm", "distance_mm"] } else { vec!["offset_mm"] }
-    }
-
-    fn stated(&self) -> &'static [&'static str] {
-        &["offset_mm"]
+    fn facts(&self) -> Facts {
+        let numbers = if self.has_radius { vec!["offset_mm", "distance_mm"] } else { vec!["offset_mm"] };
+        Facts { name: self.name, numbers, stated: &["offset_mm"], ..Facts::default() }
     }
 
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
