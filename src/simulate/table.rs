@@ -32,8 +32,8 @@ const ATTEMPTS: u64 = 500;
 /// What is read may be this many standard uncertainties from what is meant.
 const FAR: f64 = 8.0;
 
-/// Cells of a row by the column in mm or deg.
-type Cells = BTreeMap<String, String>;
+/// Written cells of a row, by the column in mm or deg.
+type Written = BTreeMap<String, String>;
 
 /// The text of the table of what is observed and known; an error where it would not be read as it is meant.
 pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Item], known: &[Item]) -> Result<String> {
@@ -150,18 +150,15 @@ struct Table<'a> {
     /// The order of three angles of an orientation.
     order: Option<AngleOrder>,
     noise: Noise,
-    rows: Vec<Cells>,
+    rows: Vec<Written>,
 }
 
 impl Table<'_> {
-    fn set(&self, row: &mut Cells, column: &str, value: f64) {
-        row.insert(column.to_owned(), self.number(column, value));
-    }
-
-    /// A number in the unit that the column has in the file.
-    fn number(&self, column: &str, value: f64) -> String {
+    /// Writes a number in the unit that the column has in the file.
+    fn set(&self, row: &mut Written, column: &str, value: f64) {
         let text = format!("{:.*}", self.scene.truth.decimals, value / self.heading(column).1);
-        if self.stated.layout().decimal == Decimal::Comma { text.replace('.', ",") } else { text }
+        let text = if self.stated.layout().decimal == Decimal::Comma { text.replace('.', ",") } else { text };
+        row.insert(column.to_owned(), text);
     }
 
     /// The heading of a column in the file, and what takes its values to mm or deg.
@@ -178,7 +175,7 @@ impl Table<'_> {
         let scene = self.scene;
         let named = kinds::names().filter_map(|column| Some((column, item.cells.text(column)?)));
         let names = [("kind", item.cells.kind.as_str()), ("target", &item.cells.target)].into_iter().chain(named);
-        let mut row: Cells = names.map(|(column, name)| (column.to_owned(), name.to_owned())).collect();
+        let mut row: Written = names.map(|(column, name)| (column.to_owned(), name.to_owned())).collect();
         let (mut at, mut position) = (&[][..], [0.0; 3]);
         if let Some((turn, joints)) = measurement {
             row.insert("pose".to_owned(), turn.pose.to_string());
@@ -228,7 +225,7 @@ impl Table<'_> {
         let separator = layout.delimiter.byte().map(char::from).unwrap_or(' ').to_string();
         let line = |cells: Vec<String>| cells.join(&separator) + "\n";
         let header = line(columns.iter().map(|column| self.heading(column).0).collect());
-        let row = |row: &Cells| line(columns.iter().map(|c| row.get(c).cloned().unwrap_or_default()).collect());
+        let row = |row: &Written| line(columns.iter().map(|c| row.get(c).cloned().unwrap_or_default()).collect());
         header + &self.rows.iter().map(row).collect::<String>()
     }
 }

@@ -58,13 +58,14 @@ pub fn no_known(kind: &str) -> Message {
 
 /// Numbers of a row by column, in mm or deg.
 pub type Numbers = Vec<(&'static str, f64)>;
+type Measure = dyn Fn(&mut Measurement) -> Result<Numbers>;
 
 /// How a row is simulated.
 pub struct Simulated {
     /// The condition that joint values have to meet, where the target touches something.
     pub touches: Option<Kind>,
     /// The numbers of the row, where it is measured.
-    pub numbers: Box<dyn Fn(&mut Measurement) -> Result<Numbers>>,
+    pub numbers: Box<Measure>,
 }
 
 impl Simulated {

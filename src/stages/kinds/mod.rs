@@ -28,7 +28,7 @@ use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use row::{fixed_rows, partial_rows, row_poses};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The kinds of rows.
+/// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of names also in [`table::TEXTS`].
 const KINDS: [&dyn RowKind; 8] = [
     &point::Point,
     &pose::Body,

@@ -8,21 +8,24 @@ use etalon_base::pose::Vector;
 use etalon_identify::{Fixture, Kind, Known, On, Surface};
 use etalon_robots::Robot;
 
+/// A surface and its parameters.
+type Unknowns = (Surface, [usize; 4]);
+
 pub(super) struct OnSurface {
     name: &'static str,
     /// A target may be off it, outside of a sphere.
     has_offset: bool,
     /// Its radius may be known.
     has_radius: bool,
-    /// The surface that the cells name, and its parameters.
-    surface: fn(&Cells, &mut dyn Robot) -> Result<(Surface, [usize; 4])>,
+    /// The surface that the cells name.
+    surface: fn(&Cells, &mut dyn Robot) -> Result<Unknowns>,
 }
 
 pub(super) const PLANE: OnSurface = OnSurface { name: "plane", has_offset: true, has_radius: false, surface: plane };
 pub(super) const LINE: OnSurface = OnSurface { name: "line", has_offset: false, has_radius: false, surface: line };
 pub(super) const SPHERE: OnSurface = OnSurface { name: "sphere", has_offset: true, has_radius: true, surface: sphere };
 
-fn plane(cells: &Cells, robot: &mut dyn Robot) -> Result<(Surface, [usize; 4])> {
+fn plane(cells: &Cells, robot: &mut dyn Robot) -> Result<Unknowns> {
     let name = cells.name("plane")?;
     let axis = cells.axis(|| {
         Message::error(format!("the plane `{name}` needs the axis of the world that is nearest to its normal"))
@@ -32,7 +35,7 @@ fn plane(cells: &Cells, robot: &mut dyn Robot) -> Result<(Surface, [usize; 4])> 
     Ok((Surface::Plane { axis }, [first, first + 1, first + 2, first + 2]))
 }
 
-fn line(cells: &Cells, robot: &mut dyn Robot) -> Result<(Surface, [usize; 4])> {
+fn line(cells: &Cells, robot: &mut dyn Robot) -> Result<Unknowns> {
     // `line` are the lines of the file
     let name = cells.name("line_name")?;
     let axis = cells.axis(|| {
@@ -43,7 +46,7 @@ fn line(cells: &Cells, robot: &mut dyn Robot) -> Result<(Surface, [usize; 4])> {
     Ok((Surface::Line { axis }, [first, first + 1, first + 2, first + 3]))
 }
 
-fn sphere(cells: &Cells, robot: &mut dyn Robot) -> Result<(Surface, [usize; 4])> {
+fn sphere(cells: &Cells, robot: &mut dyn Robot) -> Result<Unknowns> {
     let name = cells.name("sphere")?;
     check_fixed(name, robot)?;
     let (first, radius) = (Fixture::Point(name).add_to(robot), Fixture::Radius(name).add_to(robot));
