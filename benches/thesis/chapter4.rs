@@ -118,7 +118,7 @@ fn order(robot: &FiveBar, poses: &[Vec<&Observation>]) -> Vec<usize> {
     let pool = pool_of(&sensitivity(robot, &all, &settings()).expect("sensitivity"), &members, Criterion::D);
     let mut order: Vec<usize> = Vec::new();
     while order.len() < poses.len() {
-        let with = |i: &usize| Choice::of(&pool, Criterion::D, [&order[..], &[*i]].concat()).value;
+        let with = |i: &usize| Choice::of(&pool, [&order[..], &[*i]].concat()).value;
         let left = (0..poses.len()).filter(|i| !order.contains(i));
         order.extend(left.max_by(|a, b| with(a).total_cmp(&with(b))));
     }

@@ -111,8 +111,8 @@ impl Verify {
 /// Other kinds of observations are refused: they would be left out.
 fn only_points(observed: &TableFile) -> Result<(), Problems> {
     // the uncertainty of a row is that of its position
-    let others = kinds::columns().filter(|name| *name != "u_mm");
-    match others.into_iter().find(|name| observed.table.column(name).is_ok()) {
+    let mut others = kinds::columns().into_iter().filter(|name| *name != "u_mm");
+    match others.find(|name| observed.table.column(name).is_ok()) {
         Some(name) => {
             let message =
                 Message::error(format!("the observations have a column `{name}`: only positions are compared"));

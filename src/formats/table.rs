@@ -29,9 +29,9 @@ pub const LABEL: &str = "label";
 
 /// Column of the time of a measurement in s.
 pub const TIME: &str = "time_s";
-/// Columns of text in a table of observations.
+/// Columns of text in a table of observations, in the order in which they are written.
 pub const TEXTS: [&str; 10] =
-    ["kind", "target", "station", "socket", "other", "plane", "line_name", "sphere", "axis", "joint"];
+    ["kind", "target", "socket", "other", "plane", "line_name", "sphere", "axis", "station", "joint"];
 /// Column of the assembly mode, +1 or -1, of robots that have several.
 pub const ASSEMBLY: &str = "assembly";
 

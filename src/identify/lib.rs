@@ -23,8 +23,8 @@ pub use judgement::stability::{Stability, halves, stability};
 pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, held};
 pub use judgement::uncertainty::UncertaintyFrom;
 pub use judgement::verification::{
-    Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test, Verification,
-    detectable, most_probable, p_value, verify,
+    Comparison, Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,
+    Verification,
 };
 pub use model::effects::effects;
 pub use model::fixture::Fixture;

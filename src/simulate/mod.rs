@@ -11,7 +11,7 @@ mod table;
 mod truth;
 mod unmodelled;
 
-pub use observed::{Observe, Stated, To};
+pub use observed::{Observe, Stated};
 pub use repeatability::{Repeating, Scatter};
 pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
@@ -41,8 +41,6 @@ struct Scene<'a> {
     /// The point that the tool stands on at each pose, where that is stated.
     stands: Vec<Option<Vector>>,
     export_T_world: Pose,
-    /// What the truth states of fixed things, with the first parameters of what that refers to.
-    known: Vec<(&'a Stated, observed::What, usize)>,
 }
 
 /// One of the measurements: repeats follow each other as whole rounds of all poses.
@@ -189,7 +187,6 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         values,
         stands: truth.stands()?,
         export_T_world: Pose::from_xyz_rpy(placed.xyz_mm, placed.rpy_deg.map(f64::to_radians)),
-        known,
     };
     scene.check_reach()?;
     truth.unmodelled.as_ref().map_or(Ok(()), |u| u.check(&scene))?;
@@ -204,7 +201,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         texts.push((&stated.file, log::write(&scene, stated)?));
     }
     if let Some(stated) = table {
-        texts.push((&stated.file, table::write(&scene, stated, &items)?));
+        texts.push((&stated.file, table::write(&scene, stated, &items, &known)?));
     }
     for (file, text) in &texts {
         files::write(&campaign.resolve(file)?, text.as_bytes())?;

@@ -9,10 +9,10 @@ use polars::prelude::DataFrame;
 use std::fmt;
 use std::str::FromStr;
 
-/// Columns of a rotation vector, and of three angles.
+/// Columns of a rotation vector.
 pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
-/// See [`ROTATION_VECTOR`].
-pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
+/// Columns of three angles.
+const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 /// The same as a rotation vector, and as angles.
 const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (ROTATION_VECTOR, DEG, false),
@@ -116,10 +116,24 @@ enum Form {
     Angles,
 }
 
+/// Columns of orientations, in every form.
+pub fn columns() -> impl Iterator<Item = &'static str> {
+    QUATERNION.into_iter().chain(TRIPLES.iter().flat_map(|t| t.0))
+}
+
 /// `true` if a table has a column of an orientation.
 pub fn are_in(observations: &DataFrame) -> bool {
-    let columns = QUATERNION.into_iter().chain(TRIPLES.iter().flat_map(|t| t.0));
-    columns.into_iter().any(|name| observations.column(name).is_ok())
+    columns().any(|name| observations.column(name).is_ok())
+}
+
+/// An orientation by column: angles in an order, a rotation vector, or a quaternion.
+pub fn numbers(body: &Pose, order: Option<AngleOrder>, is_vector: bool) -> Vec<(&'static str, f64)> {
+    let degrees = |names: [&'static str; 3], rad: [f64; 3]| names.into_iter().zip(rad.map(f64::to_degrees)).collect();
+    match order {
+        Some(order) => degrees(ANGLES, order.angles(body)),
+        None if is_vector => degrees(ROTATION_VECTOR, body.rotation_vector_rad()),
+        None => QUATERNION.into_iter().zip(body.quaternion()).collect(),
+    }
 }
 
 /// The orientations of a table, row by row.

@@ -8,7 +8,7 @@ use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::{Campaign, Identify};
 use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
-use etalon_identify::{GivenParameters, Settings};
+use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
 
 /// Errors of given parameters, and what a reader must know of them.
@@ -112,7 +112,8 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
     let mut observations = sets.calibration.clone();
     let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
     let settings = noise.applied(&mut observations, Settings::default());
-    etalon_identify::most_probable(robot, &observations, &settings, &frames).map_err(remedied)
+    let calibration = Comparison { robot, observations: &observations, settings: &settings, given: &frames };
+    calibration.most_probable().map_err(remedied)
 }
 
 /// The nominal parameters, where base and targets are among them.
@@ -136,7 +137,8 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
     let parameters = given(robot, document)?;
     let noise = Noise::of(document, Some(settings.coordinate_uncertainty_mm()).filter(|u| *u > 0.0))?;
     let settings = noise.applied(&mut observations, Settings::default());
-    Ok(etalon_identify::p_value(robot, &observations, &settings, &parameters, noise.variance).ok())
+    let all = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
+    Ok(all.p_value(noise.variance).ok())
 }
 
 /// What before and after are.

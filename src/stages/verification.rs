@@ -8,7 +8,8 @@ use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::*;
 use etalon_identify::{
-    Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification, set_up_problem,
+    Comparison, Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification,
+    set_up_problem,
 };
 use etalon_robots::{Quantity, Robot};
 use rayon::prelude::*;
@@ -34,8 +35,8 @@ pub fn verify(
         return Err(problem.into());
     }
     let settings = noise.applied(&mut observations, Settings::default());
-    let found =
-        etalon_identify::verify(robot, &observations, &settings, &parameters, noise.variance).map_err(remedied)?;
+    let comparison = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
+    let found = comparison.verify(noise.variance).map_err(remedied)?;
     let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
     if found.is_changed() && found.cause().is_none() {
         if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
@@ -43,8 +44,8 @@ pub fn verify(
         }
         messages.extend(wrong_pose(&poses, |kept| {
             let kept: Vec<Observation> = observations.iter().filter(|o| kept(o.pose)).cloned().collect();
-            etalon_identify::p_value(robot, &kept, &settings, &parameters, noise.variance)
-                .is_ok_and(|p| p >= SIGNIFICANCE)
+            let kept = Comparison { observations: &kept, ..comparison };
+            kept.p_value(noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
         }));
     }
     let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();
@@ -113,7 +114,8 @@ pub fn plan(
     let detectable = |chosen: &[PoseName]| {
         let of_pose = |pose: &PoseName| candidates.iter().filter(move |o| o.pose == *pose).cloned().collect::<Vec<_>>();
         let observations: Vec<Observation> = chosen.iter().flat_map(of_pose).collect();
-        etalon_identify::detectable(robot, &observations, &settings, &parameters, noise.variance)
+        let observed = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
+        observed.detectable(noise.variance)
     };
     // sum of logarithms; what is not shown at all counts as the largest change
     let score = |chosen: &[PoseName]| {

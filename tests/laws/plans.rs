@@ -132,13 +132,13 @@ fn the_proven_optimum_of_five_of_fifteen_is_that_of_enumeration() {
         let decomposed = &decomposed[usize::from(!criterion.scales_columns())];
         let indices = decomposed.iter().zip(&choices).map(|(s, c)| index_of(s, &pool, criterion, c));
         let best = indices.fold(0.0, f64::max);
-        let thesis = greedy(&pool, criterion, &[], 5);
-        let found = exchange_from_many(&pool, criterion, std::slice::from_ref(&thesis), 10, 1, || {});
+        let thesis = greedy(&pool, &[], 5);
+        let found = exchange_from_many(&pool, std::slice::from_ref(&thesis), 10, 1, || {});
         assert!(found.value >= thesis.value);
         let reached = index_by_svd(&pool, criterion, &found.chosen);
         assert!((reached / found.value.sqrt() - 1.0).abs() < 1e-6, "{criterion:?} {reached} {}", found.value.sqrt());
         assert!(reached <= best * (1.0 + 1e-9));
-        let Some(proven) = branch_and_bound(&pool, criterion, thesis.clone(), 5000, |_| {}) else {
+        let Some(proven) = branch_and_bound(&pool, thesis.clone(), 5000, |_| {}) else {
             assert_eq!(criterion, Criterion::O4, "no bound is known of this one alone");
             println!("{criterion:?}: no bound, exchange {reached:.6} of {best:.6}");
             continue;
@@ -170,7 +170,7 @@ fn greedy_by_updates_chooses_what_greedy_by_singular_values_does() {
             let next = free.max_by(|&a, &b| with(a).total_cmp(&with(b))).unwrap();
             chosen.push(next);
         }
-        assert_eq!(greedy(&pool, criterion, &[0, 4, 7, 11], 8).chosen, chosen, "{criterion:?}");
+        assert_eq!(greedy(&pool, &[0, 4, 7, 11], 8).chosen, chosen, "{criterion:?}");
     }
 }
 
@@ -241,8 +241,8 @@ fn the_proven_optimum_of_four_of_sixty_five_is_that_of_enumeration() {
             }
         }
     }
-    let thesis = greedy(&pool, Criterion::O1, &[], 4);
-    let proven = branch_and_bound(&pool, Criterion::O1, thesis, 20_000, |_| {}).expect("bound");
+    let thesis = greedy(&pool, &[], 4);
+    let proven = branch_and_bound(&pool, thesis, 20_000, |_| {}).expect("bound");
     let mut chosen = proven.best.chosen.clone();
     chosen.sort_unstable();
     println!("{chosen:?} {:?}, {} nodes", best, proven.nodes);
@@ -356,7 +356,7 @@ fn seven_planned_positions_give_the_accuracy_of_table_4_2_and_fewer_less_in_the_
         let pool = pool(&robot, &observations, Criterion::D);
         let mut order: Vec<usize> = Vec::new();
         while order.len() < 7 {
-            let with = |i: usize| Choice::of(&pool, Criterion::D, [&order[..], &[i]].concat()).value;
+            let with = |i: usize| Choice::of(&pool, [&order[..], &[i]].concat()).value;
             let free = found.chosen.iter().copied().filter(|i| !order.contains(i));
             order.push(free.max_by(|&a, &b| with(a).total_cmp(&with(b))).unwrap());
         }

@@ -4,7 +4,9 @@
 use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
-use etalon::identify::{GivenParameters, Moved, Observation, Settings, Variance, Verification, identify_from, verify};
+use etalon::identify::{
+    Comparison, GivenParameters, Moved, Observation, Settings, Variance, Verification, identify_from,
+};
 use etalon::robots::{FiveBar, Prexyt, Quantity, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -90,8 +92,13 @@ impl Case {
         self.free.iter().zip((&self.root * z).iter()).for_each(|(&i, error)| values[i] += error);
         let given = GivenParameters { values, free: self.free.clone(), covariance: self.covariance.clone() };
         let observed = observe(self.robot.as_ref(), &self.truth, &self.joints, moved, Some(&mut noise));
-        let settings = Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
-        verify(self.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap()
+        self.verify(&observed, &given)
+    }
+
+    fn verify(&self, observations: &[Observation], given: &GivenParameters) -> Verification {
+        let settings = &Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
+        let comparison = Comparison { robot: self.robot.as_ref(), observations, settings, given };
+        comparison.verify(Variance::Stated).unwrap()
     }
 
     /// Share of trials that are called changed, and of those that name it.
@@ -178,17 +185,16 @@ fn verification_measures_the_change() {
             free: case.free.clone(),
             covariance: case.covariance.clone(),
         };
-        let settings = Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
         for (j, joint) in case.robot.joints().iter().enumerate() {
             let by = if joint.quantity == Quantity::Angle { 0.003 } else { 0.5 };
             let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Joint(j, by), None);
-            let found = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
+            let found = case.verify(&observed, &given);
             let of = |e: &&etalon::identify::Explanation| e.moved == Moved::Joint(j);
             let explained = found.explanations.iter().find(of).unwrap();
             // and a large one, where nothing is linear
             let large = if joint.quantity == Quantity::Angle { 0.06 } else { 8.0 };
             let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Joint(j, large), None);
-            let slipped = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
+            let slipped = case.verify(&observed, &given);
             let cause = slipped.cause().unwrap();
             assert_eq!(cause.moved, Moved::Joint(j), "{} {:?}", case.robot.model(), slipped.explanations);
             assert!(
@@ -209,7 +215,7 @@ fn verification_measures_the_change() {
         let at = ["x", "y", "z"].map(|a| named(a).map_or(0.0, |i| origin[i]));
         let motion = Pose { translation_mm: [0.2, -0.1, 0.0], ..Pose::from_rotation_vector([0.0, 0.0, 0.001]) };
         let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Base(motion), None);
-        let found = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
+        let found = case.verify(&observed, &given);
         let base = found.explanations.iter().find(|e| e.moved == Moved::Base).unwrap();
         let moved = motion.apply(at);
         let expected: Vec<f64> = match case.robot.dimension() {
@@ -218,7 +224,7 @@ fn verification_measures_the_change() {
         };
         let far = Pose { translation_mm: [25.0, -10.0, 0.0], ..Pose::from_rotation_vector([0.0, 0.0, 0.1]) };
         let observed = observe(case.robot.as_ref(), &case.truth, &case.joints, &Change::Base(far), None);
-        let carried = verify(case.robot.as_ref(), &observed, &settings, &given, Variance::Stated).unwrap();
+        let carried = case.verify(&observed, &given);
         let cause = carried.cause().unwrap();
         let turned = *cause.change.last().unwrap();
         assert!(cause.moved == Moved::Base && (turned - 0.1).abs() < 1e-6, "{} {cause:?}", case.robot.model());

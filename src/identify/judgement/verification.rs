@@ -125,180 +125,165 @@ impl Verification {
     }
 }
 
-/// Compares `observations` of positions with given parameters; `settings` state the standard uncertainty of a coordinate, `variance` what
-/// that rests on.
-///
-/// # Errors
-/// No standard uncertainty, joint values at which the robot cannot be, or a covariance that is not positive definite.
-pub fn verify(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    given: &GivenParameters,
-    variance: Variance,
-) -> Result<Verification> {
-    let space = Space::new(robot, observations, settings, given)?;
-    let all = space.columns();
-    let (whole, n) = (space.sum(), space.r.len());
-    let [of_changes, of_rest] = space.tests(&all, variance);
-    let explain = |(moved, columns): (Moved, DMatrix<f64>)| {
-        let fit = space.fit(&columns);
-        let left = (whole - fit.explained).max(0.0);
-        Explanation {
-            moved,
-            change: fit.change.iter().copied().collect(),
-            standard_uncertainty: fit.standard_uncertainty,
-            p_left: variance.exceedance(left, n - fit.rank),
-            explained: fit.explained,
-        }
-    };
-    let parts = all.parts.iter().map(|&(moved, first, count)| (moved, all.columns.columns(first, count).into_owned()));
-    let targets = space.targets().into_iter().map(|(target, columns)| (Moved::Target(target), columns));
-    let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
-    let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
-    let p_value = Test::together(&of_changes, &of_rest);
-    let suffices = |e: &Explanation| e.p_left > EXPLAINED;
-    if p_value < SIGNIFICANCE && !explanations.iter().any(suffices) {
-        // a large motion is not linear
-        for explanation in &mut explanations {
-            let refined = refine(robot, observations, settings, given, explanation.moved, variance, whole);
-            *explanation = refined.unwrap_or_else(|| explanation.clone());
-        }
-    }
-    explanations.sort_by(|a, b| {
-        let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
-        needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
-    });
-    let [rms_mm, expected_rms_mm] = space.rms_mm();
-    Ok(Verification {
-        p_value,
-        of_changes,
-        of_rest,
-        rms_mm,
-        expected_rms_mm,
-        detectable: space.detectable(&all, &limits),
-        explanations,
-    })
+/// Observations of positions, and the parameters with which they are compared.
+#[derive(Clone, Copy)]
+pub struct Comparison<'a> {
+    /// The robot.
+    pub robot: &'a dyn Robot,
+    /// What was observed.
+    pub observations: &'a [Observation],
+    /// State the standard uncertainty of a coordinate.
+    pub settings: &'a Settings,
+    /// The parameters.
+    pub given: &'a GivenParameters,
 }
 
-/// The p value of [`verify`] alone.
-///
-/// # Errors
-/// As there.
-pub fn p_value(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    given: &GivenParameters,
-    variance: Variance,
-) -> Result<f64> {
-    let space = Space::new(robot, observations, settings, given)?;
-    let [of_changes, of_rest] = space.tests(&space.columns(), variance);
-    Ok(Test::together(&of_changes, &of_rest))
-}
-
-/// The least changes that observations at these poses would detect, wherever their targets are measured; as [`verify`] states them.
-///
-/// # Errors
-/// As there.
-pub fn detectable(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    given: &GivenParameters,
-    variance: Variance,
-) -> Result<Vec<Detectable>> {
-    let space = Space::new(robot, observations, settings, given)?;
-    let all = space.columns();
-    let [of_changes, of_rest] = space.tests(&all, variance);
-    Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
-}
-
-/// The most probable values of all parameters by `observations` and by the covariance that they were given with: x = x₀ + L z with
-/// z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's method.
-///
-/// # Errors
-/// As [`verify`].
-pub fn most_probable(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    given: &GivenParameters,
-) -> Result<Vec<f64>> {
-    let mut place = given.clone();
-    let mut z = DVector::zeros(given.free.len());
-    for _ in 0..ITERATIONS {
-        let space = Space::new(robot, observations, settings, &place)?;
-        let Some(inner) = &space.inner else { break };
-        let next = inner.solve(&space.b.tr_mul(&(&space.r + &space.b * &z)));
-        let step = (&next - &z).norm();
-        z = next;
-        let moved = &space.root * &z;
-        given.free.iter().zip(moved.iter()).for_each(|(&i, by)| place.values[i] = given.values[i] + by);
-        if step < SETTLED {
-            break;
-        }
-    }
-    Ok(place.values)
-}
-
-/// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
-fn refine(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    given: &GivenParameters,
-    moved: Moved,
-    variance: Variance,
-    whole: f64,
-) -> Option<Explanation> {
-    let mut change = vec![0.0; 3];
-    let mut motion = Pose::identity();
-    for _ in 0..ITERATIONS {
-        let (mut back, mut place) = (observations.to_vec(), given.clone());
-        let origin = robot.base_origin(&given.values);
-        match moved {
-            Moved::Joint(j) => back.iter_mut().for_each(|o| o.joints[j] += change[0]),
-            Moved::Target(k) => {
-                let first = robot.free_base()?.target_place(k);
-                place.values[first..first + 3].iter_mut().zip(&change).for_each(|(v, c)| *v += c);
-            }
-            Moved::Base => back.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| {
-                let placed = motion.inverse().apply(minus(*p, origin));
-                *p = std::array::from_fn(|i| origin[i] + placed[i]);
-            }),
-        }
-        let space = Space::new(robot, &back, settings, &place).ok()?;
-        let fit = space.fit(&space.columns_of(moved)?);
-        let left = space.sum() - fit.explained;
-        change.iter_mut().zip(fit.change.iter()).for_each(|(sum, step)| *sum += step);
-        if moved == Moved::Base {
-            let small = |i: usize| fit.change[i];
-            let (shift, turn) = match fit.change.len() {
-                3 => ([small(0), small(1), 0.0], [0.0, 0.0, small(2)]),
-                _ => ([small(0), small(1), small(2)], [small(3), small(4), small(5)]),
-            };
-            motion = motion.then(&Pose { translation_mm: shift, ..Pose::from_rotation_vector(turn) });
-        }
-        if fit.explained < CONVERGED {
-            let ([x, y, z], [rx, ry, rz]) = (motion.translation_mm, motion.rotation_vector_rad());
-            let change = match (moved, robot.dimension()) {
-                (Moved::Base, 2) => vec![x, y, rz],
-                (Moved::Base, _) => vec![x, y, z, rx, ry, rz],
-                (Moved::Joint(_), _) => vec![change[0]],
-                (Moved::Target(_), _) => change,
-            };
-            let (p_left, explained) = (variance.exceedance(left.max(0.0), space.r.len() - fit.rank), whole - left);
-            return Some(Explanation {
+impl Comparison<'_> {
+    /// Compares the observations with the given parameters; `variance` states what the standard uncertainty of a coordinate rests on.
+    ///
+    /// # Errors
+    /// No standard uncertainty, joint values at which the robot cannot be, or a covariance that is not positive definite.
+    pub fn verify(self, variance: Variance) -> Result<Verification> {
+        let space = Space::new(self)?;
+        let all = space.columns();
+        let (whole, n) = (space.sum(), space.r.len());
+        let [of_changes, of_rest] = space.tests(&all, variance);
+        let explain = |(moved, columns): (Moved, DMatrix<f64>)| {
+            let fit = space.fit(&columns);
+            let left = (whole - fit.explained).max(0.0);
+            Explanation {
                 moved,
-                change,
+                change: fit.change.iter().copied().collect(),
                 standard_uncertainty: fit.standard_uncertainty,
-                p_left,
-                explained,
-            });
+                p_left: variance.exceedance(left, n - fit.rank),
+                explained: fit.explained,
+            }
+        };
+        let parts =
+            all.parts.iter().map(|&(moved, first, count)| (moved, all.columns.columns(first, count).into_owned()));
+        let targets = space.targets().into_iter().map(|(target, columns)| (Moved::Target(target), columns));
+        let mut explanations: Vec<Explanation> = parts.chain(targets).map(explain).collect();
+        let limits = Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom);
+        let p_value = Test::together(&of_changes, &of_rest);
+        let suffices = |e: &Explanation| e.p_left > EXPLAINED;
+        if p_value < SIGNIFICANCE && !explanations.iter().any(suffices) {
+            // a large motion is not linear
+            for explanation in &mut explanations {
+                let refined = self.refine(explanation.moved, variance, whole);
+                *explanation = refined.unwrap_or_else(|| explanation.clone());
+            }
         }
+        explanations.sort_by(|a, b| {
+            let needs = |e: &Explanation| if suffices(e) { e.change.len() } else { usize::MAX };
+            needs(a).cmp(&needs(b)).then(b.explained.total_cmp(&a.explained))
+        });
+        let [rms_mm, expected_rms_mm] = space.rms_mm();
+        Ok(Verification {
+            p_value,
+            of_changes,
+            of_rest,
+            rms_mm,
+            expected_rms_mm,
+            detectable: space.detectable(&all, &limits),
+            explanations,
+        })
     }
-    None
+
+    /// The p value of [`Self::verify`] alone.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn p_value(self, variance: Variance) -> Result<f64> {
+        let space = Space::new(self)?;
+        let [of_changes, of_rest] = space.tests(&space.columns(), variance);
+        Ok(Test::together(&of_changes, &of_rest))
+    }
+
+    /// The least changes that observations at these poses would detect, wherever their targets are measured; as [`Self::verify`] states them.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn detectable(self, variance: Variance) -> Result<Vec<Detectable>> {
+        let space = Space::new(self)?;
+        let all = space.columns();
+        let [of_changes, of_rest] = space.tests(&all, variance);
+        Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
+    }
+
+    /// The most probable values of all parameters by the observations and by the covariance that they were given with: x = x₀ + L z with
+    /// z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's method.
+    ///
+    /// # Errors
+    /// As [`Self::verify`].
+    pub fn most_probable(self) -> Result<Vec<f64>> {
+        let given = self.given;
+        let mut place = given.clone();
+        let mut z = DVector::zeros(given.free.len());
+        for _ in 0..ITERATIONS {
+            let space = Space::new(Comparison { given: &place, ..self })?;
+            let Some(inner) = &space.inner else { break };
+            let next = inner.solve(&space.b.tr_mul(&(&space.r + &space.b * &z)));
+            let step = (&next - &z).norm();
+            z = next;
+            let moved = &space.root * &z;
+            given.free.iter().zip(moved.iter()).for_each(|(&i, by)| place.values[i] = given.values[i] + by);
+            if step < SETTLED {
+                break;
+            }
+        }
+        Ok(place.values)
+    }
+
+    /// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
+    fn refine(self, moved: Moved, variance: Variance, whole: f64) -> Option<Explanation> {
+        let mut change = vec![0.0; 3];
+        let mut motion = Pose::identity();
+        for _ in 0..ITERATIONS {
+            let (mut back, mut place) = (self.observations.to_vec(), self.given.clone());
+            let origin = self.robot.base_origin(&self.given.values);
+            match moved {
+                Moved::Joint(j) => back.iter_mut().for_each(|o| o.joints[j] += change[0]),
+                Moved::Target(k) => {
+                    let first = self.robot.free_base()?.target_place(k);
+                    place.values[first..first + 3].iter_mut().zip(&change).for_each(|(v, c)| *v += c);
+                }
+                Moved::Base => back.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| {
+                    let placed = motion.inverse().apply(minus(*p, origin));
+                    *p = std::array::from_fn(|i| origin[i] + placed[i]);
+                }),
+            }
+            let space = Space::new(Comparison { observations: &back, given: &place, ..self }).ok()?;
+            let fit = space.fit(&space.columns_of(moved)?);
+            let left = space.sum() - fit.explained;
+            change.iter_mut().zip(fit.change.iter()).for_each(|(sum, step)| *sum += step);
+            if moved == Moved::Base {
+                let small = |i: usize| fit.change[i];
+                let (shift, turn) = match fit.change.len() {
+                    3 => ([small(0), small(1), 0.0], [0.0, 0.0, small(2)]),
+                    _ => ([small(0), small(1), small(2)], [small(3), small(4), small(5)]),
+                };
+                motion = motion.then(&Pose { translation_mm: shift, ..Pose::from_rotation_vector(turn) });
+            }
+            if fit.explained < CONVERGED {
+                let ([x, y, z], [rx, ry, rz]) = (motion.translation_mm, motion.rotation_vector_rad());
+                let change = match (moved, self.robot.dimension()) {
+                    (Moved::Base, 2) => vec![x, y, rz],
+                    (Moved::Base, _) => vec![x, y, z, rx, ry, rz],
+                    (Moved::Joint(_), _) => vec![change[0]],
+                    (Moved::Target(_), _) => change,
+                };
+                let (p_left, explained) = (variance.exceedance(left.max(0.0), space.r.len() - fit.rank), whole - left);
+                return Some(Explanation {
+                    moved,
+                    change,
+                    standard_uncertainty: fit.standard_uncertainty,
+                    p_left,
+                    explained,
+                });
+            }
+        }
+        None
+    }
 }
 
 /// Both tests together.
@@ -366,10 +351,7 @@ impl Limits {
 
 /// Whitened residuals of the given parameters, and their covariance S = I + B Bᵀ with B = J L, L Lᵀ the covariance of the parameters.
 struct Space<'a> {
-    robot: &'a dyn Robot,
-    observations: &'a [Observation],
-    settings: &'a Settings,
-    given: &'a GivenParameters,
+    of: Comparison<'a>,
     problem: Residuals<'a>,
     x: Vec<f64>,
     /// measured minus predicted
@@ -404,12 +386,8 @@ impl Test {
 }
 
 impl<'a> Space<'a> {
-    fn new(
-        robot: &'a dyn Robot,
-        observations: &'a [Observation],
-        settings: &'a Settings,
-        given: &'a GivenParameters,
-    ) -> Result<Self> {
+    fn new(of: Comparison<'a>) -> Result<Self> {
+        let Comparison { robot, observations, settings, given } = of;
         if settings.standard_uncertainty_mm.is_none() {
             return Err(Message::error(
                 "a comparison with given parameters needs the standard uncertainty of a coordinate",
@@ -436,7 +414,7 @@ impl<'a> Space<'a> {
         };
         let b = DMatrix::from_row_slice(m, n, &jacobian) * &root;
         let inner = Cholesky::new(DMatrix::identity(b.ncols(), b.ncols()) + b.transpose() * &b);
-        Ok(Self { robot, observations, settings, given, problem, x, r: -DVector::from_vec(r), root, b, inner })
+        Ok(Self { of, problem, x, r: -DVector::from_vec(r), root, b, inner })
     }
 
     /// S⁻¹ X (Woodbury).
@@ -481,19 +459,19 @@ impl<'a> Space<'a> {
 
     /// Root mean square of a coordinate's residual, and what is expected of it, mm.
     fn rms_mm(&self) -> [f64; 2] {
-        let (n, d) = (self.r.len(), self.robot.dimension());
+        let (n, d) = (self.r.len(), self.of.robot.dimension());
         let mut r = vec![0.0; n];
         self.problem.plain_residuals(&self.x, &mut r);
         let mut jacobian = vec![0.0; n * self.x.len()];
         self.problem.plain_jacobian(&self.x, &mut jacobian);
         let ours = DMatrix::from_row_slice(n, self.x.len(), &jacobian) * &self.root;
         let unit2 = self.problem.unit.powi(2);
-        let stated2 = self.settings.standard_uncertainty_mm.unwrap_or(0.0).powi(2);
+        let stated2 = self.of.settings.standard_uncertainty_mm.unwrap_or(0.0).powi(2);
         let of_reading = |o: &Observation, k: usize| match o.covariances_mm2.get(k).copied().flatten() {
             Some(covariance) => (0..d).map(|i| covariance[i][i]).sum::<f64>(),
             None => d as f64 * stated2,
         };
-        let seen = self.observations.iter().flat_map(|o| (0..o.targets.len()).map(move |k| (o, k)));
+        let seen = self.of.observations.iter().flat_map(|o| (0..o.targets.len()).map(move |k| (o, k)));
         let measured: f64 = seen.filter(|(o, k)| o.targets[*k].is_some()).map(|(o, k)| of_reading(o, k)).sum();
         let squares: f64 = r.iter().map(|r| r * r).sum();
         [unit2 * squares, measured + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
@@ -503,11 +481,11 @@ impl<'a> Space<'a> {
     fn columns(&self) -> Columns {
         let m = self.r.len();
         let frame = DMatrix::from_row_slice(m, 6, &self.problem.frame_jacobian(&self.x, None));
-        let planar = self.robot.dimension() == 2;
+        let planar = self.of.robot.dimension() == 2;
         let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
         let mut columns = DMatrix::zeros(m, axes.len());
         // a rotation about the origin of the base: p moves by ω × (p − o)
-        let origin = self.robot.base_origin(&self.given.values);
+        let origin = self.of.robot.base_origin(&self.of.given.values);
         for (k, &axis) in axes.iter().enumerate() {
             let mut column = frame.column(axis).into_owned();
             if axis > 2 {
@@ -517,7 +495,7 @@ impl<'a> Space<'a> {
             }
             columns.set_column(k, &column);
         }
-        let joints = self.robot.joints().len();
+        let joints = self.of.robot.joints().len();
         let rows = DMatrix::from_row_slice(m, joints, &self.problem.joint_jacobian(&self.x));
         let base = (Moved::Base, 0, axes.len());
         let parts = std::iter::once(base).chain((0..joints).map(|j| (Moved::Joint(j), axes.len() + j, 1)));
@@ -539,18 +517,19 @@ impl<'a> Space<'a> {
 
     /// How measured minus predicted changes with each target's place on the part, where the model has such parameters.
     fn targets(&self) -> Vec<(usize, DMatrix<f64>)> {
-        let Some(arm) = self.robot.free_base() else { return Vec::new() };
+        let Some(arm) = self.of.robot.free_base() else { return Vec::new() };
         let of = |target: usize| {
             let first = arm.target_place(target);
             let free: Vec<usize> = (first..first + 3).collect();
-            let x: Vec<f64> = free.iter().map(|&i| self.given.values[i]).collect();
+            let x: Vec<f64> = free.iter().map(|&i| self.of.given.values[i]).collect();
             let problem =
-                Residuals::new(self.robot, self.observations, self.settings, &free, &self.given.values).ok()?;
+                Residuals::new(self.of.robot, self.of.observations, self.of.settings, &free, &self.of.given.values)
+                    .ok()?;
             let mut jacobian = vec![0.0; self.r.len() * 3];
             problem.jacobian(&x, &mut jacobian);
             Some((target, DMatrix::from_row_slice(self.r.len(), 3, &jacobian)))
         };
-        (0..self.robot.targets().len()).filter_map(of).collect()
+        (0..self.of.robot.targets().len()).filter_map(of).collect()
     }
 
     fn fit(&self, columns: &DMatrix<f64>) -> Fit {

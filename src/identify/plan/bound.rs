@@ -1,15 +1,24 @@
 //! The proof that no choice is better, or how far the best is at most: candidates may be taken in parts, the best of that
 //! bounds every whole choice, and branch and bound closes the gap.
 
-use super::criterion::{Below, Criterion, Pool, Tangent, inner};
+use super::criterion::{Below, Pool, Tangent, inner};
 use super::search::{Choice, exchange};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// A node is closed where it cannot be better than the best by more than this: rounding.
 const BETTER: f64 = 1.0 + 1e-9;
-/// Steps of a relaxation at the root and at each node below.
-const STEPS: (usize, usize) = (3000, 60);
+/// When a relaxation ends: after so many steps, or where the bound is so close to what is reached.
+#[derive(Clone, Copy)]
+struct End {
+    steps: usize,
+    /// Fraction of the criterion.
+    close: f64,
+}
+
+/// End of the relaxation at the root, and at each node below.
+const ROOT: End = End { steps: 3000, close: 1e-7 };
+const BELOW: End = End { steps: 60, close: 1e-6 };
 
 /// The best choice found, and what is proven of it.
 #[derive(Clone, Debug)]
@@ -50,17 +59,10 @@ impl Ord for Node {
 
 /// Looks at up to `nodes` nodes, those with the largest bound first, and calls `progress` with their number; `None` where
 /// no bound is known.
-pub fn branch_and_bound(
-    pool: &Pool,
-    criterion: Criterion,
-    first: Choice,
-    nodes: usize,
-    progress: impl Fn(usize),
-) -> Option<Proven> {
+pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl Fn(usize)) -> Option<Proven> {
     let count = first.chosen.len();
     let root = vec![Fixed::Free; pool.candidates.len()];
-    let weights = start_weights(&root, count, None);
-    let relaxed = relax(pool, criterion, &root, count, weights, STEPS.0, 1e-7)?;
+    let relaxed = relax(pool, &root, count, None, ROOT)?;
     let relaxation = relaxed.bound.max(first.value);
     let mut best = first;
     let mut looked = 0;
@@ -76,7 +78,7 @@ pub fn branch_and_bound(
             return Some(Proven { bound: bound.min(relaxation), best, relaxation, nodes: looked });
         }
         if let Some(whole) = decided(&fixed, count) {
-            let choice = Choice::of(pool, criterion, whole);
+            let choice = Choice::of(pool, whole);
             if choice.value > best.value {
                 best = choice;
             }
@@ -90,16 +92,15 @@ pub fn branch_and_bound(
         let child = |way: Fixed| {
             let mut fixed = fixed.clone();
             fixed[split] = way;
-            let start = start_weights(&fixed, count, Some(&weights));
             let open = decided(&fixed, count).is_none();
-            let relaxed = open.then(|| relax(pool, criterion, &fixed, count, start, STEPS.1, 1e-6)).flatten();
+            let relaxed = open.then(|| relax(pool, &fixed, count, Some(&weights), BELOW)).flatten();
             (fixed, relaxed)
         };
         let (with, without) = rayon::join(|| child(Fixed::In), || child(Fixed::Out));
         for (fixed, relaxed) in [with, without] {
             looked += 1;
             if let Some(whole) = decided(&fixed, count) {
-                let choice = Choice::of(pool, criterion, whole);
+                let choice = Choice::of(pool, whole);
                 if choice.value > best.value {
                     best = choice;
                 }
@@ -110,7 +111,7 @@ pub fn branch_and_bound(
             if looked % 64 == 1 {
                 let taken = fixed.iter().enumerate().filter(|(_, f)| **f == Fixed::In).map(|(i, _)| i);
                 let chosen: Vec<usize> = taken.chain(rounded.into_iter().map(|(_, i)| i)).take(count).collect();
-                let choice = exchange(pool, criterion, &Choice::of(pool, criterion, chosen));
+                let choice = exchange(pool, &Choice::of(pool, chosen));
                 if choice.value > best.value * BETTER {
                     best = choice;
                 }
@@ -165,7 +166,7 @@ fn node(relaxed: Relaxed, mut fixed: Vec<Fixed>, count: usize, best: f64, number
 
 /// Which candidates a bound is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fixed {
+enum Fixed {
     /// May be taken or left.
     Free,
     /// Is taken.
@@ -175,19 +176,18 @@ pub enum Fixed {
 }
 
 /// An upper bound of the criterion over all choices that a [`Fixed`] list allows.
-pub struct Relaxed {
-    /// The bound.
-    pub bound: f64,
+struct Relaxed {
+    bound: f64,
     /// Shares of the candidates, the best found in parts.
-    pub weights: Vec<f64>,
+    weights: Vec<f64>,
     /// What each candidate brings at most to the numerator.
-    pub above: Vec<f64>,
+    above: Vec<f64>,
     /// What each brings to the denominator.
-    pub below: Vec<f64>,
+    below: Vec<f64>,
 }
 
 /// Shares with which to start: those given, brought to what `fixed` allows and to the sum `count`.
-pub fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64> {
+fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64> {
     let taken = fixed.iter().filter(|f| **f == Fixed::In).count();
     let free = fixed.iter().filter(|f| **f == Fixed::Free).count();
     let rest = count.saturating_sub(taken) as f64;
@@ -209,21 +209,20 @@ pub fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec
 
 /// Moves shares from the worst to the best candidate (vertex exchange: Böhning 1986) until the bound is within `close` of
 /// what the shares reach, or `steps` are taken. The bound holds wherever it stops.
-pub fn relax(
+fn relax(
     pool: &Pool,
-    criterion: Criterion,
     fixed: &[Fixed],
     count: usize,
-    mut weights: Vec<f64>,
-    steps: usize,
-    close: f64,
+    near: Option<&[f64]>,
+    End { steps, close }: End,
 ) -> Option<Relaxed> {
+    let mut weights = start_weights(fixed, count, near);
     let n = pool.candidates.len();
     let mut best: Option<Relaxed> = None;
     for step in 0..=steps {
         let information = pool.weighted(&weights);
         let configurations: f64 = weights.iter().zip(&pool.candidates).map(|(w, c)| w * c.configurations as f64).sum();
-        let tangent = criterion.tangent(pool, &information, configurations)?;
+        let tangent = pool.criterion.tangent(pool, &information, configurations)?;
         // what the ridge adds is shared among those chosen
         let ridge = pool.ridge * tangent.above.trace() / count as f64;
         let above: Vec<f64> = pool.candidates.iter().map(|c| inner(&tangent.above, &c.information) + ridge).collect();
@@ -247,7 +246,7 @@ pub fn relax(
             break;
         }
         let most = (1.0 - weights[to]).min(weights[from]);
-        let share = line_search(pool, criterion, &information, configurations, (to, from), most);
+        let share = line_search(pool, &information, configurations, (to, from), most);
         if share >= most {
             // exactly to the end, so that the pair is done with
             let (full, empty) = (weights[to] + most, weights[from] - most);
@@ -264,7 +263,6 @@ pub fn relax(
 /// The share to move that maximises the criterion: its derivative is brought to zero in [0, `most`].
 fn line_search(
     pool: &Pool,
-    criterion: Criterion,
     information: &nalgebra::DMatrix<f64>,
     configurations: f64,
     (to, from): (usize, usize),
@@ -275,7 +273,7 @@ fn line_search(
     let slope = |share: f64| {
         let moved = information + &direction * share;
         // past where the information is singular nothing rises
-        let Some(t) = criterion.tangent(pool, &moved, configurations + share * more) else { return -1.0 };
+        let Some(t) = pool.criterion.tangent(pool, &moved, configurations + share * more) else { return -1.0 };
         let below = match &t.below {
             Below::Configurations => more / (configurations + share * more),
             Below::One => 0.0,
@@ -320,7 +318,7 @@ fn denominators(pool: &Pool, tangent: &Tangent, count: usize) -> Vec<f64> {
 }
 
 /// Order of the free candidates by above − λ below, best first.
-pub fn ranked(above: &[f64], below: &[f64], fixed: &[Fixed], lambda: f64) -> Vec<(f64, usize)> {
+fn ranked(above: &[f64], below: &[f64], fixed: &[Fixed], lambda: f64) -> Vec<(f64, usize)> {
     let free = (0..fixed.len()).filter(|&i| fixed[i] == Fixed::Free);
     let mut gains: Vec<(f64, usize)> = free.map(|i| (above[i] - lambda * below[i], i)).collect();
     gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));

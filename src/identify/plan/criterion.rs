@@ -206,6 +206,8 @@ pub struct Candidate {
 /// All candidates.
 #[derive(Clone, Debug)]
 pub struct Pool {
+    /// What candidates are chosen by.
+    pub criterion: Criterion,
     /// Number of parameters, m.
     pub parameters: usize,
     /// The candidates.
@@ -220,7 +222,7 @@ pub struct Pool {
 
 impl Pool {
     /// A pool of candidates given as blocks of rows (row by row, `scale.len()` numbers each) and their configurations.
-    pub fn new(blocks: &[(Vec<f64>, usize)], scale: Vec<f64>) -> Self {
+    pub fn new(blocks: &[(Vec<f64>, usize)], scale: Vec<f64>, criterion: Criterion) -> Self {
         let m = scale.len();
         let candidate = |(rows, configurations): &(Vec<f64>, usize)| {
             let mut rows = DMatrix::from_row_slice(rows.len() / m.max(1), m, rows);
@@ -234,7 +236,7 @@ impl Pool {
         candidates.iter().for_each(|c| workspace += &c.information);
         let ridge = 1e-12 * workspace.trace() / (m * candidates.len()).max(1) as f64;
         workspace /= candidates.iter().map(|c| c.configurations).sum::<usize>().max(1) as f64;
-        Self { parameters: m, candidates, scale, workspace, ridge }
+        Self { criterion, parameters: m, candidates, scale, workspace, ridge }
     }
 
     /// JᵀJ of chosen candidates.

@@ -141,24 +141,23 @@ pub fn plan(
         return Err(Message::error(what).into());
     }
     let pool = pool_of(&known, &members, request.criterion);
-    let criterion = request.criterion;
     let begin = begin(robot, observations, &members, request)?;
     let longest = (2 * request.positions).max(request.positions + 8).min(members.len());
-    let steps = greedy(&pool, criterion, &begin, longest).chosen;
-    let thesis = Choice::of(&pool, criterion, steps[..request.positions].to_vec());
-    let free = greedy(&pool, criterion, &[], request.positions);
+    let steps = greedy(&pool, &begin, longest).chosen;
+    let thesis = Choice::of(&pool, steps[..request.positions].to_vec());
+    let free = greedy(&pool, &[], request.positions);
     let first = [thesis.clone(), free];
     let starts = first.len() + request.starts as usize;
     let steps_in_all = starts + request.nodes;
     let exchanged = AtomicUsize::new(0);
     let ended = || progress(exchanged.fetch_add(1, Ordering::Relaxed) + 1, steps_in_all);
-    let found = exchange_from_many(&pool, criterion, &first, request.starts, request.seed, ended);
+    let found = exchange_from_many(&pool, &first, request.starts, request.seed, ended);
     let take = |chosen: &[usize]| -> Vec<Observation> {
         chosen.iter().flat_map(|&c| members[c].iter().map(|&k| observations[k].clone())).collect()
     };
     predict(robot, &take(&found.chosen), settings, &known.free)?;
     let looked = |nodes: usize| progress((starts + nodes).min(steps_in_all - 1), steps_in_all);
-    let proven = branch_and_bound(&pool, criterion, found.clone(), request.nodes, looked);
+    let proven = branch_and_bound(&pool, found.clone(), request.nodes, looked);
     progress(steps_in_all, steps_in_all);
     let (best, bound) = match proven {
         Some(Proven { best, bound, relaxation, nodes }) => (best, Some((bound, relaxation, nodes))),
@@ -168,12 +167,12 @@ pub fn plan(
     chosen.sort_unstable();
     let prediction = predict(robot, &take(&chosen), settings, &known.free)?;
     let curve = (begin.len().max(1)..=steps.len()).filter_map(|count| {
-        let now = Choice::of(&pool, criterion, steps[..count].to_vec());
+        let now = Choice::of(&pool, steps[..count].to_vec());
         let condition = predict(robot, &take(&steps[..count]), settings, &known.free).ok()?.observability?.condition;
         let configurations = pool.configurations(&now.chosen);
-        Some(Step { positions: count, configurations, index: criterion.index(&pool, now.value), condition })
+        Some(Step { positions: count, configurations, index: request.criterion.index(&pool, now.value), condition })
     });
-    let index = |square: f64| criterion.index(&pool, square);
+    let index = |square: f64| request.criterion.index(&pool, square);
     Ok(Plan {
         curve: curve.collect(),
         greedy_index: index(thesis.value),
@@ -195,7 +194,7 @@ pub fn index_of(plan: &Plan, observations: &[Observation], criterion: Criterion,
     let pool = pool_of(&plan.sensitivity, &plan.members, criterion);
     let of = |m: &Vec<usize>| m.iter().any(|&k| poses.contains(&observations[k].pose));
     let chosen = (0..plan.members.len()).filter(|&c| of(&plan.members[c])).collect();
-    criterion.index(&pool, Choice::of(&pool, criterion, chosen).value)
+    criterion.index(&pool, Choice::of(&pool, chosen).value)
 }
 
 /// Configurations that are measured together: of a pose, or one by one.
@@ -223,7 +222,7 @@ pub fn pool_of(known: &Sensitivity, members: &[Vec<usize>], criterion: Criterion
         (rows, of.len())
     };
     let scale = if criterion.scales_columns() { etalon_math::column_norms(&known.jacobian, m) } else { vec![1.0; m] };
-    Pool::new(&members.iter().map(block).collect::<Vec<_>>(), scale)
+    Pool::new(&members.iter().map(block).collect::<Vec<_>>(), scale, criterion)
 }
 
 /// Where the thesis' way begins: the poses stated, or the two farthest apart of those with most configurations.

@@ -19,8 +19,8 @@ pub struct Choice {
 
 impl Choice {
     /// The choice of these candidates.
-    pub fn of(pool: &Pool, criterion: Criterion, chosen: Vec<usize>) -> Self {
-        let value = criterion.value(pool, pool.information(&chosen), pool.configurations(&chosen));
+    pub fn of(pool: &Pool, chosen: Vec<usize>) -> Self {
+        let value = pool.criterion.value(pool, pool.information(&chosen), pool.configurations(&chosen));
         Self { chosen, value }
     }
 }
@@ -96,7 +96,7 @@ fn log_update(inverse: &DMatrix<f64>, candidate: &Candidate) -> f64 {
 /// Adds the best candidate to `start`, one after the other, until `count` are chosen (section 4.5).
 ///
 /// As long as those chosen do not determine all parameters, the determinant decides, whatever the criterion.
-pub fn greedy(pool: &Pool, criterion: Criterion, start: &[usize], count: usize) -> Choice {
+pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
     let mut chosen = start.to_vec();
     let mut gains = vec![f64::INFINITY; pool.candidates.len()];
     while chosen.len() < count.min(pool.candidates.len()) {
@@ -107,12 +107,12 @@ pub fn greedy(pool: &Pool, criterion: Criterion, start: &[usize], count: usize) 
                 _ => best_of(&base, &chosen),
             }
         };
-        match best(criterion).filter(|b| b.0 > 0.0).or_else(|| best(Criterion::D)) {
+        match best(pool.criterion).filter(|b| b.0 > 0.0).or_else(|| best(Criterion::D)) {
             Some((_, candidate)) => chosen.push(candidate),
             None => break,
         }
     }
-    Choice::of(pool, criterion, chosen)
+    Choice::of(pool, chosen)
 }
 
 /// As [`best_of`] for determinants, without looking at all: `gains` are what candidates brought to the logarithm when they
@@ -148,7 +148,7 @@ fn best_of(base: &Base, chosen: &[usize]) -> Option<(f64, usize)> {
 
 /// Exchanges one candidate at a time for a better one until none is left (Fedorov 1972, modified by Cook & Nachtsheim
 /// 1980: each place in turn).
-pub fn exchange(pool: &Pool, criterion: Criterion, start: &Choice) -> Choice {
+pub fn exchange(pool: &Pool, start: &Choice) -> Choice {
     let mut best = start.clone();
     let mut changed = true;
     while changed {
@@ -156,14 +156,14 @@ pub fn exchange(pool: &Pool, criterion: Criterion, start: &Choice) -> Choice {
         for place in 0..best.chosen.len() {
             let mut rest = best.chosen.clone();
             rest.swap_remove(place);
-            let Some(base) = Base::new(pool, criterion, &rest) else { continue };
+            let Some(base) = Base::new(pool, pool.criterion, &rest) else { continue };
             let Some((value, candidate)) = best_of(&base, &best.chosen) else { continue };
             if value <= best.value * IMPROVEMENT {
                 continue;
             }
             let mut chosen = best.chosen.clone();
             chosen[place] = candidate;
-            let exchanged = Choice::of(pool, criterion, chosen);
+            let exchanged = Choice::of(pool, chosen);
             if exchanged.value > best.value * IMPROVEMENT {
                 best = exchanged;
                 changed = true;
@@ -174,14 +174,7 @@ pub fn exchange(pool: &Pool, criterion: Criterion, start: &Choice) -> Choice {
 }
 
 /// The best exchange from `first` and from `starts` random sets of as many candidates; `ended` is called after each.
-pub fn exchange_from_many(
-    pool: &Pool,
-    criterion: Criterion,
-    first: &[Choice],
-    starts: u64,
-    seed: u64,
-    ended: impl Fn() + Sync,
-) -> Choice {
+pub fn exchange_from_many(pool: &Pool, first: &[Choice], starts: u64, seed: u64, ended: impl Fn() + Sync) -> Choice {
     let count = first.first().map_or(0, |c| c.chosen.len());
     let random = |trial: u64| {
         let mut noise = Noise::new(seed, trial);
@@ -190,11 +183,11 @@ pub fn exchange_from_many(
             let at = ((noise.uniform(0.5) + 0.5) * left.len() as f64) as usize;
             left.swap_remove(at.min(left.len() - 1))
         };
-        Choice::of(pool, criterion, (0..count.min(pool.candidates.len())).map(|_| draw()).collect())
+        Choice::of(pool, (0..count.min(pool.candidates.len())).map(|_| draw()).collect())
     };
     let all: Vec<Choice> = first.iter().cloned().chain((0..starts).map(random)).collect();
     let exchanged = |start: &Choice| {
-        let found = exchange(pool, criterion, start);
+        let found = exchange(pool, start);
         ended();
         found
     };

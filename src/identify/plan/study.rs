@@ -78,7 +78,7 @@ pub fn study(
     let mut order: Vec<usize> = Vec::new();
     let mut studies = Vec::new();
     while order.len() < plan.chosen.len() {
-        let with = |i: usize| Choice::of(&pool, Criterion::D, [&order[..], &[i]].concat()).value;
+        let with = |i: usize| Choice::of(&pool, [&order[..], &[i]].concat()).value;
         let left = plan.chosen.iter().copied().filter(|i| !order.contains(i)).map(|i| (with(i), i));
         let Some((_, next)) = left.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))) else { break };
         order.push(next);

@@ -2,21 +2,55 @@
 //!
 //! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
 
-mod conditions;
+mod cells;
+mod contact;
+mod distance;
+mod joints;
+mod kind;
+mod point;
+mod pose;
 mod row;
+mod surface;
 
-pub use row::columns;
+pub use cells::{ByColumn, Cell, Cells, names, stated_schema, text};
+pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
+pub use row::{Row, columns, numbers, target_of};
 
 use crate::stages::orientations::{self, AngleOrder, unstated};
 use crate::stages::positions;
+use cells::STATION;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
-use row::{LINE, Row, STATION, fixed_rows, partial_rows, row_poses};
+use row::{fixed_rows, partial_rows, row_poses};
 use std::collections::{BTreeMap, BTreeSet};
+
+/// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of names also in [`table::TEXTS`].
+const KINDS: [&dyn RowKind; 8] = [
+    &point::Point,
+    &pose::Body,
+    &distance::Distance,
+    &contact::Contact,
+    &surface::PLANE,
+    &surface::LINE,
+    &surface::SPHERE,
+    &joints::Joints,
+];
+
+/// The kind of this name.
+///
+/// # Errors
+/// A name that no kind has.
+pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
+    let found = KINDS.into_iter().find(|kind| kind.facts().name == name);
+    Ok(found.ok_or_else(|| {
+        let names = KINDS.iter().map(|kind| kind.facts().name);
+        Message::error(format!("`{name}` is not a kind of observation")).hint_names(name, names)
+    })?)
+}
 
 /// Poses at which the station of the world sees the robot, at least.
 const FEWEST_SEEN: usize = 3;
@@ -68,7 +102,7 @@ pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
 
 /// Columns of names of what many rows share, and the most rows that do not determine more than a place of their own.
 const SHARED: [(&str, usize); 7] =
-    [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), (LINE, 2), ("sphere", 2), (STATION, 2)];
+    [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), ("line_name", 2), ("sphere", 2), (STATION, 2)];
 /// Rows of the name that is meant, at least.
 const MEANT_ROWS: usize = 6;
 
@@ -164,7 +198,7 @@ pub fn observed(
     let mut angles = Vec::new();
     for row in &rows {
         let before = settings.conditions.len();
-        if let Err(more) = row.add_to(&mut settings, robot, without.order) {
+        if let Err(more) = row.add_to(&mut settings, robot) {
             problems.0.extend(more.at(&row.place()).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
@@ -200,10 +234,12 @@ pub fn observed(
 
 /// An error about a few rows without a station, which would be the world, beside many that have one.
 fn unnamed_station(rows: &[Row]) -> Option<Message> {
-    let points = rows.iter().filter(|row| row.pose.is_some() && row.kind == "point");
-    let (named, unnamed): (Vec<&Row>, Vec<&Row>) = points.partition(|row| row.station.is_some());
+    let points = rows
+        .iter()
+        .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().is_position));
+    let (named, unnamed): (Vec<&Row>, Vec<&Row>) = points.partition(|row| row.cells.station.is_some());
     let poses = |rows: &[&Row]| rows.iter().map(|row| row.pose).collect::<BTreeSet<_>>().len();
-    let all_stated = unnamed.iter().all(|row| row.has_station);
+    let all_stated = unnamed.iter().all(|row| row.cells.text(STATION).is_some());
     if all_stated || poses(&unnamed) >= FEWEST_SEEN || poses(&named) < FEWEST_SEEN {
         return None;
     }

@@ -1,168 +1,113 @@
 //! Rows of a table of observations of several kinds.
 
-use super::Stated;
-use crate::stages::orientations::{Written, written};
-use etalon_base::message::{Place, Problems, Result};
+use super::cells::{ByColumn, Cell, Cells, STATION, check_fixed, names, text};
+use super::{KINDS, RowKind, Stated, kind};
+use crate::stages::orientations::{AngleOrder, Written, written};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table;
 use etalon_formats::tables::joints::joint_values;
+use etalon_identify::{Condition, Settings};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
-use std::collections::BTreeMap;
 
-/// Columns of numbers of all kinds beside those of positions.
-const NUMBERS: [&str; 22] = [
-    "qw",
-    "qx",
-    "qy",
-    "qz",
-    "rx_deg",
-    "ry_deg",
-    "rz_deg",
-    "rx_rad",
-    "ry_rad",
-    "rz_rad",
-    "a_deg",
-    "b_deg",
-    "c_deg",
-    "a_rad",
-    "b_rad",
-    "c_rad",
-    "value_deg",
-    "value_mm",
-    "distance_mm",
-    "offset_mm",
-    "u_mm",
-    "urot_deg",
-];
-/// Column of the name of a line: `line` are the lines of the file.
-pub(super) const LINE: &str = "line_name";
-/// Column of the name of the station of the instrument that measured a point.
-pub(super) const STATION: &str = "station";
+/// Columns of numbers beside those of positions and of single kinds.
+const UNCERTAINTIES: [&str; 2] = ["u_mm", "urot_deg"];
+
+/// Columns of numbers of single kinds, in the order in which they are written.
+pub fn numbers() -> Vec<&'static str> {
+    let mut all = Vec::new();
+    for name in KINDS.iter().flat_map(|kind| kind.facts().numbers) {
+        all.retain(|other| *other != name);
+        all.push(name);
+    }
+    all
+}
+
 /// Columns of all kinds beside those of positions, to which the target belongs.
-pub fn columns<'a>() -> impl Iterator<Item = &'a str> {
-    table::TEXTS.into_iter().filter(|name| *name != "target").chain(NUMBERS)
+pub fn columns<'a>() -> Vec<&'a str> {
+    ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES).collect()
 }
 
 /// A row of a table; numbers that it does not state are NaN, and names empty.
-pub(super) struct Row {
-    pub line: Option<usize>,
-    /// Kind as stated, or `pose` and `point` with and without an orientation.
-    pub kind: String,
+pub struct Row {
+    pub(super) line: Option<usize>,
+    /// What the row refers to; its kind as stated, or `pose` and `point` with and without an orientation.
+    pub(super) cells: Cells,
     /// `None` for rows about fixed things alone.
-    pub pose: Option<PoseName>,
-    pub cycle: i64,
+    pub(super) pose: Option<PoseName>,
+    pub(super) cycle: i64,
     /// Joint values (mm or rad) and directions.
-    pub joints: Vec<f64>,
-    pub target: String,
-    pub xyz_mm: Vector,
+    pub(super) joints: Vec<f64>,
+    pub(super) xyz_mm: Vector,
     /// Some coordinates of the target are given, and not all.
-    pub is_partial: bool,
-    pub orientation: Written,
-    /// Station other than the one whose frame is the world.
-    pub station: Option<String>,
-    /// The row names its station.
-    pub has_station: bool,
-    pub socket: String,
-    pub other: String,
-    pub plane: String,
-    pub line_name: String,
-    pub sphere: String,
-    pub axis: String,
-    pub joint: String,
-    pub value_rad: f64,
-    pub value_mm: f64,
-    pub distance_mm: f64,
-    pub offset_mm: f64,
+    pub(super) is_partial: bool,
+    pub(super) orientation: Written,
+    /// The order of three angles of an orientation.
+    pub(super) order: Option<AngleOrder>,
     /// Standard uncertainty of a length: the row's, or that of rows that state none.
-    pub u_mm: f64,
-    pub u_axes_mm: Vector,
-    pub has_covariance: bool,
+    pub(super) u_mm: f64,
+    pub(super) u_axes_mm: Vector,
     /// Standard uncertainty of a rotation, likewise.
-    pub u_rotation_rad: f64,
+    pub(super) u_rotation_rad: f64,
 }
 
-/// Columns of a table by name, as far as it has them.
-struct Columns {
-    numbers: BTreeMap<&'static str, Vec<f64>>,
-    texts: BTreeMap<&'static str, Vec<String>>,
-}
-
-impl Columns {
-    fn read(observations: &DataFrame) -> Result<Self> {
-        let has = |name: &&str| observations.column(name).is_ok();
-        let numbers = ["value_deg", "value_mm", "distance_mm", "offset_mm", "u_mm", "urot_deg"].into_iter();
-        let numbers = numbers.chain(table::XYZ).chain(table::UNCERTAINTIES).chain(table::COVARIANCES).filter(has);
-        let texts = table::TEXTS.into_iter().filter(has);
-        Ok(Self {
-            numbers: numbers.map(|name| Ok((name, table::numbers(observations, name)?))).collect::<Result<_>>()?,
-            texts: texts.map(|name| Ok((name, table::texts(observations, name)?))).collect::<Result<_>>()?,
-        })
+/// The cells of each row: numbers, and texts that are not empty.
+fn cells(observations: &DataFrame) -> Result<Vec<ByColumn>> {
+    let mut rows = vec![ByColumn::new(); observations.height()];
+    let has = |name: &&str| observations.column(name).is_ok();
+    for name in table::TEXTS.into_iter().filter(has) {
+        let texts = table::texts(observations, name)?.into_iter();
+        for (row, text) in rows.iter_mut().zip(texts).filter(|(_, text)| !text.is_empty()) {
+            row.insert(name.to_owned(), Cell::Text(text));
+        }
     }
-
-    fn number(&self, name: &str, row: usize) -> f64 {
-        self.numbers.get(name).map_or(f64::NAN, |column| column[row])
+    let of_positions = table::XYZ.into_iter().chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
+    for name in numbers().into_iter().chain(UNCERTAINTIES).chain(of_positions).filter(has) {
+        for (row, number) in rows.iter_mut().zip(table::numbers(observations, name)?) {
+            row.insert(name.to_owned(), Cell::Number(number));
+        }
     }
-
-    fn text(&self, name: &str, row: usize) -> String {
-        self.texts.get(name).map_or_else(String::new, |column| column[row].clone())
-    }
+    Ok(rows)
 }
 
 impl Row {
     /// The rows of a table.
     pub fn read(robot: &dyn Robot, observations: &DataFrame, without: Stated) -> Result<Vec<Self>> {
-        let columns = Columns::read(observations)?;
+        let cells = cells(observations)?;
         let (poses, cycles) = (row_poses(observations)?, row_cycles(observations)?);
         table::texts(observations, "target")?;
         let orientations = written(observations)?;
         let joints = joint_values(robot, observations, &[])?;
-        let height = observations.height();
-        let x_mm: Vec<f64> = (0..height).map(|row| columns.number(table::XYZ[0], row)).collect();
-        let stations = other_stations((0..height).map(|row| columns.text(STATION, row)).collect(), &x_mm);
+        let stations = other_stations(&cells);
         let partial = partial_rows(robot, observations)?;
         let line = table::lines(observations)?;
-        let length = if columns.numbers.contains_key("u_mm") { "u_mm" } else { "ux_mm" };
         let or = |stated: f64, other: Option<f64>| if stated.is_nan() { other.unwrap_or(f64::NAN) } else { stated };
-        let rows = joints.into_iter().zip(orientations).zip(stations).enumerate();
-        type Read = ((Vec<f64>, Written), Option<String>);
-        let row = |(row, ((joints, orientation), station)): (usize, Read)| {
-            let (number, text) = (|name: &str| columns.number(name, row), |name: &str| columns.text(name, row));
+        let rows = cells.into_iter().zip(joints).zip(orientations).zip(stations).enumerate();
+        let rows = rows.map(|(row, (((by_column, joints), orientation), station))| {
+            let owned = |column: &str| text(&by_column, column).map(str::to_owned);
+            let unstated = if orientation.is_given() { "pose" } else { "point" };
+            let kind = owned("kind").unwrap_or_else(|| unstated.to_owned());
+            let target = owned("target").unwrap_or_default();
+            let cells = Cells { kind, target, station, by_column, in_truth: false };
+            let number = |column: &str| cells.number(column).unwrap_or(f64::NAN);
             Self {
                 line: line(row),
-                kind: match text("kind") {
-                    kind if !kind.is_empty() => kind,
-                    _ if orientation.is_given() => "pose".to_owned(),
-                    _ => "point".to_owned(),
-                },
                 pose: poses[row],
                 cycle: cycles[row],
                 joints,
-                target: text("target"),
                 xyz_mm: table::XYZ.map(number),
                 is_partial: partial[row],
                 orientation,
-                station,
-                has_station: !text(STATION).is_empty(),
-                socket: text("socket"),
-                other: text("other"),
-                plane: text("plane"),
-                line_name: text(LINE),
-                sphere: text("sphere"),
-                axis: text("axis"),
-                joint: text("joint"),
-                value_rad: number("value_deg").to_radians(),
-                value_mm: number("value_mm"),
-                distance_mm: number("distance_mm"),
-                offset_mm: if columns.numbers.contains_key("offset_mm") { number("offset_mm") } else { 0.0 },
-                u_mm: or(number(length), without.length_mm),
+                order: without.order,
+                u_mm: or(cells.number("u_mm").unwrap_or_else(|| number("ux_mm")), without.length_mm),
                 u_axes_mm: table::UNCERTAINTIES.map(number),
-                has_covariance: table::COVARIANCES.iter().any(|name| !number(name).is_nan()),
                 u_rotation_rad: or(number("urot_deg").to_radians(), without.rotation_rad),
+                cells,
             }
-        };
-        Ok(rows.map(row).collect())
+        });
+        Ok(rows.collect())
     }
 
     /// Line of the row.
@@ -174,9 +119,89 @@ impl Row {
     pub fn has_position(&self) -> bool {
         self.pose.is_some()
             && !self.is_partial
-            && self.station.is_none()
-            && matches!(self.kind.as_str(), "point" | "pose")
+            && self.cells.station.is_none()
+            && kind(&self.cells.kind).is_ok_and(|kind| kind.facts().has_position)
             && self.xyz_mm.iter().any(|v| !v.is_nan())
+    }
+
+    /// Place of a fixed point, mm.
+    pub(super) fn fixed_place(&self) -> Result<Vector> {
+        if self.xyz_mm.iter().any(|v| !v.is_finite()) {
+            let what = format!("the place of `{}` is missing or not a number", self.cells.target);
+            return Err(Message::error(what).into());
+        }
+        Ok(self.xyz_mm)
+    }
+
+    /// Adds what the row states to `settings`, unless it is the position of a target alone.
+    pub fn add_to(&self, settings: &mut Settings, robot: &mut dyn Robot) -> Result<()> {
+        let kind = kind(&self.cells.kind)?;
+        if let Some(name) = &self.cells.station {
+            self.seen_whole(kind, name)?;
+        }
+        let Some(pose) = self.pose else {
+            check_fixed(self.cells.name("target")?, robot)?;
+            settings.known.push(kind.known(self, positive(self.u_mm, false)?, robot)?);
+            return Ok(());
+        };
+        let observed = kind.observed(self, robot)?;
+        if observed.is_empty() {
+            return Ok(());
+        }
+        if self.joints.iter().any(|q| !q.is_finite()) {
+            return Err(Message::error("a joint value is missing or not a number").into());
+        }
+        let target = target_of(kind, &self.cells.target, robot)?;
+        for (kind, own) in observed {
+            let of_row = if kind.is_angle() { self.u_rotation_rad } else { self.u_mm };
+            let standard_uncertainty = positive(if own.is_nan() { of_row } else { own }, kind.is_angle())?;
+            let (cycle, joints) = (self.cycle, self.joints.clone());
+            settings.conditions.push(Condition { pose, cycle, joints, target, kind, standard_uncertainty });
+        }
+        Ok(())
+    }
+
+    /// An error where a row of another station is not a point with all coordinates and one uncertainty.
+    fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
+        let us = self.u_axes_mm;
+        let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
+        let what = match self.xyz_mm.iter().all(|v| v.is_finite()) {
+            _ if !kind.facts().is_position => {
+                format!("a row of kind `{}` states the station `{station}`", kind.facts().name)
+            }
+            false => format!("a coordinate of what station `{station}` measured is missing or not a number"),
+            true if has_covariance => format!("what station `{station}` measured states a covariance"),
+            true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => {
+                format!("the coordinates that station `{station}` measured have uncertainties of their own")
+            }
+            true => return Ok(()),
+        };
+        let expected =
+            "rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first";
+        Err(Message::error(what).expected(expected).into())
+    }
+}
+
+/// Index of the target of a row; 0 if the kind needs none.
+pub fn target_of(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result<usize> {
+    if name.is_empty() && kind.facts().is_of_robot {
+        return Ok(0);
+    }
+    let found = robot.targets().iter().position(|target| target == name);
+    Ok(found.ok_or_else(|| Message::error(format!("`{name}` is not a target of this robot")))?)
+}
+
+fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
+    let (column, option) = match is_angle {
+        true => ("urot_deg", "--rotation-uncertainty-deg"),
+        false => ("u_mm", "--standard-uncertainty-um"),
+    };
+    match standard_uncertainty {
+        u if u > 0.0 && u.is_finite() => Ok(u),
+        u if !u.is_nan() => Err(Message::error(format!("`{column}` = {u} is not a standard uncertainty")).into()),
+        _ => Err(Message::error("the row has no standard uncertainty")
+            .hint(format!("state {option}, or a column `{column}`"))
+            .into()),
     }
 }
 
@@ -197,10 +222,11 @@ pub(super) fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
 }
 
 /// The stations of rows that are not in the frame of the world: that of coordinates without a station, or else of the first with one.
-fn other_stations(stations: Vec<String>, x_mm: &[f64]) -> Vec<Option<String>> {
-    let of_points = || stations.iter().zip(x_mm).filter(|(_, x)| !x.is_nan()).map(|(name, _)| name);
-    let world = of_points().find(|name| name.is_empty()).or_else(|| of_points().next()).cloned().unwrap_or_default();
-    stations.into_iter().map(|name| Some(name).filter(|name| !name.is_empty() && *name != world)).collect()
+fn other_stations(rows: &[ByColumn]) -> Vec<Option<String>> {
+    let measured = |row: &&ByColumn| matches!(row.get(table::XYZ[0]), Some(Cell::Number(x)) if !x.is_nan());
+    let of_points = || rows.iter().filter(measured).map(|row| text(row, STATION));
+    let world = of_points().find(Option::is_none).or_else(|| of_points().next()).flatten();
+    rows.iter().map(|row| text(row, STATION).filter(|name| Some(*name) != world).map(str::to_owned)).collect()
 }
 
 /// The name of the pose of each row; `None` for rows about fixed things alone.

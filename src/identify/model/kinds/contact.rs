@@ -1,7 +1,7 @@
 //! The target lies in a socket.
 
 use super::{At, Condition, Equation, Kind, SHORTEST, point};
-use etalon_base::pose::{dot, minus};
+use etalon_base::pose::{Vector, dot, minus};
 use etalon_math::Factor;
 use etalon_robots::FreeBase;
 
@@ -28,6 +28,11 @@ impl Equation for Contact {
     fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]) {
         out.copy_from_slice(moved);
         (0..3).for_each(|i| out[i * at.values.len() + self.socket + i] -= 1.0);
+    }
+
+    fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
+        let axis = |k: usize| [0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 });
+        (0..3).map(|k| (axis(k), p[k] - values[self.socket + k] - left[k])).collect()
     }
 }
 

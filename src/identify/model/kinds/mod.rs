@@ -112,6 +112,12 @@ pub(crate) trait Equation {
         true
     }
 
+    /// Gaps between a target at `p` and where the condition has it, with their directions; empty if it does not say where the target is.
+    /// `left` is the error of the touch.
+    fn gaps(&self, _values: &[f64], _p: Vector, _left: Vector) -> Vec<(Vector, f64)> {
+        Vec::new()
+    }
+
     /// First of the unknowns of the moving part that the condition shows; `target` is that of the target.
     fn moving(&self, target: usize) -> Option<usize> {
         Some(target)
@@ -158,6 +164,12 @@ impl Kind {
     /// `true` if the residuals are angles.
     pub fn is_angle(&self) -> bool {
         self.equation().is_angle()
+    }
+
+    /// Gaps (mm) between a target at `p` and the place or surface that it touches up to an error `left`, each with its gradient by `p`; empty if
+    /// the target touches nothing.
+    pub fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
+        self.equation().gaps(values, p, left)
     }
 
     /// `true` for the orientation of a body.

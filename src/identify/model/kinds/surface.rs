@@ -25,6 +25,9 @@ pub enum Surface {
     Sphere,
 }
 
+/// Steps from a point to the nearest one on a surface.
+const STEPS: usize = 60;
+
 /// Derivatives: three of the point, four of the unknowns.
 type Number = Dual<7>;
 
@@ -100,6 +103,17 @@ impl On {
     fn gradients(&self, at: &At) -> [[f64; 7]; 2] {
         self.surface.gradients(at.position, self.unknowns.map(|i| at.values[i]))
     }
+
+    /// The place on it that is nearest to `p`, or `left` from there.
+    pub fn nearest(&self, values: &[f64], mut p: Vector, left: Vector) -> Vector {
+        for _ in 0..STEPS {
+            for (normal, distance) in self.gaps(values, p, left) {
+                let square = normal.iter().map(|v| v * v).sum::<f64>();
+                (0..3).for_each(|i| p[i] -= distance * normal[i] / square);
+            }
+        }
+        p
+    }
 }
 
 impl Equation for On {
@@ -127,6 +141,13 @@ impl Equation for On {
     fn in_world(&self, at: &At, residuals: Vector) -> Vector {
         let [first, second] = self.gradients(at);
         std::array::from_fn(|i| first[i] * residuals[0] + second[i] * residuals[1])
+    }
+
+    fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
+        let unknowns = self.unknowns.map(|i| values[i]);
+        let (distances, by) = (self.surface.residuals(p, unknowns), self.surface.gradients(p, unknowns));
+        let gap = |k: usize| ([by[k][0], by[k][1], by[k][2]], distances[k] - self.offset_mm - left[k]);
+        (0..self.surface.rows()).map(gap).collect()
     }
 
     fn has_length(&self) -> bool {

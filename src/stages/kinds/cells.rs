@@ -1,0 +1,133 @@
+//! Cells that state what a row refers to: of a table, or of a truth that is simulated.
+
+use super::KINDS;
+use etalon_base::message::{Message, Result};
+use etalon_formats::table::TEXTS;
+use etalon_identify::Fixture;
+use etalon_robots::Robot;
+use schemars::{Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde_json::Map;
+use std::collections::BTreeMap;
+
+/// Column of the name of the station of the instrument that measured a point.
+pub(super) const STATION: &str = "station";
+/// Axes of the world.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A name, or a number in the unit of its column.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Cell {
+    /// A name.
+    Text(String),
+    /// A number; NaN if the cell is empty.
+    Number(f64),
+}
+
+/// Cells by column, beside those of every kind: columns of text that are empty are missing.
+pub type ByColumn = BTreeMap<String, Cell>;
+
+/// The text in a column, if any.
+pub fn text<'a>(cells: &'a ByColumn, column: &str) -> Option<&'a str> {
+    match cells.get(column) {
+        Some(Cell::Text(text)) => Some(text),
+        _ => None,
+    }
+}
+
+/// Schema of the cells that a truth states, by column.
+pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
+    let texts = names().map(|name| (name, generator.subschema_for::<Option<String>>()));
+    let mut properties: Map<String, _> = texts.map(|(name, schema)| (name.to_owned(), schema.to_value())).collect();
+    for name in KINDS.iter().flat_map(|kind| kind.facts().stated) {
+        properties.insert((*name).to_owned(), generator.subschema_for::<Option<f64>>().to_value());
+    }
+    json_schema!({ "type": "object", "properties": properties })
+}
+
+/// Columns of names, beside those of every kind.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    TEXTS.into_iter().filter(|name| !["kind", "target"].contains(name))
+}
+
+/// The cells of a row that state what it refers to.
+#[derive(Clone, Debug)]
+pub struct Cells {
+    /// Name of the kind.
+    pub kind: String,
+    /// Name of the target.
+    pub target: String,
+    /// Station other than the one whose frame is the world.
+    pub station: Option<String>,
+    /// The others.
+    pub by_column: ByColumn,
+    /// They are those of a truth.
+    pub in_truth: bool,
+}
+
+impl Cells {
+    /// The text in a column, if any.
+    pub fn text(&self, column: &str) -> Option<&str> {
+        text(&self.by_column, column)
+    }
+
+    /// The number in a column, if there is such a column.
+    pub(super) fn number(&self, column: &str) -> Option<f64> {
+        match self.by_column.get(column) {
+            Some(Cell::Number(number)) => Some(*number),
+            _ => None,
+        }
+    }
+
+    fn missing(&self, column: &str) -> Message {
+        Message::error(match self.in_truth {
+            true => format!("a `{}` needs `{column}`", self.kind),
+            false => format!("the column `{column}` is empty or missing"),
+        })
+    }
+
+    /// The name in a column.
+    pub(super) fn name(&self, column: &str) -> Result<&str> {
+        Ok(self.text(column).filter(|name| !name.is_empty()).ok_or_else(|| self.missing(column))?)
+    }
+
+    /// The first parameter of the fixed point that a column names.
+    pub(super) fn point(&self, column: &str, robot: &mut dyn Robot) -> Result<usize> {
+        let name = self.name(column)?;
+        check_fixed(name, robot)?;
+        Ok(Fixture::Point(name).add_to(robot))
+    }
+
+    /// The first parameter of the station.
+    pub(super) fn station(&self, robot: &mut dyn Robot) -> Result<Option<usize>> {
+        let Some(name) = &self.station else { return Ok(None) };
+        check_fixed(name, robot)?;
+        Ok(Some(Fixture::Station(name).add_to(robot)))
+    }
+
+    /// The axis of the world in the column `axis`; `missing` is the error of a table without it.
+    pub(super) fn axis(&self, missing: impl FnOnce() -> Message) -> Result<usize> {
+        let axis = AXES.iter().position(|axis| self.text("axis") == Some(axis));
+        Ok(axis.ok_or_else(|| match self.in_truth {
+            true => self.missing("axis").expected("\"x\", \"y\" or \"z\""),
+            false => missing(),
+        })?)
+    }
+
+    /// The length in the column `distance_mm`.
+    pub(super) fn distance(&self) -> Result<f64> {
+        let wrong = || Message::error("`distance_mm` is missing or not a length").expected("a length above 0");
+        Ok(self.number("distance_mm").filter(|d| d.is_finite() && *d > 0.0).ok_or_else(wrong)?)
+    }
+}
+
+/// An error about a name of a fixed thing that is a target on the robot.
+pub(super) fn check_fixed(name: &str, robot: &dyn Robot) -> Result<()> {
+    match robot.targets().iter().any(|target| target == name) || name == "base" {
+        true => Err(Message::error(format!("`{name}` is a target on the robot, not a fixed point"))
+            .hint("give fixed points names of their own; rows about them alone have no pose")
+            .into()),
+        false => Ok(()),
+    }
+}

@@ -1,0 +1,28 @@
+//! A target in a socket.
+
+use super::{Cells, Facts, Row, RowKind, Simulated};
+use etalon_base::message::Result;
+use etalon_identify::Kind;
+use etalon_robots::Robot;
+
+pub(super) struct Contact;
+
+impl Contact {
+    fn of(cells: &Cells, robot: &mut dyn Robot) -> Result<Kind> {
+        Ok(Kind::Contact(etalon_identify::Contact { socket: cells.point("socket", robot)? }))
+    }
+}
+
+impl RowKind for Contact {
+    fn facts(&self) -> Facts {
+        Facts { name: "contact", ..Facts::default() }
+    }
+
+    fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
+        Ok(vec![(Self::of(&row.cells, robot)?, f64::NAN)])
+    }
+
+    fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
+        Ok(Simulated { touches: Some(Self::of(cells, robot)?), ..Simulated::anywhere(|_| Ok(Vec::new())) })
+    }
+}

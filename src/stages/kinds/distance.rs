@@ -1,0 +1,43 @@
+//! The distance of a target from a fixed point, or of two fixed points.
+
+use super::{Cells, Facts, Row, RowKind, Simulated};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Vector, minus, norm};
+use etalon_identify::{Fixture, Kind, Known};
+use etalon_robots::Robot;
+
+pub(super) struct Distance;
+
+impl RowKind for Distance {
+    fn facts(&self) -> Facts {
+        Facts { name: "distance", numbers: vec!["distance_mm"], ..Facts::default() }
+    }
+
+    fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>> {
+        let to = row.cells.point("other", robot)?;
+        let distance = etalon_identify::Distance { to, distance_mm: row.cells.distance()? };
+        Ok(vec![(Kind::Distance(distance), f64::NAN)])
+    }
+
+    fn known(&self, row: &Row, standard_uncertainty_mm: f64, robot: &mut dyn Robot) -> Result<Known> {
+        let name = &row.cells.target;
+        let from = Fixture::Point(name).add_to(robot);
+        let to = row.cells.point("other", robot)?;
+        if to == from {
+            return Err(Message::error(format!("a distance from `{name}` to itself")).into());
+        }
+        Ok(Known::Distance { from, to, distance_mm: row.cells.distance()?, standard_uncertainty_mm })
+    }
+
+    fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated> {
+        let to = cells.point("other", robot)?;
+        Ok(Simulated::anywhere(move |at| {
+            let distance = norm(minus(at.position, at.point(to)));
+            Ok(vec![("distance_mm", at.length(distance))])
+        }))
+    }
+
+    fn known_simulated(&self, cells: &Cells, near_mm: Option<Vector>, robot: &mut dyn Robot) -> Result<Simulated> {
+        Simulated::fixed(self, cells, near_mm, robot)
+    }
+}

@@ -1,0 +1,143 @@
+//! Kinds of rows in a table of observations: what a kind has in common with all others.
+
+use super::{Cells, Row};
+use crate::stages::orientations::AngleOrder;
+use etalon_base::message::{Message, Result};
+use etalon_base::noise::Noise;
+use etalon_base::pose::Vector;
+use etalon_formats::table::XYZ;
+use etalon_identify::{Fixture, Kind, Known};
+use etalon_robots::Robot;
+
+/// What is the same in all rows of a kind.
+#[derive(Default)]
+pub struct Facts {
+    /// Name in the column `kind`.
+    pub name: &'static str,
+    /// Columns of numbers beside positions and uncertainties.
+    pub numbers: Vec<&'static str>,
+    /// The columns of these that a truth states; the others are simulated.
+    pub stated: &'static [&'static str],
+    /// A row contains the position of its target.
+    pub has_position: bool,
+    /// A row is the position of its target: single coordinates and further stations are possible.
+    pub is_position: bool,
+    /// A row may be without a target.
+    pub is_of_robot: bool,
+}
+
+/// A kind of rows: its columns, the conditions that a row states, and how a row is simulated.
+pub trait RowKind: Sync {
+    /// What is the same in all its rows.
+    fn facts(&self) -> Facts;
+
+    /// What a row with a pose observed beside a position in the world, each with a standard uncertainty (mm or rad); NaN for that of the row.
+    fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>>;
+
+    /// What a row without a pose states of fixed things, with its standard uncertainty (mm).
+    fn known(&self, _row: &Row, _u_mm: f64, _robot: &mut dyn Robot) -> Result<Known> {
+        Err(Message::error(format!("a row of kind `{}` has no pose", self.facts().name))
+            .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`")
+            .into())
+    }
+
+    /// How a row with a pose is simulated; what it refers to is added to the parameters of `robot`.
+    fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated>;
+
+    /// How a row without a pose is simulated; `near_mm` is about where a place on a surface is.
+    fn known_simulated(&self, _: &Cells, _near_mm: Option<Vector>, _: &mut dyn Robot) -> Result<Simulated> {
+        Err(no_known(self.facts().name).into())
+    }
+}
+
+/// The error about a `[[known]]` of a kind that has none.
+pub fn no_known(kind: &str) -> Message {
+    Message::error(format!("a row of kind `{kind}` has no [[known]]"))
+        .expected("`point`, `distance`, `plane`, `line` or `sphere`")
+}
+
+/// Numbers of a row by column, in mm or deg.
+pub type Numbers = Vec<(&'static str, f64)>;
+type Measure = dyn Fn(&mut Measurement) -> Result<Numbers>;
+
+/// How a row is simulated.
+pub struct Simulated {
+    /// The condition that joint values have to meet, where the target touches something.
+    pub touches: Option<Kind>,
+    /// The numbers of the row, where it is measured.
+    pub numbers: Box<Measure>,
+}
+
+impl Simulated {
+    /// A row that is measured wherever the target is.
+    pub(super) fn anywhere(numbers: impl Fn(&mut Measurement) -> Result<Numbers> + 'static) -> Self {
+        Self { touches: None, numbers: Box::new(numbers) }
+    }
+
+    /// A row about the fixed point that is its target, measured as a target there.
+    pub(super) fn fixed(
+        kind: &dyn RowKind,
+        cells: &Cells,
+        near_mm: Option<Vector>,
+        robot: &mut dyn Robot,
+    ) -> Result<Self> {
+        if near_mm.is_some() {
+            return Err(Message::error("`near_mm` is for places on surfaces").into());
+        }
+        let point = Fixture::Point(&cells.target).add_to(robot);
+        let numbers = kind.simulated(cells, robot)?.numbers;
+        Ok(Self::anywhere(move |at| {
+            at.position = at.point(point);
+            numbers(at)
+        }))
+    }
+}
+
+/// The true robot where a row is measured, and the noise of the measurement.
+pub struct Measurement<'a> {
+    /// The robot.
+    pub robot: &'a dyn Robot,
+    /// True parameters, in mm, rad and 1.
+    pub values: &'a [f64],
+    /// Joint values, in mm and rad.
+    pub joints: &'a [f64],
+    /// Position of the target, mm.
+    pub position: Vector,
+    /// Stream of the noise.
+    pub noise: &'a mut Noise,
+    /// Standard deviation of a length, mm.
+    pub sigma_mm: f64,
+    /// Standard deviation of an angle, rad; the error where none is stated.
+    pub sigma_rad: std::result::Result<f64, Message>,
+    /// The order of three angles of an orientation, where it is written in angles.
+    pub order: Option<AngleOrder>,
+    /// An orientation without an order of angles is written as a rotation vector, not as a quaternion.
+    pub is_vector: bool,
+}
+
+impl Measurement<'_> {
+    /// The first three parameters of a fixed thing.
+    pub(super) fn point(&self, first: usize) -> Vector {
+        [0, 1, 2].map(|i| self.values[first + i])
+    }
+
+    /// A length with noise.
+    pub(super) fn length(&mut self, length_mm: f64) -> f64 {
+        length_mm + self.noise.gaussian(self.sigma_mm)
+    }
+
+    /// A point with noise of each coordinate.
+    pub(super) fn place(&mut self, place_mm: Vector) -> Vector {
+        place_mm.map(|v| self.length(v))
+    }
+}
+
+/// The cells of a position.
+pub(super) fn xyz(place_mm: Vector) -> Numbers {
+    XYZ.into_iter().zip(place_mm).collect()
+}
+
+/// The error about a kind that is for arms in space.
+pub(super) fn not_of(what: &str, robot: &dyn Robot) -> Message {
+    Message::error(format!("{what} are for arms in space, not for `{}`", robot.model()))
+}
