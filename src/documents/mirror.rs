@@ -1,9 +1,17 @@
 //! Document forms of plain types of other crates.
 
 /// Defines the document form of a plain struct or enum: the same fields or variants, each converted with `Into`. A field that is
-/// missing here, or has another type, does not compile.
+/// missing here, or has another type, does not compile. With `of Plain as p` a field that the document spells otherwise has its
+/// value behind it: `name: Type = p.value`.
 macro_rules! mirror {
-    ($(#[$meta:meta])* struct $name:ident of $plain:ty { $($(#[$inner:meta])* $field:ident: $type:ty,)* }) => {
+    (@value $plain:ident $field:ident) => { $plain.$field.into() };
+    (@value $plain:ident $field:ident $value:expr) => { $value };
+    ($(#[$meta:meta])* struct $name:ident of $plain:ty { $($fields:tt)* }) => {
+        mirror! { $(#[$meta])* struct $name of $plain as plain { $($fields)* } }
+    };
+    ($(#[$meta:meta])* struct $name:ident of $plain:ty as $value_of:ident {
+        $($(#[$inner:meta])* $field:ident: $type:ty $(= $value:expr)?,)*
+    }) => {
         #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
         #[serde(deny_unknown_fields)]
         $(#[$meta])*
@@ -11,8 +19,8 @@ macro_rules! mirror {
 
         impl From<$plain> for $name {
             #[allow(clippy::useless_conversion)] // most fields have the same type
-            fn from(plain: $plain) -> Self {
-                Self { $($field: plain.$field.into(),)* }
+            fn from($value_of: $plain) -> Self {
+                Self { $($field: mirror!(@value $value_of $field $($value)?),)* }
             }
         }
     };

@@ -1,5 +1,7 @@
 //! Static compliance (ISO 9283:1998 10).
 
+use super::all;
+use crate::mirror::mirror;
 use etalon_base::message::Message;
 use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
 use schemars::JsonSchema;
@@ -19,26 +21,26 @@ pub struct Iso9283ComplianceDocument {
     pub messages: Vec<Message>,
 }
 
-/// Compliance in one direction.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Iso9283Compliance {
-    /// `+x`, `-x` ...
-    pub direction: String,
-    /// Readings under load.
-    pub readings: usize,
-    /// Repeats.
-    pub cycles: usize,
-    /// Largest force.
-    pub force_n: f64,
-    /// Displacement along the force by force.
-    pub compliance_mm_n: f64,
-    /// Its standard uncertainty from the scatter about the line; null with a single reading.
-    pub standard_uncertainty_mm_n: Option<f64>,
-    /// Largest displacement along the force.
-    pub largest_mm: f64,
-    /// Largest distance of a reading from the line.
-    pub off_line_mm: f64,
+mirror! {
+    /// Compliance in one direction.
+    struct Iso9283Compliance of DirectionalCompliance as d {
+        /// `+x`, `-x` ...
+        direction: String,
+        /// Readings under load.
+        readings: usize,
+        /// Repeats.
+        cycles: usize,
+        /// Largest force.
+        force_n: f64,
+        /// Displacement along the force by force.
+        compliance_mm_n: f64 = d.compliance.compliance_mm_n,
+        /// Its standard uncertainty from the scatter about the line; null with a single reading.
+        standard_uncertainty_mm_n: Option<f64> = Some(d.compliance.standard_uncertainty_mm_n).filter(|u| u.is_finite()),
+        /// Largest displacement along the force.
+        largest_mm: f64 = d.compliance.largest_mm,
+        /// Largest distance of a reading from the line.
+        off_line_mm: f64 = d.compliance.off_line_mm,
+    }
 }
 
 impl Iso9283ComplianceDocument {
@@ -54,22 +56,7 @@ impl Iso9283ComplianceDocument {
                 "clause 10 was not compared with a bought copy of the standard".to_owned(),
             ],
             messages: (!short.is_empty()).then(warning).into_iter().collect(),
-            directions: found.into_iter().map(Into::into).collect(),
-        }
-    }
-}
-
-impl From<DirectionalCompliance> for Iso9283Compliance {
-    fn from(d: DirectionalCompliance) -> Self {
-        Self {
-            direction: d.direction.to_owned(),
-            readings: d.readings,
-            cycles: d.cycles,
-            force_n: d.force_n,
-            compliance_mm_n: d.compliance.compliance_mm_n,
-            standard_uncertainty_mm_n: Some(d.compliance.standard_uncertainty_mm_n).filter(|u| u.is_finite()),
-            largest_mm: d.compliance.largest_mm,
-            off_line_mm: d.compliance.off_line_mm,
+            directions: all(found),
         }
     }
 }

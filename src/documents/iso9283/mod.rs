@@ -14,16 +14,15 @@ pub use pose::*;
 
 use crate::LimitVerdict;
 use etalon_base::message::Message;
-use etalon_base::pose::Vector;
 
 /// Angles in degrees.
 fn degrees(angles_rad: &[f64]) -> Vec<f64> {
     angles_rad.iter().map(|angle| angle.to_degrees()).collect()
 }
 
-/// Coordinates that exist: x, y and, of spatial robots, z.
-fn coordinates(p: Vector, spatial: bool) -> Vec<f64> {
-    p[..if spatial { 3 } else { 2 }].to_vec()
+/// The documents of plain results.
+fn all<T, D: From<T>>(results: Vec<T>) -> Vec<D> {
+    results.into_iter().map(Into::into).collect()
 }
 
 /// One of each kind of test that there is.

@@ -1,6 +1,6 @@
 //! Recorded motions (ISO 9283:1998 7.4, 7.5, 9).
 
-use super::{Iso9283Path, Iso9283Weaving, coordinates, degrees};
+use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pose_name::PoseName;
@@ -74,32 +74,32 @@ pub struct Iso9283StreamDocument {
     pub messages: Vec<Message>,
 }
 
-/// A standstill.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Iso9283Standstill {
-    /// Number of the pose that is visited; null where it is near none.
-    pub pose: Option<PoseName>,
-    /// Which visit of that pose it is, from 1.
-    pub cycle: Option<i64>,
-    /// First sample.
-    pub from_s: f64,
-    /// Last sample.
-    pub to_s: f64,
-    /// Samples.
-    pub samples: usize,
-    /// Mean position of the middle half: x, y and, where there is one, z.
-    pub mean_mm: Vec<f64>,
-    /// Means of the angles that exist, in the order a, b, c.
-    pub mean_deg: Vec<f64>,
-    /// Mean radius and three standard deviations of the samples of the middle half: noise of instrument and hold.
-    pub noise_mm: Option<f64>,
-    /// Stabilisation time of the arrival (7.4); null without a limit band, and where the band is never entered or kept.
-    pub stabilisation_s: Option<f64>,
-    /// Overshoot of the arrival (7.5); null without a limit band.
-    pub overshoot_mm: Option<f64>,
-    /// Posing time from the previous standstill (9); null without a limit band.
-    pub posing_s: Option<f64>,
+mirror! {
+    /// A standstill.
+    struct Iso9283Standstill of Standing as s {
+        /// Number of the pose that is visited; null where it is near none.
+        pose: Option<PoseName> = s.visit.map(|v| v.0),
+        /// Which visit of that pose it is, from 1.
+        cycle: Option<i64> = s.visit.map(|v| v.1),
+        /// First sample.
+        from_s: f64,
+        /// Last sample.
+        to_s: f64,
+        /// Samples.
+        samples: usize = s.standstill.samples.len(),
+        /// Mean position of the middle half: x, y and, where there is one, z.
+        mean_mm: Vec<f64>,
+        /// Means of the angles that exist, in the order a, b, c.
+        mean_deg: Vec<f64> = degrees(&s.standstill.angles_rad),
+        /// Mean radius and three standard deviations of the samples of the middle half: noise of instrument and hold.
+        noise_mm: Option<f64>,
+        /// Stabilisation time of the arrival (7.4); null without a limit band, and where the band is never entered or kept.
+        stabilisation_s: Option<f64> = s.arrival.map(|a| a.stabilisation_s),
+        /// Overshoot of the arrival (7.5); null without a limit band.
+        overshoot_mm: Option<f64>,
+        /// Posing time from the previous standstill (9); null without a limit band.
+        posing_s: Option<f64> = s.posing.map(|p| p.time_s),
+    }
 }
 
 mirror! {
@@ -158,46 +158,23 @@ impl Iso9283StreamDocument {
             samples: stream.len(),
             left_out: recording.left_out.clone(),
             duration_s: time_s[time_s.len() - 1] - time_s[0],
-            settling: settling(&standing).into_iter().map(Into::into).collect(),
-            arrivals: courses(stream, &standing).into_iter().map(Into::into).collect(),
-            posing: moves(&standing).into_iter().map(Into::into).collect(),
-            standstills: standing.iter().map(|s| Iso9283Standstill::new(s, recording)).collect(),
+            settling: all(settling(&standing)),
+            arrivals: all(courses(stream, &standing)),
+            posing: all(moves(&standing)),
+            messages: messages(recording, settings, &standing),
+            standstills: all(standing),
             path: None,
             weaving: None,
-            messages: messages(recording, settings, &standing),
         };
         if let Some(path) = &settings.path {
             let driven = Driven::new(recording, path, settings.near_mm)?;
             match &path.weave {
-                Some(weave) => document.weaving = Some(Iso9283Weaving::new(weave, &driven.weaving(weave)?)),
-                None => {
-                    let found = driven.characteristics(settings.band_mm, settings.seed)?;
-                    let length_mm = path.path.length_mm();
-                    document.path = Some(Iso9283Path::new(&driven, found, length_mm, recording.spatial));
-                }
+                Some(weave) => document.weaving = Some(driven.weaving(weave)?.into()),
+                None => document.path = Some(driven.characteristics(settings.band_mm, settings.seed)?.into()),
             }
             document.messages.extend(path_messages(&driven, path));
         }
         Ok(document)
-    }
-}
-
-impl Iso9283Standstill {
-    fn new(s: &Standing, recording: &Recording) -> Self {
-        let (samples, time_s) = (&s.standstill.samples, recording.stream.time_s());
-        Self {
-            pose: s.visit.map(|v| v.0),
-            cycle: s.visit.map(|v| v.1),
-            from_s: time_s[samples.start],
-            to_s: time_s[samples.end - 1],
-            samples: samples.len(),
-            mean_mm: coordinates(s.standstill.mean_mm, recording.spatial),
-            mean_deg: degrees(&s.standstill.angles_rad),
-            noise_mm: s.noise_mm,
-            stabilisation_s: s.arrival.map(|arrival| arrival.stabilisation_s),
-            overshoot_mm: s.overshoot_mm,
-            posing_s: s.posing.map(|p| p.time_s),
-        }
     }
 }
 
@@ -215,8 +192,7 @@ fn messages(recording: &Recording, settings: &Settings, standing: &[Standing]) -
         messages.push(message.hint("velocities are those of a path that is driven without weaving"));
     }
     let begins = |s: &&Standing| s.arrival.is_none() && s.standstill.samples.start > 0;
-    let from_s = |s: &Standing| format!("{:.3}", recording.stream.time_s()[s.standstill.samples.start]);
-    let unsettled: Vec<String> = standing.iter().filter(begins).map(from_s).collect();
+    let unsettled: Vec<String> = standing.iter().filter(begins).map(|s| format!("{:.3}", s.from_s)).collect();
     if settings.band_mm.is_some() && !unsettled.is_empty() {
         let what = format!("arrivals that do not settle within the limit band: at {} s", unsettled.join(", "));
         messages.push(Message::warning(what).hint("the band must be wider than the noise of the standing robot"));

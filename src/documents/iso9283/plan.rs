@@ -1,5 +1,6 @@
 //! Plan of a test (ISO 9283:1998 6).
 
+use super::all;
 use crate::mirror::mirror;
 use etalon_base::pose::Vector;
 use etalon_robots::Robot;
@@ -107,7 +108,7 @@ impl Iso9283PlanDocument {
             corners_mm: plan.layout.corners_mm.clone(),
             places: plan.places.iter().enumerate().map(places).collect(),
             unreached: reach.iter().flat_map(|reach| &reach.unreached).cloned().map(Into::into).collect(),
-            programme: programme().into_iter().map(Into::into).collect(),
+            programme: all(programme()),
             loads_percent: LOADS_PERCENT.to_vec(),
         }
     }

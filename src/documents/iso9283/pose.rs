@@ -1,6 +1,6 @@
 //! Tests of poses (ISO 9283:1998 7).
 
-use super::{coordinates, degrees};
+use super::{all, degrees};
 use crate::mirror::mirror;
 use crate::{Conformity, LimitVerdict};
 use etalon_base::message::{Message, Result, one_line};
@@ -11,12 +11,11 @@ use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
 use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
 use etalon_standards::iso9283::pose::drift::{Drift, drifts};
-use etalon_standards::iso9283::pose::ellipsoid::{Ellipsoid, ellipsoid};
+use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
-use etalon_standards::iso9283::pose::test::{PoseTest, TestedPose};
-use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, Settings, characteristics, noise_free};
+use etalon_standards::iso9283::pose::test::PoseTest;
+use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, Settings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
-use etalon_standards::iso9283::statistics::uncertainty_ratio::UncertaintyRatio;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -61,26 +60,24 @@ pub struct Iso9283Document {
 
 impl Iso9283Document {
     /// All characteristics of attained poses. Of several robots it is the first by name, and what exchanging them does.
-    pub fn evaluate(all: &PoseTest, settings: &Settings) -> Result<Self> {
-        let count = all.robots().len();
+    pub fn evaluate(robots: &PoseTest, settings: &Settings) -> Result<Self> {
+        let count = robots.robots().len();
         if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
             let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
             return Err(message.hint("test each robot by itself; together they give the exchangeability").into());
         }
-        let test = &all.of_first_robot();
-        let found = characteristics(test, settings)?;
-        let pose = |(p, found)| Iso9283Pose::new(p, found, test.spatial);
-        let poses = test.poses.iter().zip(&found).map(pose).collect::<Result<Vec<_>>>()?;
+        let test = &robots.of_first_robot();
+        let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
         Ok(Self {
             schema: "etalon/iso9283/1".to_owned(),
-            conventions: conventions(all, settings),
-            distances: distances(test)?.iter().map(|d| Iso9283Distance::new(d, test.spatial)).collect(),
-            approaches: variations(test)?.into_iter().map(Into::into).collect(),
+            conventions: conventions(robots, settings),
+            distances: all(distances(test)?),
+            approaches: all(variations(test)?),
             drifts: match settings.drift_set {
-                Some(size) => drifts(test, size)?.into_iter().map(Into::into).collect(),
+                Some(size) => all(drifts(test, size)?),
                 None => Vec::new(),
             },
-            exchangeability_mm: exchanged(all)?,
+            exchangeability_mm: exchanged(robots)?,
             coplanarity_mm: flatness(test)?,
             coplanarity_of_four: Vec::new(),
             homing: None,
@@ -153,99 +150,100 @@ mirror! {
     }
 }
 
-/// Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Iso9283Pose {
-    /// Name of the pose.
-    pub pose: PoseName,
-    /// Visits counted.
-    pub cycles: usize,
-    /// AP_p (7.2.1); null where no position was commanded, as its coordinates.
-    pub ap_mm: Option<f64>,
-    /// AP_x: mean minus commanded.
-    pub ap_x_mm: Option<f64>,
-    /// AP_y.
-    pub ap_y_mm: Option<f64>,
-    /// AP_z.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ap_z_mm: Option<f64>,
-    /// RP_l (7.2.2): mean radius and three standard deviations; null with a single visit, as all that follows.
-    pub rp_mm: Option<f64>,
-    /// The same of the projections into xy (thesis, table 2.1).
-    pub rp_xy_mm: Option<f64>,
-    /// The same of x alone.
-    pub rp_along_x_mm: Option<f64>,
-    /// The same of y alone.
-    pub rp_along_y_mm: Option<f64>,
-    /// The same of z alone.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_along_z_mm: Option<f64>,
-    /// Mean distance from the barycentre.
-    pub mean_radius_mm: Option<f64>,
-    /// Standard deviation of that distance.
-    pub sd_radius_mm: Option<f64>,
-    /// Radius of the smallest sphere (planar robots: circle) that holds all positions.
-    pub enclosing_radius_mm: Option<f64>,
-    /// Radius of the smallest circle that holds their projections into xy.
-    pub enclosing_circle_radius_mm: Option<f64>,
-    /// RP_x: three standard deviations.
-    pub rp_x_mm: Option<f64>,
-    /// RP_y.
-    pub rp_y_mm: Option<f64>,
-    /// RP_z.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_z_mm: Option<f64>,
-    /// AP_a.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ap_a_deg: Option<f64>,
-    /// AP_b.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ap_b_deg: Option<f64>,
-    /// AP_c.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ap_c_deg: Option<f64>,
-    /// RP_a: three standard deviations.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_a_deg: Option<f64>,
-    /// RP_b.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_b_deg: Option<f64>,
-    /// RP_c.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_c_deg: Option<f64>,
-    /// 95 % interval of AP by parametric bootstrap, and with the instrument's uncertainty where that is stated; null with fewer than
-    /// three visits.
-    pub ap_interval: Option<Iso9283Interval>,
-    /// 95 % interval of RP, likewise.
-    pub rp_interval: Option<Iso9283Interval>,
-    /// 95 % interval of AP in closed form, of the sampling alone.
-    pub ap_interval_analytic: Option<Iso9283Interval>,
-    /// 95 % interval of RP in closed form, of the sampling alone.
-    pub rp_interval_analytic: Option<Iso9283Interval>,
-    /// Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four).
-    pub ellipsoid: Option<Iso9283Ellipsoid>,
-    /// RP without the instrument's noise, where visits were read several times.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_without_noise_mm: Option<f64>,
-    /// Standard deviation of one reading, by coordinate.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub noise_mm: Option<Vector>,
-    /// AP judged by the stated limit.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ap_conformity: Option<Conformity>,
-    /// RP likewise.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rp_conformity: Option<Conformity>,
-    /// The instrument's expanded uncertainty of a position (k = 2) over AP, where it is stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub uncertainty_over_ap: Option<f64>,
-    /// The instrument's expanded uncertainty over RP.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub uncertainty_over_rp: Option<f64>,
-    /// Whether both are at most a quarter (clause 6).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub quarter_rule_met: Option<bool>,
+mirror! {
+    /// Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent.
+    #[derive(Default)]
+    struct Iso9283Pose of PoseCharacteristics as p {
+        /// Name of the pose.
+        pose: PoseName,
+        /// Visits counted.
+        cycles: usize,
+        /// AP_p (7.2.1); null where no position was commanded, as its coordinates.
+        ap_mm: Option<f64> = p.accuracy.map(|a| a.ap_mm),
+        /// AP_x: mean minus commanded.
+        ap_x_mm: Option<f64> = p.accuracy.map(|a| a.deviation_mm[0]),
+        /// AP_y.
+        ap_y_mm: Option<f64> = p.accuracy.map(|a| a.deviation_mm[1]),
+        /// AP_z.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        ap_z_mm: Option<f64> = p.accuracy.filter(|_| p.spatial).map(|a| a.deviation_mm[2]),
+        /// RP_l (7.2.2): mean radius and three standard deviations; null with a single visit, as all that follows.
+        rp_mm: Option<f64> = p.repeatability.map(|r| r.rp_mm),
+        /// The same of the projections into xy (thesis, table 2.1).
+        rp_xy_mm: Option<f64> = p.repeatability.map(|r| r.plane_mm),
+        /// The same of x alone.
+        rp_along_x_mm: Option<f64> = p.repeatability.map(|r| r.along_mm[0]),
+        /// The same of y alone.
+        rp_along_y_mm: Option<f64> = p.repeatability.map(|r| r.along_mm[1]),
+        /// The same of z alone.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_along_z_mm: Option<f64> = p.repeatability.filter(|_| p.spatial).map(|r| r.along_mm[2]),
+        /// Mean distance from the barycentre.
+        mean_radius_mm: Option<f64> = p.repeatability.map(|r| r.mean_radius_mm),
+        /// Standard deviation of that distance.
+        sd_radius_mm: Option<f64> = p.repeatability.map(|r| r.sd_radius_mm),
+        /// Radius of the smallest sphere (planar robots: circle) that holds all positions.
+        enclosing_radius_mm: Option<f64> = p.repeatability.map(|r| r.enclosing_radius_mm),
+        /// Radius of the smallest circle that holds their projections into xy.
+        enclosing_circle_radius_mm: Option<f64> = p.repeatability.map(|r| r.enclosing_circle_radius_mm),
+        /// RP_x: three standard deviations.
+        rp_x_mm: Option<f64> = p.repeatability.map(|r| r.axis_mm[0]),
+        /// RP_y.
+        rp_y_mm: Option<f64> = p.repeatability.map(|r| r.axis_mm[1]),
+        /// RP_z.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_z_mm: Option<f64> = p.repeatability.filter(|_| p.spatial).map(|r| r.axis_mm[2]),
+        /// AP_a.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        ap_a_deg: Option<f64> = p.angle_accuracy_rad[0].map(f64::to_degrees),
+        /// AP_b.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        ap_b_deg: Option<f64> = p.angle_accuracy_rad[1].map(f64::to_degrees),
+        /// AP_c.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        ap_c_deg: Option<f64> = p.angle_accuracy_rad[2].map(f64::to_degrees),
+        /// RP_a: three standard deviations.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_a_deg: Option<f64> = p.angle_repeatability_rad[0].map(f64::to_degrees),
+        /// RP_b.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_b_deg: Option<f64> = p.angle_repeatability_rad[1].map(f64::to_degrees),
+        /// RP_c.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_c_deg: Option<f64> = p.angle_repeatability_rad[2].map(f64::to_degrees),
+        /// 95 % interval of AP by parametric bootstrap, and with the instrument's uncertainty where that is stated; null with fewer than
+        /// three visits.
+        ap_interval: Option<Iso9283Interval> = p.ap.interval.map(Into::into),
+        /// 95 % interval of RP, likewise.
+        rp_interval: Option<Iso9283Interval> = p.rp.interval.map(Into::into),
+        /// 95 % interval of AP in closed form, of the sampling alone.
+        ap_interval_analytic: Option<Iso9283Interval> = p.ap.interval_analytic.map(Into::into),
+        /// 95 % interval of RP in closed form, of the sampling alone.
+        rp_interval_analytic: Option<Iso9283Interval> = p.rp.interval_analytic.map(Into::into),
+        /// Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four).
+        ellipsoid: Option<Iso9283Ellipsoid> = p.ellipsoid.map(Into::into),
+        /// RP without the instrument's noise, where visits were read several times.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_without_noise_mm: Option<f64> = p.noise_free.map(|n| n.rp_mm),
+        /// Standard deviation of one reading, by coordinate.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        noise_mm: Option<Vector> = p.noise_free.map(|n| n.noise_mm),
+        /// AP judged by the stated limit.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        ap_conformity: Option<Conformity> = p.ap.conformity.map(Into::into),
+        /// RP likewise.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        rp_conformity: Option<Conformity> = p.rp.conformity.map(Into::into),
+        /// The instrument's expanded uncertainty of a position (k = 2) over AP, where it is stated.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        uncertainty_over_ap: Option<f64> = p.ap.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
+        /// The instrument's expanded uncertainty over RP.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        uncertainty_over_rp: Option<f64> = p.rp.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
+        /// Whether both are at most a quarter (clause 6).
+        #[serde(skip_serializing_if = "Option::is_none")]
+        quarter_rule_met: Option<bool> = p.is_verified(),
+    }
 }
 
 mirror! {
@@ -259,42 +257,43 @@ mirror! {
     }
 }
 
-/// Distance between two poses (7.3).
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Iso9283Distance {
-    /// The two poses.
-    pub poses: [PoseName; 2],
-    /// Cycles that have both.
-    pub cycles: usize,
-    /// AD_p: mean attained minus commanded distance.
-    pub ad_mm: f64,
-    /// AD_x, AD_y and, where there is one, AD_z.
-    pub ad_axes_mm: Vec<f64>,
-    /// RD_p: three standard deviations.
-    pub rd_mm: f64,
-    /// RD_x, RD_y and, where there is one, RD_z.
-    pub rd_axes_mm: Vec<f64>,
-    /// AD of the angles that exist, in the order a, b, c.
-    pub ad_angles_deg: Vec<f64>,
-    /// RD of the angles that exist.
-    pub rd_angles_deg: Vec<f64>,
+mirror! {
+    /// Distance between two poses (7.3).
+    #[derive(Default)]
+    struct Iso9283Distance of PairDistance as d {
+        /// The two poses.
+        poses: [PoseName; 2],
+        /// Cycles that have both.
+        cycles: usize,
+        /// AD_p: mean attained minus commanded distance.
+        ad_mm: f64 = d.position.ad_mm,
+        /// AD_x, AD_y and, where there is one, AD_z.
+        ad_axes_mm: Vec<f64> = d.coordinates(d.position.ad_axis_mm),
+        /// RD_p: three standard deviations.
+        rd_mm: f64 = d.position.rd_mm,
+        /// RD_x, RD_y and, where there is one, RD_z.
+        rd_axes_mm: Vec<f64> = d.coordinates(d.position.rd_axis_mm),
+        /// AD of the angles that exist, in the order a, b, c.
+        ad_angles_deg: Vec<f64> = degrees(&d.ad_angles_rad),
+        /// RD of the angles that exist.
+        rd_angles_deg: Vec<f64> = degrees(&d.rd_angles_rad),
+    }
 }
 
-/// One pose approached in several ways (7.2.3).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Iso9283Variation {
-    /// Name of the pose.
-    pub pose: PoseName,
-    /// vAP_p: largest distance between barycentres of two approaches.
-    pub vap_mm: f64,
-    /// The two that are farthest apart.
-    pub between: [String; 2],
-    /// vAP of the angles that exist, in the order a, b, c.
-    pub vap_angles_deg: Vec<f64>,
-    /// Every approach by itself.
-    pub approaches: Vec<Iso9283Approach>,
+mirror! {
+    /// One pose approached in several ways (7.2.3).
+    struct Iso9283Variation of PoseVariation as v {
+        /// Name of the pose.
+        pose: PoseName,
+        /// vAP_p: largest distance between barycentres of two approaches.
+        vap_mm: f64,
+        /// The two that are farthest apart.
+        between: [String; 2],
+        /// vAP of the angles that exist, in the order a, b, c.
+        vap_angles_deg: Vec<f64> = degrees(&v.angles_rad),
+        /// Every approach by itself.
+        approaches: Vec<Iso9283Approach> = all(v.approaches),
+    }
 }
 
 mirror! {
@@ -330,88 +329,6 @@ mirror! {
         drp_mm: f64,
         /// Number of sets after which AP had settled.
         settled_after: Option<usize>,
-    }
-}
-
-impl Iso9283Pose {
-    fn new(tested: &TestedPose, p: &PoseCharacteristics, spatial: bool) -> Result<Self> {
-        let (ap, rp) = (p.accuracy.as_ref(), p.repeatability.as_ref());
-        let there = |k: usize| k < 2 || spatial;
-        let ap_mm = |k: usize| ap.filter(|_| there(k)).map(|a| a.deviation_mm[k]);
-        let rp_mm = |k: usize| rp.filter(|_| there(k)).map(|r| r.axis_mm[k]);
-        let along_mm = |k: usize| rp.filter(|_| there(k)).map(|r| r.along_mm[k]);
-        let [ap_a_deg, ap_b_deg, ap_c_deg] = p.angle_accuracy_rad.map(|angle| angle.map(f64::to_degrees));
-        let [rp_a_deg, rp_b_deg, rp_c_deg] = p.angle_repeatability_rad.map(|angle| angle.map(f64::to_degrees));
-        // over nothing there is no ratio
-        let ratio = |of: Option<UncertaintyRatio>| of.map(|u| u.ratio).filter(|r| r.is_finite());
-        let noise_free = noise_free::of_pose(tested)?;
-        Ok(Self {
-            pose: p.pose,
-            cycles: p.cycles,
-            ap_mm: ap.map(|a| a.ap_mm),
-            ap_x_mm: ap_mm(0),
-            ap_y_mm: ap_mm(1),
-            ap_z_mm: ap_mm(2),
-            rp_mm: rp.map(|r| r.rp_mm),
-            rp_xy_mm: rp.map(|r| r.plane_mm),
-            rp_along_x_mm: along_mm(0),
-            rp_along_y_mm: along_mm(1),
-            rp_along_z_mm: along_mm(2),
-            mean_radius_mm: rp.map(|r| r.mean_radius_mm),
-            sd_radius_mm: rp.map(|r| r.sd_radius_mm),
-            enclosing_radius_mm: rp.map(|r| r.enclosing_radius_mm),
-            enclosing_circle_radius_mm: rp.map(|r| r.enclosing_circle_radius_mm),
-            rp_x_mm: rp_mm(0),
-            rp_y_mm: rp_mm(1),
-            rp_z_mm: rp_mm(2),
-            ap_a_deg,
-            ap_b_deg,
-            ap_c_deg,
-            rp_a_deg,
-            rp_b_deg,
-            rp_c_deg,
-            ap_interval: p.ap_interval.map(Into::into),
-            rp_interval: p.rp_interval.map(Into::into),
-            ap_interval_analytic: p.ap_interval_analytic.map(Into::into),
-            rp_interval_analytic: p.rp_interval_analytic.map(Into::into),
-            // too few visits have none
-            ellipsoid: ellipsoid(&tested.positions_mm(|_| true)).ok().map(Into::into),
-            rp_without_noise_mm: noise_free.map(|free| free.rp_mm),
-            noise_mm: noise_free.map(|free| free.noise_mm),
-            ap_conformity: p.ap_conformity.map(Into::into),
-            rp_conformity: p.rp_conformity.map(Into::into),
-            uncertainty_over_ap: ratio(p.uncertainty_over_ap),
-            uncertainty_over_rp: ratio(p.uncertainty_over_rp),
-            quarter_rule_met: p.is_verified(),
-        })
-    }
-}
-
-impl Iso9283Distance {
-    fn new(d: &PairDistance, spatial: bool) -> Self {
-        let (ad, rd): (Vec<f64>, Vec<f64>) = d.angles_rad.iter().copied().unzip();
-        Self {
-            poses: d.poses,
-            cycles: d.cycles,
-            ad_mm: d.position.ad_mm,
-            ad_axes_mm: coordinates(d.position.ad_axis_mm, spatial),
-            rd_mm: d.position.rd_mm,
-            rd_axes_mm: coordinates(d.position.rd_axis_mm, spatial),
-            ad_angles_deg: degrees(&ad),
-            rd_angles_deg: degrees(&rd),
-        }
-    }
-}
-
-impl From<PoseVariation> for Iso9283Variation {
-    fn from(v: PoseVariation) -> Self {
-        Self {
-            pose: v.pose,
-            vap_mm: v.vap_mm,
-            between: v.between,
-            vap_angles_deg: degrees(&v.angles_rad),
-            approaches: v.approaches.into_iter().map(Into::into).collect(),
-        }
     }
 }
 

@@ -16,6 +16,7 @@ use crate::iso9283::motion::stream::Recording;
 use crate::iso9283::path::PathSettings;
 use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::iso9283::pose::test::CommandedPose;
+use crate::iso9283::statistics::sample::coordinates;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -49,6 +50,12 @@ pub struct Standing {
     pub visit: Option<(PoseName, i64)>,
     /// The standstill.
     pub standstill: Standstill,
+    /// Time of the first sample.
+    pub from_s: f64,
+    /// Time of the last sample.
+    pub to_s: f64,
+    /// Mean position of the standstill: x, y and, where there is one, z.
+    pub mean_mm: Vec<f64>,
     /// Mean radius and three standard deviations of the samples of the middle half: noise of
     /// instrument and hold.
     pub noise_mm: Option<f64>,
@@ -80,6 +87,9 @@ pub fn standing(recording: &Recording, settings: &Settings) -> Result<Vec<Standi
         let arrived = settings.band_mm.and_then(|band| arrival(stream, before, s, band));
         Standing {
             visit,
+            from_s: stream.time_s()[s.samples.start],
+            to_s: stream.time_s()[s.samples.end - 1],
+            mean_mm: coordinates(s.mean_mm, recording.spatial),
             noise_mm: pose_repeatability(&stream.positions_mm()[s.middle()]).ok().map(|r| r.rp_mm),
             watched: watched(before, s),
             arrival: arrived,

@@ -19,10 +19,11 @@ use crate::iso9283::path::cornering::{Cornering, cornering};
 use crate::iso9283::path::passes::{Pass, Passes, passes};
 use crate::iso9283::path::repeatability::{PathRepeatability, path_angle_repeatability_rad, path_repeatability};
 use crate::iso9283::path::velocity::{PathVelocity, central, path_velocity};
-use crate::iso9283::path::weaving::{Weave, Weaving, weaving};
+use crate::iso9283::path::weaving::{Weave, WeaveCharacteristics, weaving};
 use crate::iso9283::statistics::interval::Interval;
+use crate::iso9283::statistics::sample::coordinates;
 use etalon_base::message::{Message, Result};
-use etalon_base::pose::minus;
+use etalon_base::pose::{Vector, minus};
 
 /// A commanded path and how it is compared.
 #[derive(Clone, Debug)]
@@ -47,6 +48,14 @@ const DRAWS: usize = 1000;
 /// Characteristics of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathCharacteristics {
+    /// Passes through all command points.
+    pub passes: usize,
+    /// Passes that were begun and not ended.
+    pub incomplete: usize,
+    /// Length of the commanded path.
+    pub length_mm: f64,
+    /// `true` if commanded angles change along the path.
+    pub reorientation: bool,
     /// AT; on reorientation (8.4) where commanded angles change along the path.
     pub accuracy: PathAccuracy,
     /// AT of each angle.
@@ -62,7 +71,33 @@ pub struct PathCharacteristics {
     /// Velocity, where one is commanded.
     pub velocity: Option<PathVelocity>,
     /// Corners of the commanded path.
-    pub corners: Vec<(Corner, Cornering)>,
+    pub corners: Vec<PathCorner>,
+    /// The command points.
+    pub points: Vec<PathPoint>,
+}
+
+/// A corner of the commanded path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathCorner {
+    /// The commanded corner: x, y and, where there is one, z.
+    pub position_mm: Vec<f64>,
+    /// How it is driven.
+    pub driven: Cornering,
+}
+
+/// A command point and what was attained there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathPoint {
+    /// Length of the path up to here.
+    pub along_mm: f64,
+    /// Commanded position: x, y and, where there is one, z.
+    pub commanded_mm: Vec<f64>,
+    /// Mean attained position in its normal plane.
+    pub mean_mm: Vec<f64>,
+    /// Distance between the two.
+    pub deviation_mm: f64,
+    /// Mean radius and three standard deviations of the passes; absent with a single pass.
+    pub rt_mm: Option<f64>,
 }
 
 /// Passes of a path, at least one, at its command points.
@@ -121,8 +156,24 @@ impl<'a> Driven<'a> {
         let angles = self.recording.angles.len();
         let rt = |k: usize| path_angle_repeatability_rad(passes, points, k);
         let velocity = |commanded| path_velocity(passes, points, commanded, self.settings.central);
-        let cornered = |c: Corner| Ok((c, cornering(&self.recording.stream, passes, points, &c, band_mm)?));
+        let there = |p: Vector| coordinates(p, self.recording.spatial);
+        let cornered = |c: Corner| {
+            let driven = cornering(&self.recording.stream, passes, points, &c, band_mm)?;
+            Ok(PathCorner { position_mm: there(c.position_mm), driven })
+        };
+        let point = |(i, p): (usize, &CommandPoint)| PathPoint {
+            along_mm: p.along_mm,
+            commanded_mm: there(p.position_mm),
+            mean_mm: there(accuracy.means_mm[i]),
+            deviation_mm: accuracy.deviations_mm[i],
+            rt_mm: repeatability.as_ref().map(|r| r.points_mm[i]),
+        };
         Ok(PathCharacteristics {
+            passes: passes.len(),
+            incomplete: self.passes.incomplete,
+            length_mm: path.length_mm(),
+            reorientation: self.reorients(),
+            points: points.iter().enumerate().map(point).collect(),
             angle_accuracy_rad: (0..angles).map(|k| path_angle_accuracy_rad(passes, points, k)).collect(),
             angle_repeatability_rad: repeatability.iter().flat_map(|_| (0..angles).map(rt)).collect(),
             accuracy,
@@ -134,11 +185,12 @@ impl<'a> Driven<'a> {
         })
     }
 
-    /// The weave of each pass about the path, which is the centre line.
-    pub fn weaving(&self, weave: &Weave) -> Result<Vec<Weaving>> {
+    /// The weave about the path, which is the centre line.
+    pub fn weaving(&self, weave: &Weave) -> Result<WeaveCharacteristics> {
         let last = self.points.len() - 1;
         let along = minus(self.points[last].position_mm, self.points[0].position_mm);
         let swung = |pass: &Pass| weaving(&self.recording.stream, pass.samples(0, last), along, weave);
-        self.passes.complete.iter().map(swung).collect()
+        let passes = self.passes.complete.iter().map(swung).collect::<Result<Vec<_>>>()?;
+        Ok(WeaveCharacteristics::new(weave, &passes))
     }
 }

@@ -22,6 +22,44 @@ pub struct Weaving {
     pub turns: usize,
 }
 
+/// A weave, mean of all passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeaveCharacteristics {
+    /// Passes of the centre line.
+    pub passes: usize,
+    /// Turns that were counted in all of them.
+    pub turns: usize,
+    /// Commanded stroke, from side to side.
+    pub commanded_stroke_mm: f64,
+    /// Attained stroke.
+    pub stroke_mm: f64,
+    /// Commanded frequency: swings there and back by second.
+    pub commanded_frequency_hz: f64,
+    /// Attained frequency.
+    pub frequency_hz: f64,
+    /// WS, in per cent of the commanded stroke.
+    pub ws_percent: f64,
+    /// WF, in per cent of the commanded frequency.
+    pub wf_percent: f64,
+}
+
+impl WeaveCharacteristics {
+    /// Means over the passes of the centre line, at least one.
+    pub(crate) fn new(weave: &Weave, passes: &[Weaving]) -> Self {
+        let mean = |of: fn(&Weaving) -> f64| passes.iter().map(of).sum::<f64>() / passes.len() as f64;
+        Self {
+            passes: passes.len(),
+            turns: passes.iter().map(|w| w.turns).sum(),
+            commanded_stroke_mm: weave.stroke_mm,
+            stroke_mm: mean(|w| w.stroke_mm),
+            commanded_frequency_hz: weave.frequency_hz,
+            frequency_hz: mean(|w| w.frequency_hz),
+            ws_percent: mean(|w| w.ws_percent),
+            wf_percent: mean(|w| w.wf_percent),
+        }
+    }
+}
+
 /// What was commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weave {

@@ -1,7 +1,7 @@
 //! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified against a bought copy).
 
 use crate::iso9283::pose::test::{Pair, PoseTest};
-use crate::iso9283::statistics::sample::{Spread, spread, unwrapped, wrapped};
+use crate::iso9283::statistics::sample::{Spread, coordinates, spread, unwrapped, wrapped};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -30,8 +30,18 @@ pub struct PairDistance {
     pub cycles: usize,
     /// AD and RD of the position.
     pub position: Distance,
-    /// AD and RD of each angle of the test.
-    pub angles_rad: Vec<(f64, f64)>,
+    /// AD of each angle of the test.
+    pub ad_angles_rad: Vec<f64>,
+    /// RD of each angle of the test.
+    pub rd_angles_rad: Vec<f64>,
+    spatial: bool,
+}
+
+impl PairDistance {
+    /// Coordinates that the robot has, of AD_x to RD_z.
+    pub fn coordinates(&self, of: Vector) -> Vec<f64> {
+        coordinates(of, self.spatial)
+    }
 }
 
 /// Distances of every pair of commanded poses, by the cycles that have each of the two once; two
@@ -53,12 +63,9 @@ pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
                     pairs.iter().map(|v| (v.from.angles_rad[k], v.to.angles_rad[k])).unzip();
                 angle_distance_rad(&a, &b, [p.commanded_rad[k], q.commanded_rad[k]])
             });
-            all.push(PairDistance {
-                poses: [p.pose, q.pose],
-                cycles: pairs.len(),
-                angles_rad: turned.collect(),
-                position,
-            });
+            let (ad_angles_rad, rd_angles_rad) = turned.unzip();
+            let (poses, cycles, spatial) = ([p.pose, q.pose], pairs.len(), test.spatial);
+            all.push(PairDistance { poses, cycles, position, ad_angles_rad, rd_angles_rad, spatial });
         }
     }
     Ok(all)

@@ -14,6 +14,8 @@ pub mod rotations;
 pub mod test;
 
 use self::accuracy::{PoseAccuracy, angle_accuracy_rad, pose_accuracy};
+use self::ellipsoid::{Ellipsoid, ellipsoid};
+use self::noise_free::NoiseFree;
 use self::repeatability::{PoseRepeatability, angle_repeatability_rad, pose_repeatability};
 use self::test::{PoseTest, TestedPose};
 use crate::decision::{Conformity, DecisionRule};
@@ -69,23 +71,30 @@ pub struct PoseCharacteristics {
     pub repeatability: Option<PoseRepeatability>,
     /// RP_a, RP_b, RP_c.
     pub angle_repeatability_rad: [Option<f64>; 3],
-    /// Interval of AP by bootstrap, with the instrument's uncertainty where that is stated; absent
-    /// with fewer than three visits.
-    pub ap_interval: Option<Interval>,
-    /// Interval of RP, likewise.
-    pub rp_interval: Option<Interval>,
-    /// Interval of AP in closed form, of the sampling alone.
-    pub ap_interval_analytic: Option<Interval>,
-    /// Interval of RP in closed form, of the sampling alone.
-    pub rp_interval_analytic: Option<Interval>,
-    /// AP judged by its limit, where there is one.
-    pub ap_conformity: Option<Conformity>,
-    /// RP judged by its limit.
-    pub rp_conformity: Option<Conformity>,
-    /// The instrument's uncertainty against AP, where it is stated.
-    pub uncertainty_over_ap: Option<UncertaintyRatio>,
-    /// The instrument's uncertainty against RP.
-    pub uncertainty_over_rp: Option<UncertaintyRatio>,
+    /// What is known of AP beside its value.
+    pub ap: Assessed,
+    /// What is known of RP.
+    pub rp: Assessed,
+    /// Where the next position lies; absent with too few visits.
+    pub ellipsoid: Option<Ellipsoid>,
+    /// RP without the instrument's noise; absent where no visit was read twice.
+    pub noise_free: Option<NoiseFree>,
+    /// `true` if there is a z.
+    pub spatial: bool,
+}
+
+/// A characteristic of a pose beside its value.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Assessed {
+    /// Interval by bootstrap, with the instrument's uncertainty where that is stated; absent with
+    /// fewer than three visits.
+    pub interval: Option<Interval>,
+    /// Interval in closed form, of the sampling alone.
+    pub interval_analytic: Option<Interval>,
+    /// Conformity with the limit, where there is one.
+    pub conformity: Option<Conformity>,
+    /// The instrument's uncertainty against the characteristic, where it is stated.
+    pub uncertainty: Option<UncertaintyRatio>,
 }
 
 /// AP and RP of every pose of a test of one robot.
@@ -102,7 +111,14 @@ fn of_pose(
 ) -> Result<PoseCharacteristics> {
     let positions = p.positions_mm(|_| true);
     let n = positions.len();
-    let mut pose = PoseCharacteristics { pose: p.pose, cycles: n, ..PoseCharacteristics::default() };
+    let mut pose = PoseCharacteristics {
+        pose: p.pose,
+        cycles: n,
+        ellipsoid: ellipsoid(&positions).ok(),
+        noise_free: noise_free::of_pose(p)?,
+        spatial: test.spatial,
+        ..PoseCharacteristics::default()
+    };
     pose.accuracy = p.commanded_mm.map(|commanded| pose_accuracy(&positions, commanded)).transpose()?;
     for (k, &axis) in test.angles.iter().enumerate() {
         let attained = p.angles_rad(k, |_| true);
@@ -119,47 +135,46 @@ fn of_pose(
         pose.intervals(&positions, bootstrap)?;
     }
     if let Some(expanded_mm) = settings.expanded_uncertainty_mm {
-        let ap = pose.ap_interval.zip(pose.accuracy);
-        pose.ap_interval = ap.map(|(interval, found)| interval.with_instrument(found.ap_mm, expanded_mm));
-        pose.rp_interval = pose.rp_interval.map(|interval| interval.without_noise(expanded_mm, test.spatial));
+        let ap = pose.ap.interval.zip(pose.accuracy);
+        pose.ap.interval = ap.map(|(interval, found)| interval.with_instrument(found.ap_mm, expanded_mm));
+        pose.rp.interval = pose.rp.interval.map(|interval| interval.without_noise(expanded_mm, test.spatial));
     }
-    pose.judge(settings, test.spatial);
+    let of_coordinates = |u: f64| u * if test.spatial { 3f64 } else { 2.0 }.sqrt();
+    let uncertainty_mm =
+        settings.position_uncertainty_mm.or_else(|| settings.expanded_uncertainty_mm.map(of_coordinates));
+    let (ap_mm, rp_mm) = (pose.accuracy.map(|a| a.ap_mm), pose.repeatability.map(|r| r.rp_mm));
+    pose.ap.judge(ap_mm, settings.ap_limit_mm, settings.decision_rule, uncertainty_mm);
+    pose.rp.judge(rp_mm, settings.rp_limit_mm, settings.decision_rule, uncertainty_mm);
     Ok(pose)
 }
 
 impl PoseCharacteristics {
     fn intervals(&mut self, positions: &[Vector], bootstrap: &Bootstrap) -> Result<()> {
         if let Some(found) = &self.accuracy {
-            self.ap_interval = Some(bootstrap.accuracy(positions, found)?);
-            self.ap_interval_analytic = Some(accuracy_interval(positions, found)?);
+            self.ap.interval = Some(bootstrap.accuracy(positions, found)?);
+            self.ap.interval_analytic = Some(accuracy_interval(positions, found)?);
         }
         if let Some(found) = &self.repeatability {
-            self.rp_interval = Some(bootstrap.repeatability(positions, found)?);
-            self.rp_interval_analytic = Some(repeatability_interval(positions, found)?);
+            self.rp.interval = Some(bootstrap.repeatability(positions, found)?);
+            self.rp.interval_analytic = Some(repeatability_interval(positions, found)?);
         }
         Ok(())
-    }
-
-    /// Conformity with the limits, and the instrument against the characteristics.
-    fn judge(&mut self, settings: &Settings, spatial: bool) {
-        let (ap, rp) = (self.accuracy.map(|a| a.ap_mm), self.repeatability.map(|r| r.rp_mm));
-        // too few visits prove nothing
-        let judged = |mm: Option<f64>, interval: Option<Interval>, limit_mm: Option<f64>| {
-            let judge = |limit| mm.map_or(Conformity::Neither, |mm| settings.decision_rule.judge(mm, interval, limit));
-            limit_mm.map(judge)
-        };
-        self.ap_conformity = judged(ap, self.ap_interval, settings.ap_limit_mm);
-        self.rp_conformity = judged(rp, self.rp_interval, settings.rp_limit_mm);
-        let of_coordinates = || settings.expanded_uncertainty_mm.map(|u| u * if spatial { 3f64 } else { 2.0 }.sqrt());
-        let uncertainty = settings.position_uncertainty_mm.or_else(of_coordinates);
-        let ratio = |mm: Option<f64>| uncertainty.zip(mm).map(|(u, mm)| uncertainty_ratio(u, mm));
-        (self.uncertainty_over_ap, self.uncertainty_over_rp) = (ratio(ap), ratio(rp));
     }
 
     /// `true` if the instrument is good enough for all that it verifies here; `None` where its
     /// uncertainty is not stated.
     pub fn is_verified(&self) -> Option<bool> {
-        let judged = || self.uncertainty_over_ap.iter().chain(&self.uncertainty_over_rp);
+        let judged = || self.ap.uncertainty.iter().chain(&self.rp.uncertainty);
         judged().next().map(|_| judged().all(|q| q.met))
+    }
+}
+
+impl Assessed {
+    /// Conformity with the limit, and the instrument against the characteristic.
+    fn judge(&mut self, value_mm: Option<f64>, limit_mm: Option<f64>, rule: DecisionRule, uncertainty_mm: Option<f64>) {
+        // too few visits prove nothing
+        let judge = |limit| value_mm.map_or(Conformity::Neither, |mm| rule.judge(mm, self.interval, limit));
+        self.conformity = limit_mm.map(judge);
+        self.uncertainty = uncertainty_mm.zip(value_mm).map(|(u, mm)| uncertainty_ratio(u, mm));
     }
 }

@@ -35,6 +35,11 @@ pub fn spread(values: &[f64]) -> Spread {
     Spread { mean, deviation }
 }
 
+/// Coordinates that exist: x, y and, in space, z.
+pub(crate) fn coordinates(p: Vector, spatial: bool) -> Vec<f64> {
+    p[..if spatial { 3 } else { 2 }].to_vec()
+}
+
 /// Mean position, computed about the first; NaN without positions.
 pub(crate) fn mean_position(points: &[Vector]) -> Vector {
     [0, 1, 2].map(|k| spread(&points.iter().map(|p| p[k]).collect::<Vec<_>>()).mean)
