@@ -1,6 +1,6 @@
 //! Weaves and loads against what was drawn and what is found by hand.
 
-use super::iso9283::close;
+use crate::standards::iso9283::close;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus};
 use etalon::standards::iso9283::load::{Loaded, compliance};

@@ -30,7 +30,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
 }
 
 /// A campaign of parameters alone: names, values, standard uncertainties; `before` differs from nominal for the last.
-pub(super) fn identified(
+pub(crate) fn identified(
     folder: &str,
     values: &[f64],
     u: &[f64],
@@ -274,7 +274,7 @@ fn the_ratio_of_rp_is_that_of_the_scatter() {
 }
 
 /// A campaign of one recorded path with AT, RT and their intervals.
-pub(super) fn recorded(folder: &str, [at, at_low, at_high, rt, rt_low, rt_high]: [f64; 6]) -> Compared {
+pub(crate) fn recorded(folder: &str, [at, at_low, at_high, rt, rt_low, rt_high]: [f64; 6]) -> Compared {
     let path = serde_json::json!({"passes": 10, "incomplete": 0, "length_mm": 1000.0, "reorientation": false,
         "at_mm": at, "at_interval": {"low_mm": at_low, "high_mm": at_high}, "at_along_mm": 0.0, "at_angles_deg": [],
         "rt_mm": rt, "rt_interval": {"low_mm": rt_low, "high_mm": rt_high}, "rt_along_mm": 0.0, "rt_angles_deg": [],

@@ -1,6 +1,6 @@
 //! Beyond the standard: error ellipsoid, conformity with a limit, RP without the instrument's noise.
 
-use super::iso9283::cloud;
+use crate::standards::iso9283::cloud;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus, norm};
 use etalon::standards::decision::{Conformity, DecisionRule};

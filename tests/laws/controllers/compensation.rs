@@ -1,7 +1,7 @@
 //! Pseudo-poses: a simulated true robot whose controller computes with nominal geometry lands on random targets of each model: 200, or
 //! as many as `ETALON_TARGETS` says.
 
-use crate::conventions;
+use crate::robots::conventions;
 use crate::support::arms::SIX_AXES;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, minus, norm};

@@ -1,6 +1,6 @@
 //! Every covariance that a fit states is what 10,000 repeated measurements show, entry by entry.
 
-use super::fits::{disturbed, points_on, quantities};
+use crate::fit::fits::{disturbed, points_on, quantities};
 use etalon::base::pose::{Pose, Vector, centroid, dot, minus};
 use etalon::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
 use rayon::prelude::*;

@@ -1,6 +1,6 @@
 //! A robust fit beside the plain one: silent where readings are only noisy, right where one is wrong.
 
-use super::prediction::{U_MM, drawn, sample};
+use crate::identify::prediction::{U_MM, drawn, sample};
 use etalon::identify::{
     Observation, RobustComparison, Settings, identify_again, identify_from, reliability, robust_comparison,
 };

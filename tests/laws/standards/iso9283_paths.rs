@@ -1,6 +1,6 @@
 //! Paths, corners and velocities against a second implementation, written in another way, and by laws.
 
-use super::iso9283::{close, deviation_by_pairs};
+use crate::standards::iso9283::{close, deviation_by_pairs};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, dot, minus, norm};
 use etalon::standards::iso9283::motion::stream::Stream;

@@ -1,7 +1,7 @@
 //! Faults of the machine: a stop at every sync and rename, a disk that is full, a folder that cannot be written. Each test is skipped,
 //! saying so, where the machine has no strace or does not mount.
 
-use crate::folders::{files, litter, run};
+use crate::base::folders::{files, litter, run};
 use crate::support::scratch::{Scratch, copy_sample, etalon};
 use std::collections::BTreeMap;
 use std::os::unix::process::ExitStatusExt;

@@ -1,6 +1,6 @@
 //! Parameters that depend on which poses they are identified from: none where readings are only noisy, the one that changes first of all.
 
-use super::prediction::{U_MM, drawn, sample};
+use crate::identify::prediction::{U_MM, drawn, sample};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
 use etalon::identify::{Observation, Settings, Stability, effects, halves, identify_from, stability};

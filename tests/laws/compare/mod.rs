@@ -1,0 +1,3 @@
+//! Laws of campaigns side by side.
+
+pub(super) mod compare;

@@ -1,0 +1,3 @@
+//! Laws of compensation.
+
+pub(super) mod compensation;

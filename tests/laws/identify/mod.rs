@@ -1,0 +1,21 @@
+//! Laws of identification, its uncertainty and diagnosis, planning.
+
+pub(super) mod arms;
+pub(super) mod budget;
+pub(super) mod common;
+pub(super) mod conditions;
+pub(super) mod coverage;
+pub(super) mod geometric;
+pub(super) mod geometric_campaign;
+pub(super) mod monte_carlo;
+pub(super) mod plans;
+pub(super) mod prediction;
+pub(super) mod probes;
+pub(super) mod recommendation;
+pub(super) mod rigid;
+pub(super) mod robust;
+pub(super) mod set_ups;
+pub(super) mod stability;
+pub(super) mod thresholds;
+pub(super) mod tool;
+pub(super) mod verification;

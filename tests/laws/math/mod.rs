@@ -1,0 +1,4 @@
+//! Laws of least squares.
+
+pub(super) mod nist_strd;
+pub(super) mod solving;
