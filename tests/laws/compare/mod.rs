@@ -1,3 +1,3 @@
 //! Laws of campaigns side by side.
 
-pub(super) mod compare;
+pub(super) mod parameters;

@@ -65,7 +65,7 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
     let held = found.free.iter().map(holds).chain(frame_held(&frames, &truth, robot.dimension() == 2)).collect();
     let compared = Compared {
         identified: Some((identified.parameters, identified.accuracy)),
-        ..crate::compare::compare::identified(&seed.to_string(), &[], &[], &mut |_| {})
+        ..crate::compare::parameters::identified(&seed.to_string(), &[], &[], &mut |_| {})
     };
     Found { held, compared }
 }

@@ -3,6 +3,6 @@
 pub(super) mod chains;
 pub(super) mod conventions;
 pub(super) mod five_bar;
+pub(super) mod models;
 pub(super) mod platforms;
-pub(super) mod robots;
 pub(super) mod serial;

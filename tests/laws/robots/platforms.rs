@@ -1,6 +1,6 @@
 //! Platforms on legs: hexapod and deltas. Direct and inverse kinematics, what of them is identifiable, and intervals that hold.
 
-use crate::robots::robots::{jacobian_is_the_numeric_derivative, joint_jacobian_is_the_numeric_derivative};
+use crate::robots::models::{jacobian_is_the_numeric_derivative, joint_jacobian_is_the_numeric_derivative};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;

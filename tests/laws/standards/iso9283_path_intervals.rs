@@ -1,6 +1,6 @@
 //! Intervals of AT and RT against simulated tests whose truth is known.
 
-use crate::compare::compare::recorded;
+use crate::compare::parameters::recorded;
 use etalon::base::noise::Noise;
 use etalon::compare::{Compared, compare};
 use etalon::documents::CompareFamily;
