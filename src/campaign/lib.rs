@@ -189,6 +189,8 @@ impl Campaign {
             common_uncertainty_mm: contact.map(|_| instrument),
             hold: identify.hold.iter().map(|h| h.get_ref().clone()).collect(),
             rigid: self.file.rigid.iter().filter_map(Rigid::shape).collect(),
+            prior: identify.prior.into(),
+            effects: (&identify.effects).into(),
             ..Settings::default()
         }
     }

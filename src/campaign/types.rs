@@ -3,11 +3,11 @@
 use super::{Join, JoinBy, StatedPoses};
 use etalon_base::country::Country;
 use etalon_base::pose::{Vector, minus, norm, unit};
-use etalon_documents::{Conditions, DecisionRule, Language};
+use etalon_documents::{Conditions, DecisionRule, Effect, Language};
 use etalon_documents::{ResidualKind, ToolFrame};
 use etalon_formats::dialect::{Decimal, Delimiter, Encoding, FromRow};
 use etalon_formats::{Export, Layout, Log};
-use etalon_identify::{RigidPart, ToolPoint};
+use etalon_identify::{Effects, Prior, RigidPart, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -495,6 +495,14 @@ pub struct Identify {
     #[serde(default)]
     #[schemars(with = "Vec<String>")]
     pub hold: Vec<Spanned<String>>,
+    /// Nominal values with their tolerances as readings beside the measurements (`tolerances`, the default), or plain least squares
+    /// (`none`), as in the thesis.
+    #[serde(default)]
+    pub prior: PriorRule,
+    /// Effects of the robot itself that are identified: a list of `zeros`, `geometry`, `gains`, `harmonics`, `backlash`, `coupling`,
+    /// `bending`; `usual`, which is the default: all that the robot file states, without the gains of turning joints of arms; or `all`.
+    #[serde(default)]
+    pub effects: EffectRule,
     /// Readings that are left out, each with its reason, which the report shows.
     #[serde(default)]
     #[schemars(with = "Vec<Exclude>")]
@@ -503,6 +511,62 @@ pub struct Identify {
     /// (`keep`, without it), or named and left out (`exclude`).
     #[serde(default)]
     pub outliers: OutlierRule,
+}
+
+/// Effects that are identified.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum EffectRule {
+    /// A choice by its name.
+    Named(NamedEffects),
+    /// These effects.
+    These(Vec<Effect>),
+}
+
+/// Choices of effects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NamedEffects {
+    /// All that the robot file states, without the gains of turning joints of arms.
+    Usual,
+    /// All that the model has.
+    All,
+}
+
+impl Default for EffectRule {
+    fn default() -> Self {
+        Self::Named(NamedEffects::Usual)
+    }
+}
+
+impl From<&EffectRule> for Effects {
+    fn from(rule: &EffectRule) -> Self {
+        match rule {
+            EffectRule::Named(NamedEffects::Usual) => Self::Usual,
+            EffectRule::Named(NamedEffects::All) => Self::All,
+            EffectRule::These(chosen) => Self::These(chosen.iter().map(|&effect| effect.into()).collect()),
+        }
+    }
+}
+
+/// Weight of nominal values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PriorRule {
+    /// Each nominal value is a reading with the standard uncertainty t/√3 of its tolerance t (GUM 4.3.7).
+    #[default]
+    Tolerances,
+    /// Nominal values are starting values alone.
+    None,
+}
+
+impl From<PriorRule> for Prior {
+    fn from(rule: PriorRule) -> Self {
+        match rule {
+            PriorRule::Tolerances => Self::TOLERANCES,
+            PriorRule::None => Self::None,
+        }
+    }
 }
 
 /// What becomes of outliers.

@@ -13,10 +13,10 @@ use crate::stages::repeats::stale;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, count};
 use etalon_campaign::{Exclude, read_robot};
-use etalon_documents::parameters_document;
 use etalon_documents::to_json;
+use etalon_documents::{Effect, parameters_document};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
-use etalon_identify::{ResidualKind, Settings, Systematic, weigh};
+use etalon_identify::{Effects, Prior, ResidualKind, Settings, Systematic, weigh};
 use etalon_report::Faces;
 use etalon_robots::Robot;
 use std::path::PathBuf;
@@ -61,6 +61,13 @@ pub struct Identify {
     /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
+    /// Nominal values with their tolerances as readings beside the measurements, or plain least squares
+    #[arg(long, value_enum, default_value_t)]
+    prior: PriorOption,
+    /// Effects to identify: `all`, a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, or all that the robot file
+    /// states without the gains of turning joints of arms
+    #[arg(long, value_parser = effects, value_name = "EFFECTS", default_value = "usual")]
+    effects: Effects,
     /// Print parameters.json instead of a table
     #[arg(long)]
     json: bool,
@@ -82,6 +89,8 @@ impl Identify {
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             common_uncertainty_mm: self.common_uncertainty_um.map(|u| u / 1000.0),
             hold: self.hold.clone(),
+            prior: self.prior.into(),
+            effects: self.effects.clone(),
             ..Settings::default()
         };
         let order = self.orientation.as_deref().map(str::parse).transpose();
@@ -132,6 +141,35 @@ impl Identify {
         }
         observed.leave_out(&left_out)?;
         Ok(messages)
+    }
+}
+
+/// The effects that an option names.
+pub(super) fn effects(text: &str) -> Result<Effects, String> {
+    let one = |name: &str| <Effect as clap::ValueEnum>::from_str(name.trim(), false);
+    match text {
+        "usual" => Ok(Effects::Usual),
+        "all" => Ok(Effects::All),
+        list => Ok(Effects::These(list.split(',').map(|name| Ok(one(name)?.into())).collect::<Result<_, String>>()?)),
+    }
+}
+
+/// Weight of nominal values.
+#[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
+pub(super) enum PriorOption {
+    /// Readings with the standard uncertainty t/√3 of their tolerance t
+    #[default]
+    Tolerances,
+    /// Starting values alone
+    None,
+}
+
+impl From<PriorOption> for Prior {
+    fn from(option: PriorOption) -> Self {
+        match option {
+            PriorOption::Tolerances => Self::TOLERANCES,
+            PriorOption::None => Self::None,
+        }
     }
 }
 

@@ -19,7 +19,7 @@ use etalon_identify::plan::candidates::Candidates;
 use etalon_identify::plan::{
     Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,
 };
-use etalon_identify::{Observation, Settings};
+use etalon_identify::{Effects, Observation, Settings};
 use etalon_report::Faces;
 use etalon_robots::{Parameter, Robot};
 use std::collections::BTreeMap;
@@ -96,6 +96,13 @@ pub struct Plan {
     /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
+    /// Effects to identify: `all`, a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, or all that the robot file
+    /// states without the gains of turning joints of arms
+    #[arg(long, value_parser = super::identify::effects, value_name = "EFFECTS", default_value = "usual")]
+    effects: Effects,
+    /// Nominal values with their tolerances as readings beside the poses, or plain least squares
+    #[arg(long, value_enum, default_value_t)]
+    prior: super::identify::PriorOption,
     /// Write the chosen configurations to a CSV file
     #[arg(long, value_name = "FILE")]
     poses: Option<PathBuf>,
@@ -126,6 +133,8 @@ impl Plan {
         let settings = Settings {
             standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
             hold: self.hold.clone(),
+            prior: self.prior.into(),
+            effects: self.effects.clone(),
             ..Settings::default()
         };
         let request = Request {

@@ -26,6 +26,7 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
         value,
         standard_uncertainty: Some(1e-7),
         degrees_of_freedom: None,
+        determined: None,
         status: ParameterStatus::Identified,
         confounded_with: vec![],
     }

@@ -43,6 +43,7 @@ pub fn parameters_document(
         value: p.quantity.outward(found.values[i]),
         standard_uncertainty: found.standard_uncertainty(i).map(|u| p.quantity.outward(u)),
         degrees_of_freedom: found.degrees_of_freedom(i),
+        determined: found.determined(robot, i),
         status: match found.status[i] {
             Status::Identified => ParameterStatus::Identified,
             Status::Fixed => ParameterStatus::Fixed,

@@ -158,6 +158,10 @@ pub struct ParameterEntry {
     /// Effective degrees of freedom of that (GUM G.4.1), where it is estimated from residuals.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub degrees_of_freedom: Option<f64>,
+    /// Share of the value that the data determined: 1 − (u/s)², s the standard uncertainty of the nominal value by its tolerance; absent
+    /// where nominal values were no readings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub determined: Option<f64>,
     /// Identified, fixed or not identifiable.
     pub status: ParameterStatus,
     /// Parameters that are not separately identifiable from this one; where they are more than 99, the one that is held.

@@ -84,6 +84,8 @@ mirror! {
         RigidParts,
         /// Stated places and lengths of sockets and other fixed points.
         KnownPoints,
+        /// Nominal values, by their tolerances.
+        NominalValues,
         /// What repeats of a pose scatter beyond the instrument.
         Repeatability,
         /// What residuals exceed all this by: errors of the robot that the model does not describe.

@@ -21,6 +21,7 @@ mirror! {
 
 mirror! {
     /// What a parameter of the robot itself describes.
+    #[derive(clap::ValueEnum)]
     #[serde(rename_all = "snake_case")]
     enum Effect of etalon_robots::Effect {
         /// Zeros of the joints.

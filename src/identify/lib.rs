@@ -26,7 +26,7 @@ pub use judgement::verification::{
     Comparison, Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,
     Verification,
 };
-pub use model::effects::effects;
+pub use model::effects::{Effects, effects};
 pub use model::fixture::Fixture;
 pub use model::frame_error::FrameError;
 use model::kinds::tied_to_world;
@@ -37,6 +37,7 @@ pub use model::kinds::{
 pub use model::observation::{
     AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,
 };
+pub use model::prior::Prior;
 pub use model::residuals::{OF_MEDIAN, ResidualKind};
 pub use model::rigid_part::{Pair, RigidPart};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
@@ -88,6 +89,10 @@ pub struct Settings {
     pub conditions: Vec<Condition>,
     /// What is known of the points to which these refer.
     pub known: Vec<Known>,
+    /// What nominal values with tolerances count for.
+    pub prior: Prior,
+    /// Effects of the robot itself that are identified.
+    pub effects: Effects,
 }
 
 impl Settings {
@@ -96,9 +101,20 @@ impl Settings {
         self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
     }
 
-    /// The same with stated shapes that weigh as against residuals of this standard deviation.
-    fn with_shape_weight(&self, weight: f64) -> Self {
+    /// The settings of what was found.
+    fn as_found(&self, found: &Identification) -> Self {
+        Self { prior: found.prior, ..self.with_weight(found.weight) }
+    }
+
+    /// The same without nominal values.
+    fn without_prior(&self) -> Self {
+        Self { prior: Prior::None, ..self.clone() }
+    }
+
+    /// The same with stated shapes and nominal values that weigh as against residuals of this standard deviation.
+    fn with_weight(&self, weight: f64) -> Self {
         let mut settings = self.clone();
+        settings.prior = settings.prior.with_weight(weight);
         settings.rigid.iter_mut().for_each(|part| part.weight = weight);
         settings
     }
@@ -176,8 +192,12 @@ pub struct Identification {
     pub degrees_of_freedom: usize,
     /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated or nothing is left over.
     pub chi_square: Option<f64>,
-    /// What rows of stated shapes were multiplied by, see [`RigidPart::weight`].
-    pub shape_weight: f64,
+    /// Standard deviation of a residual, which rows of stated shapes and nominal values were multiplied by.
+    pub weight: f64,
+    /// What nominal values counted for.
+    pub prior: Prior,
+    /// How many parameters the data determine: all identified ones, where nominal values are no readings.
+    pub determined: f64,
     /// Steps taken.
     pub iterations: usize,
     /// How the solver ended.
@@ -185,6 +205,9 @@ pub struct Identification {
     /// Warnings, with remedies.
     pub warnings: Vec<Message>,
 }
+
+/// A parameter of which the data determine a smaller share has no value by them.
+const LEAST_SHARE: f64 = 1e-3;
 
 impl Identification {
     /// Values of the free parameters, in their order.
@@ -196,6 +219,27 @@ impl Identification {
     pub fn standard_uncertainty(&self, index: usize) -> Option<f64> {
         let k = self.free.iter().position(|&i| i == index)?;
         Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
+    }
+
+    /// Value and standard uncertainty of an identified parameter by everything but its own nominal value; `None` where that is all there is.
+    pub fn without_nominal(&self, robot: &dyn Robot, index: usize) -> Option<(f64, f64)> {
+        let (value, u) = (self.values[index], self.standard_uncertainty(index)?);
+        let nominal = robot.parameters()[index].nominal;
+        match self.prior.uncertainty(robot, index) {
+            None => Some((value, u)),
+            // weights add: 1/u² = 1/u_data² + 1/s²
+            Some(s) => {
+                let share = 1.0 - (u / s).powi(2);
+                (share > LEAST_SHARE).then(|| (nominal + (value - nominal) / share, u / share.sqrt()))
+            }
+        }
+    }
+
+    /// Share of its value that the data determine, 1 − (u/s)² with u after the identification and s by its tolerance alone: 0 where the
+    /// data say nothing, 1 where the nominal value does not count. `None` where nominal values are no readings, and of what has none.
+    pub fn determined(&self, robot: &dyn Robot, index: usize) -> Option<f64> {
+        let (u, s) = (self.standard_uncertainty(index)?, self.prior.uncertainty(robot, index)?);
+        Some((1.0 - (u / s).powi(2)).clamp(0.0, 1.0))
     }
 
     /// Effective degrees of freedom of it; `None` where it rests on stated uncertainties.
@@ -276,7 +320,7 @@ pub fn identify_again(
     settings: &Settings,
     found: &Identification,
 ) -> Option<Vec<f64>> {
-    let settings = settings.with_shape_weight(found.shape_weight);
+    let settings = settings.as_found(found);
     let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok()?;
     solved_from(&problem, &found.free_values())
 }
@@ -313,7 +357,7 @@ impl<'a> Repeated<'a> {
         settings: &Settings,
         found: &'a Identification,
     ) -> Self {
-        let mut settings = settings.with_shape_weight(found.shape_weight);
+        let mut settings = settings.as_found(found);
         let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values).ok();
         let linearised = problem.as_ref().map(|problem| factor_at(problem, &found.free_values()));
         let regular = |f: &Factor| svd(f).rank(RANK_TOLERANCE) == found.free.len();
@@ -385,9 +429,11 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     let unseen = unseen_by(robot, settings.kind);
     // nothing is measured in a world: that of the robot's base is the only one
     let bases = robot.free_base().is_none() || tied_to_world(observations, settings);
+    let joints = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
+    let included = settings.effects.include(robot, joints.map(Vec::as_slice));
     let fixed = |i: usize| {
         let p = &robot.parameters()[i];
-        held(&p.name) || unseen == Some(i) || !bases && p.role == Role::Base
+        held(&p.name) || !included[i] || unseen == Some(i) || !bases && p.role == Role::Base
     };
     Ok((0..robot.parameters().len()).filter(|&i| !fixed(i)).collect())
 }

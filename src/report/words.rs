@@ -21,7 +21,7 @@ pub(crate) fn isolated(name: &str) -> String {
 
 /// Words that come from documents, not from the text of this program's reports.
 #[cfg(test)]
-const OF_DOCUMENTS: [&str; 61] = [
+const OF_DOCUMENTS: [&str; 63] = [
     "base shift",
     "base rotation",
     "before",
@@ -60,6 +60,7 @@ const OF_DOCUMENTS: [&str; 61] = [
     "contact",
     "rigid parts",
     "known points",
+    "nominal values",
     "repeatability",
     "model",
     "residuals",
@@ -72,6 +73,7 @@ const OF_DOCUMENTS: [&str; 61] = [
     "how well the robot finds a measured point again, as stated",
     "stated shapes of parts that carry targets",
     "stated places and lengths of fixed points",
+    "nominal values of the parameters, by their tolerances",
     "what repeats of a pose scatter beyond the instrument",
     "what residuals exceed all of this by: errors of the robot that the model does not describe",
     "scatter of the residuals; no uncertainty is stated",

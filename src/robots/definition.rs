@@ -151,6 +151,11 @@ impl Parameter {
         (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }
 
+    /// `true` if the usual tolerance of a part of the robot counts, which says nothing of how well this one is made.
+    pub fn scales(&self) -> bool {
+        self.role == Role::Robot && !self.tolerance_is_stated
+    }
+
     /// How well it is known before anything is identified (mm, rad, 1): as drawings have it, whatever tolerance is stated, or, where it
     /// has no nominal value, as a look at base and targets shows it.
     pub fn known_within(&self) -> f64 {

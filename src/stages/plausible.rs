@@ -14,6 +14,8 @@ use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::collections::BTreeSet;
 
+/// Coverage factor of values that contradict a tolerance.
+const EXPANDED: f64 = 2.0;
 /// Parameters beyond their tolerance that a message names.
 const NAMED: usize = 5;
 /// Validation errors beyond this many times their median are named: of normal errors in the plane one of 60,000 is (Rayleigh).
@@ -47,7 +49,7 @@ pub fn plausibility(
     found: &Identification,
     errors: &[PointError],
 ) -> Vec<Message> {
-    let mut messages = implausible(robot, &found.values, errors);
+    let mut messages = implausible(robot, found, errors);
     messages.extend(undetermined(robot, observations, settings, found));
     let far = far_before(robot, observations, settings, before, errors);
     let misfit = match found.chi_square {
@@ -93,11 +95,12 @@ fn undetermined(
     let distinct: BTreeSet<(PoseName, usize)> = observations.iter().flat_map(|o| -> Vec<_> { targets(o) }).collect();
     let conditions: usize = settings.conditions.iter().map(|c| c.kind.rows()).sum();
     let coordinates = robot.dimension() * distinct.len() + conditions;
-    (coordinates <= found.free.len()).then(|| {
+    let determined = found.determined.round() as usize;
+    (coordinates <= determined).then(|| {
         let what = format!(
             "{} of the calibration poses determine {}, and none is left to check them",
             count(coordinates, "coordinate"),
-            count(found.free.len(), "parameter")
+            count(determined, "parameter")
         );
         Message::error(what).hint("measure more poses, spread over the workspace")
     })
@@ -221,14 +224,14 @@ fn far_before(
     (median(left)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
 }
 
-/// Errors about the parameters `values` and the errors that they leave; empty where the result is plausible.
-fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<Message> {
+/// Errors about the parameters found and the errors that they leave; empty where the result is plausible.
+fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError]) -> Vec<Message> {
     let mut messages = Vec::new();
-    if let Some((p, value)) = exchanged(robot, values) {
+    if let Some((p, value)) = exchanged(robot, &found.values) {
         let what = format!("K and L are exchanged: `{}`, their distance, is {value:.3} {}", p.name, p.quantity.unit());
         return vec![Message::error(what).hint("exchange the names of the two targets in the labels of the export")];
     }
-    messages.extend(beyond_tolerance(robot, values));
+    messages.extend(beyond_tolerance(robot, found));
     let mut described = false;
     for set in ["calibration", "validation"] {
         let of = || errors.iter().filter(|e| e.set == set);
@@ -268,18 +271,27 @@ fn implausible(robot: &dyn Robot, values: &[f64], errors: &[PointError]) -> Vec<
     messages
 }
 
-/// An error about parameters that are further from nominal than their tolerance.
-fn beyond_tolerance(robot: &dyn Robot, values: &[f64]) -> Option<Message> {
-    let beyond = |(p, value): &(&Parameter, &f64)| value.is_nan() || (*value - p.nominal).abs() > p.tolerance;
-    let wrong: Vec<(&Parameter, &f64)> = robot.parameters().iter().zip(values).filter(beyond).collect();
-    let text = |(p, value): &(&Parameter, &f64)| {
+/// An error about parameters that the data alone put beyond their tolerance, by more than their uncertainty.
+fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
+    let by_data = |i: usize| match found.covariance {
+        Some(_) => found.without_nominal(robot, i),
+        None => Some((found.values[i], 0.0)),
+    };
+    let of = |(i, p)| Some((p, found.values[i], by_data(i).filter(|_| found.values[i].is_finite())));
+    let beyond = |(p, value, by_data): &(&Parameter, f64, Option<(f64, f64)>)| {
+        let contradicts = |(value, u): (f64, f64)| (value - p.nominal).abs() > p.tolerance + EXPANDED * u;
+        value.is_nan() || by_data.is_some_and(contradicts)
+    };
+    let wrong: Vec<_> = robot.parameters().iter().enumerate().filter_map(of).filter(beyond).collect();
+    let text = |(p, value, by_data): &(&Parameter, f64, Option<(f64, f64)>)| {
+        let value = &by_data.map_or(*value, |by_data| by_data.0);
         let (unit, out) = (p.quantity.unit(), |v: f64| p.quantity.outward(v));
         let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
         let decimals = if unit.is_empty() { 4 } else { 3 };
         format!(
             "`{}` = {:.decimals$}{unit} (nominal {}{unit}, tolerance {:.3}{unit})",
             p.name,
-            out(**value),
+            out(*value),
             (1e6 * out(p.nominal)).round() / 1e6,
             out(p.tolerance),
         )

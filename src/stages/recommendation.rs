@@ -16,7 +16,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Identify};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
-use etalon_identify::{Identification, Observation, Settings, Stability, Status, Variance, effects};
+use etalon_identify::{Effects, Identification, Observation, Settings, Stability, Status, Variance, effects};
 use etalon_math::statistics::{mean, variance};
 use etalon_robots::{Effect, Robot};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -93,6 +93,8 @@ impl<'a> Study<'a> {
             Noise::new(SEED, repeat as u64).shuffle(&mut names);
             folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
         }
+        // which effects are identified is what is asked
+        let settings = Settings { effects: Effects::All, ..settings };
         let before = etalon_identify::fit_frames(robot, observations, &settings).map_err(remedied)?;
         Ok(Self { robot, observations, effects: effects(robot, observations), before, folds, poses, settings })
     }

@@ -44,7 +44,7 @@ fn timed(join: &str, clock_offset_s: f64, drop_log_row: Option<usize>, measured_
         "name = \"timed\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\ncoverage_factor = 2\n\
          [[export]]\n{poses}{DELIMITED}\nunit = \"mm\"\n\
          [log]\nfile = \"encoders.csv\"\ncolumns = {{ time_s = \"t\", rho1_mm = \"RP1\", rho2_mm = \"RP2\", rho3_mm = \"RP3\" }}\n\
-         [join]\n{join}\n[frame.world]\nas_exported = true\n[identify]\ncalibration = \"1-8\"\nvalidation = \"rest\"\n"
+         [join]\n{join}\n[frame.world]\nas_exported = true\n[identify]\nprior = \"none\"\ncalibration = \"1-8\"\nvalidation = \"rest\"\n"
     );
     assert!(start > 0);
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();

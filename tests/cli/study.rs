@@ -132,6 +132,7 @@ fn simulated_backlash_is_identified_by_the_times_of_the_log() {
         2,
         &["does not show from which direction joint `shoulder_pan` came", "`time_s` in `columns`"],
     );
+    edit("campaign.toml", &|text| text.replace("[identify]\n", "[identify]\nprior = \"none\"\n"));
     edit("campaign.toml", &|text| text.replace("[log.columns]", "[log.columns]\ntime_s = \"time_s\""));
     ends(&scratch, "simulate", 0, &[]);
     ends(&scratch, "run", 0, &["poses left out, before which a joint with backlash has no motion in log `log`: 1"]);

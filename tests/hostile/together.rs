@@ -95,7 +95,7 @@ fn statements_that_count_for_nothing_are_refused() {
     campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["`tolerance_s` means nothing", "campaign.toml:"]);
     campaign("\"cycle\"]", "\"cycle\"]\nclock_offset_s = 1.0", &["`clock_offset_s` means nothing", "campaign.toml:"]);
     campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
-    campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["both calibration and validation: 13", ":42:14"]);
+    campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["both calibration and validation: 13", ":43:14"]);
     campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["a join by time needs", "campaign.toml:28:6"]);
     campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["exactly one element", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";

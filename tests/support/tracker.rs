@@ -78,7 +78,7 @@ fn stated(reflectors: Reflectors, all: bool) -> String {
          [log]\nfile = \"encoders.csv\"\ncolumns = {{ pose = \"pose\", cycle = \"cycle\", q1_deg = \"q1\", q2_deg = \"q2\", \
          q3_deg = \"q3\", q4_deg = \"q4\", q5_deg = \"q5\", q6_deg = \"q6\" }}\n\
          [join]\nby = [\"pose\", \"cycle\"]\ntargets = {TARGETS:?}\n\
-         [frame.world]\ntargets = {:?}\n{}\n[identify]\ncalibration = \"all\"\n",
+         [frame.world]\ntargets = {:?}\n{}\n[identify]\neffects = \"all\"\ncalibration = \"all\"\n",
         2000.0 * U_MM,
         FIXED.map(|f| f.0),
         if reflectors == Reflectors::EachPose { "each = \"pose\"" } else { "" },

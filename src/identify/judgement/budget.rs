@@ -26,6 +26,8 @@ pub enum UncertaintySource {
     RigidParts,
     /// Stated places and lengths of sockets and other fixed points.
     KnownPoints,
+    /// Nominal values, by their tolerances.
+    NominalValues,
     /// What repeats of a pose scatter beyond the instrument.
     Repeatability,
     /// What residuals exceed all this by: errors of the robot that the model does not describe.
@@ -273,7 +275,8 @@ impl Budget {
 /// The covariance by what is stated, split into what the rows of each source contribute.
 fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: &[f64]) -> Vec<(Source, Vec<f64>)> {
     let whole = || vec![(Source::Instrument, all.to_vec())];
-    let priors = problem.shapes().next().is_some() || problem.known().next().is_some();
+    let nominal = problem.nominal_rows();
+    let priors = problem.shapes().next().is_some() || problem.known().next().is_some() || !nominal.is_empty();
     if !priors && !problem.is_whitened() {
         return whole();
     }
@@ -290,6 +293,10 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
     let shapes = problem.shapes().map(|(row, shape): (usize, &Shape)| of(row, shape.rows(), shape.variance()));
     let known = problem.known().map(|(row, known)| of(row, known.rows(), 1.0));
     let (shapes, known) = (shapes.fold(Vec::new(), sum), known.fold(Vec::new(), sum));
+    let nominal = match nominal.is_empty() {
+        true => Vec::new(),
+        false => of(nominal.start, nominal.len(), problem.nominal_variance()),
+    };
     let readings: Vec<f64> = of(0, measured, 1.0);
     let mut parts = Vec::new();
     if problem.is_whitened() {
@@ -302,7 +309,7 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
     } else {
         parts.push((Source::Instrument, readings));
     }
-    parts.extend([(Source::RigidParts, shapes), (Source::KnownPoints, known)]);
+    parts.extend([(Source::RigidParts, shapes), (Source::KnownPoints, known), (Source::NominalValues, nominal)]);
     parts.retain(|(_, covariance)| !covariance.is_empty());
     parts
 }

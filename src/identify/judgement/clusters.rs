@@ -43,7 +43,7 @@ impl ByCluster {
         let mut steps = DMatrix::zeros(n, n); // Fᵀ (Σ hₚ hₚᵀ) F
         let mut grams = vec![DMatrix::zeros(n, n); n];
         let mut own = vec![0.0; n];
-        let (mut squares, mut fourths) = (DMatrix::zeros(n, n), 0.0);
+        let (mut squares, mut fourths, mut expected) = (DMatrix::zeros(n, n), 0.0, 0.0);
         for some in rows.chunks(AT_ONCE) {
             let part = |rows: &Vec<usize>| {
                 let part = DMatrix::from_fn(rows.len(), n, |i, j| jacobian[rows[i] * n + j]) * &root;
@@ -54,6 +54,7 @@ impl ByCluster {
                 steps.ger(1.0, &part.step, &part.step, 1.0);
                 squares.gemm_tr(1.0, &part.square_root, &part.square_root, 1.0);
                 fourths += part.fourths;
+                expected += part.leverage;
                 own.iter_mut().zip(&part.own).for_each(|(own, more)| *own += more);
             }
             grams.par_iter_mut().enumerate().for_each(|(i, gram)| {
@@ -67,9 +68,9 @@ impl ByCluster {
         Some(Self {
             covariance: covariance.as_slice().to_vec(),
             degrees_of_freedom: (0..n).map(degrees).collect(),
-            ratio: steps.trace() / n as f64,
+            ratio: steps.trace() / expected,
             clusters: rows.len(),
-            ratio_variance: 2.0 * (fourths + squares.norm_squared()) / (n * n) as f64,
+            ratio_variance: 2.0 * (fourths + squares.norm_squared()) / (expected * expected),
         })
     }
 
@@ -92,6 +93,8 @@ struct Part {
     step: DVector<f64>,
     /// S with SᵀS = K² (1 − K)⁻¹.
     square_root: DMatrix<f64>,
+    /// Trace of its part of the hat matrix.
+    leverage: f64,
     /// What its squares of residuals add to the fourth moments.
     fourths: f64,
     /// K (1 − K)^-½ Fᵀ.
@@ -127,6 +130,7 @@ impl Part {
         Some(Self {
             step: along.tr_mul(&DVector::from_fn(residuals.len(), |i, _| less(eigenvalues[i]) * residuals[i])),
             square_root: scaled(|k| (k / (1.0 - k)).sqrt(), &along),
+            leverage: eigenvalues.sum(),
             fourths: squares,
             own: own.collect(),
             weights,

@@ -1,6 +1,7 @@
 //! The uncertainty of an identification from planned observations, before anything is measured.
 
 use crate::judgement::uncertainty::held_messages;
+use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use crate::solution::observability::{Observability, WeakGroup, observe, weak_message};
@@ -8,7 +9,7 @@ use crate::{Error, Result};
 use crate::{Observation, Settings, wanted_parameters};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
-use etalon_math::{Factor, Problem, column_norms, covariance, svd};
+use etalon_math::{Factor, Problem, column_norms, covariance, factor_at, svd};
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
@@ -42,10 +43,14 @@ pub struct Prediction {
 
 /// How `observations` depend on the parameters that are separately identifiable; where the targets are does not matter.
 pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Sensitivity> {
-    let wanted = wanted_parameters(robot, observations, settings)?;
+    let (wanted, prior) = (wanted_parameters(robot, observations, settings)?, settings.prior);
     let nominal = robot.nominal();
+    let settings = &settings.without_prior();
     let all = Residuals::new(robot, observations, settings, &wanted, &nominal)?;
-    let groups = Analysis::at(&all, &nominal, all.noise(None)).groups;
+    let groups = match prior {
+        Prior::None => Analysis::at(&all, &nominal, all.noise(None)).groups,
+        Prior::Tolerances { .. } => Analysis::by_prior(&all, &nominal).groups,
+    };
     let free: Vec<usize> = wanted.into_iter().filter(|i| groups.iter().all(|g| g.held != *i)).collect();
     let problem = Residuals::new(robot, observations, settings, &free, &nominal)?;
     let mut jacobian = jacobian_at_nominal(&problem, &nominal);
@@ -79,7 +84,15 @@ pub fn predict(
         let poses: BTreeSet<PoseName> = observations.iter().map(|o| o.pose).collect();
         Error::TooFewPoses { poses: poses.len(), parameters: free.len() }
     })?;
-    let observed = observe(&problem, &x, &factor, &scale, Some(&covariance));
+    let observed = match settings.prior {
+        Prior::None => observe(&problem, &x, &factor, &scale, Some(&covariance)),
+        Prior::Tolerances { .. } => {
+            let plain = settings.without_prior();
+            let data = Residuals::new(robot, observations, &plain, free, &nominal)?;
+            let (factor, scale) = factor_at(&data, &x);
+            observe(&data, &x, &factor, &scale, Some(&covariance))
+        }
+    };
     let (observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
     let messages = weak_message(robot, &weak).into_iter().collect();
     Ok(Prediction { observability, weak, covariance, messages })

@@ -68,7 +68,7 @@ pub fn reliability(
     settings: &Settings,
     found: &Identification,
 ) -> Result<Option<Reliability>> {
-    let settings = &settings.with_shape_weight(found.shape_weight);
+    let settings = &settings.as_found(found);
     let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
     let plain = settings.kind == ResidualKind::Targets && !problem.is_whitened() && !problem.is_weighted();
     let (n, dof) = (found.free.len(), found.degrees_of_freedom);
@@ -85,7 +85,7 @@ pub fn reliability(
     problem.residuals(&x, &mut residuals);
     let variance = match found.uncertainty_from {
         UncertaintyFrom::Instrument => 1.0,
-        _ => residuals.iter().map(|r| r * r).sum::<f64>() / dof as f64,
+        _ => residuals[..problem.nominal_rows().start].iter().map(|r| r * r).sum::<f64>() / dof as f64,
     };
     let sigma = variance.sqrt();
     let jacobian = problem.jacobian_at(&x);

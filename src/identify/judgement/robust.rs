@@ -105,7 +105,7 @@ pub fn robust_comparison(
     settings: &Settings,
     found: &Identification,
 ) -> Result<Option<RobustComparison>> {
-    let settings = &settings.with_shape_weight(found.shape_weight);
+    let settings = &settings.as_found(found);
     let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
     let apart = settings.kind == ResidualKind::Targets && !problem.is_whitened() && problem.layout.is_none();
     let dof = found.degrees_of_freedom;

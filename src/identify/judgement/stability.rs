@@ -104,7 +104,7 @@ impl Linear {
         settings: &Settings,
         found: &Identification,
     ) -> Result<Option<Self>> {
-        let settings = &settings.with_shape_weight(found.shape_weight);
+        let settings = &settings.as_found(found);
         let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
         let n = found.free.len();
         if problem.residual_count() <= n {

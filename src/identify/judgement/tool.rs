@@ -202,7 +202,7 @@ pub fn held(
     if groups.is_empty() {
         return Ok(Vec::new());
     }
-    let settings = settings.with_shape_weight(found.shape_weight);
+    let settings = settings.as_found(found);
     let problem = |free: &[usize]| Residuals::new(robot, observations, &settings, free, &found.values);
     let at = |free: &[usize]| free.iter().map(|&i| found.values[i]).collect::<Vec<f64>>();
     let (all, x) = (problem(&found.free)?, at(&found.free));

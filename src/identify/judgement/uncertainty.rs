@@ -6,15 +6,16 @@ use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
 use crate::model::elimination::Remaining;
 use crate::model::frame_error::FrameError;
+use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::Shape;
-use crate::solution::observability::{held_singular_values, observe, weak_message};
+use crate::solution::observability::{Observability, WeakGroup, held_singular_values, observe, weak_message};
 use crate::solution::solver::Identifiable;
 use crate::{Group, Identification, Observation, ResidualKind, Settings, Status};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::{median, rms};
-use etalon_math::{Factor, Problem, Solution, column_norms};
+use etalon_math::{Factor, Solution, column_norms, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
 use std::collections::BTreeMap;
@@ -49,12 +50,12 @@ pub(crate) fn with_uncertainty(
     wanted: &[usize],
     found: Identifiable,
 ) -> Result<Identification> {
-    let settings = &settings.with_shape_weight(found.shape_weight);
+    let settings = &Settings { prior: found.prior, ..settings.with_weight(found.weight) };
     let problem = &Residuals::new(robot, observations, settings, &found.free, &found.values)?;
-    let Identifiable { values, groups, solution, iterations, shape_weight, .. } = found;
+    let Identifiable { values, groups, solution, iterations, weight, .. } = found;
     let solution = &solution;
-    let (m, n) = (problem.residual_count(), problem.free.len());
-    let dof = m - n;
+    let n = problem.free.len();
+    let dof = problem.degrees_of_freedom(solution).round() as usize;
     let jacobian = problem.jacobian_at(&solution.x);
 
     let frames = &systematic.frames;
@@ -91,12 +92,7 @@ pub(crate) fn with_uncertainty(
     let lengths = lengths(problem, solution);
     let factor = solution.factor.as_ref();
     let own = factor.map(|f| f.own()).unwrap_or_default();
-    let observed = factor.and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance.as_deref()));
-    let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
-    if let Some(o) = &mut observability {
-        let all = problem.of_others(settings, wanted, &values)?;
-        o.held_singular_values = held_singular_values(&all, &values, o);
-    }
+    let (observability, weak) = observability(problem, solution, (settings, wanted), covariance.as_deref())?;
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(held_messages(robot, &groups));
     warnings.extend(weak_message(robot, &weak));
@@ -123,11 +119,41 @@ pub(crate) fn with_uncertainty(
         max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
         degrees_of_freedom: dof,
         chi_square,
-        shape_weight,
+        weight,
+        prior: settings.prior,
+        determined: n as f64 - problem.undetermined(solution),
         iterations,
         termination: solution.termination,
         warnings,
     })
+}
+
+/// Observability of the measurements alone, and the parameters that they determine weakly.
+fn observability(
+    problem: &Residuals,
+    solution: &Solution,
+    (settings, wanted): (&Settings, &[usize]),
+    covariance: Option<&[f64]>,
+) -> Result<(Option<Observability>, Vec<WeakGroup>)> {
+    let values = problem.all(&solution.x);
+    let plain = settings.without_prior();
+    let observed = match (settings.prior, &solution.factor) {
+        (Prior::None, factor) => {
+            factor.as_ref().and_then(|f| observe(problem, &solution.x, f, &solution.scale, covariance))
+        }
+        // nominal values are not observed
+        (Prior::Tolerances { .. }, _) => {
+            let data = problem.of_others(&plain, &problem.free, &values)?;
+            let (factor, scale) = factor_at(&data, &solution.x);
+            observe(&data, &solution.x, &factor, &scale, covariance)
+        }
+    };
+    let (mut observability, weak) = observed.map_or((None, Vec::new()), |(o, w)| (Some(o), w));
+    if let Some(o) = &mut observability {
+        let all = problem.of_others(&plain, wanted, &values)?;
+        o.held_singular_values = held_singular_values(&all, &values, o);
+    }
+    Ok((observability, weak))
 }
 
 /// The measured residuals that are lengths, in the unit of the residuals.
@@ -185,7 +211,7 @@ fn from_instrument(
             let squares = solution.residuals[row..][..shape.rows()].iter().map(|r| r * r).sum::<f64>();
             squares * (1.0 - 1.0 / shape.variance())
         };
-        return Some((solution.covariance()?, solution.cost - problem.shapes().map(more).sum::<f64>()));
+        return Some((solution.covariance()?, problem.squares(solution) - problem.shapes().map(more).sum::<f64>()));
     }
     noise_covariance(solution, &problem.rows_of(jacobian).dense(), &noise(problem, solution, u, placed)?)
 }
@@ -197,7 +223,7 @@ fn from_residuals(
     chi_square: Option<f64>,
 ) -> Found {
     let n = solution.x.len();
-    let dof = problem.residual_count() - n;
+    let dof = problem.degrees_of_freedom(solution).round() as usize;
     if dof == 0 {
         let what = "there are as many equations as parameters: their uncertainty cannot be determined";
         let warning = Message::warning(what).hint("measure more poses, or state the uncertainty of the instrument");
@@ -206,7 +232,7 @@ fn from_residuals(
     if let Some((found, _)) = by_cluster(problem, solution, jacobian) {
         return found;
     }
-    let variance = chi_square.unwrap_or(solution.cost) / dof as f64;
+    let variance = chi_square.unwrap_or_else(|| problem.squares(solution)) / dof as f64;
     let covariance = instrument.map(<[f64]>::to_vec).or_else(|| solution.covariance());
     let scaled = covariance.map(|c| c.into_iter().map(|v| v * variance).collect());
     Found { degrees: vec![dof as f64; n], ..Found::new(UncertaintyFrom::Residuals, scaled) }
@@ -240,7 +266,10 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
     let mut covariance = clusters.covariance.clone();
     // a stated shape or place is one reading: its rows have the variance that is stated, not the scatter of one
     let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
-    for (row, count, variance) in shapes.chain(problem.known().map(|(row, known)| (row, known.rows(), 1.0))) {
+    let known = problem.known().map(|(row, known)| (row, known.rows(), 1.0));
+    let nominal = Some(problem.nominal_rows()).filter(|rows| !rows.is_empty());
+    let nominal = nominal.map(|rows| (rows.start, rows.len(), problem.nominal_variance()));
+    for (row, count, variance) in shapes.chain(known).chain(nominal) {
         let rows = DMatrix::from_row_slice(count, n, &jacobian[row * n..][..count * n]);
         let step = DMatrix::from_row_slice(n, n, &inverse) * rows.transpose();
         let more = &step * step.transpose() * variance;
@@ -250,8 +279,8 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
     if n < all {
         let scale = |k: usize| solution.scale[common[k]];
         covariance.iter_mut().enumerate().for_each(|(k, c)| *c *= scale(k / n) * scale(k % n));
-        let dof = problem.residual_count() - all;
-        covariance = factor.covariance_with(covariance, solution.cost / dof.max(1) as f64)?;
+        let dof = problem.degrees_of_freedom(solution).max(1.0);
+        covariance = factor.covariance_with(covariance, problem.squares(solution) / dof)?;
         covariance.iter_mut().enumerate().for_each(|(k, c)| *c /= solution.scale[k / all] * solution.scale[k % all]);
         let mut of_all = vec![degrees.iter().copied().fold(f64::INFINITY, f64::min); all];
         common.iter().zip(&degrees).for_each(|(&j, d)| of_all[j] = *d);
@@ -385,7 +414,8 @@ fn noise(
     };
     let shapes = problem.shapes().map(|(_, s)| Some(DMatrix::identity(s.rows(), s.rows()) * s.variance().sqrt()));
     let known = problem.known().map(|(_, known)| Some(DMatrix::identity(known.rows(), known.rows())));
-    problem.counts().enumerate().map(root).chain(shapes).chain(known).collect()
+    let nominal = problem.nominal_rows().map(|_| Some(DMatrix::identity(1, 1) * problem.nominal_variance().sqrt()));
+    problem.counts().enumerate().map(root).chain(shapes).chain(known).chain(nominal).collect()
 }
 
 /// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that

@@ -1,24 +1,60 @@
 //! What the parameters of a robot describe: by their columns of the Jacobian where that shows it, else as the model has it.
 
 use crate::Observation;
-use etalon_robots::{Effect, Quantity, Robot, Role};
+use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 
 /// How nearly parallel two columns of the Jacobian are that are one and the same motion.
 const PARALLEL: f64 = 1e-9;
 /// Poses that are enough to tell.
 const POSES: usize = 24;
 
+/// Effects of the robot itself that are identified.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Effects {
+    /// All that the model has.
+    #[default]
+    All,
+    /// All but the transmission ratios of turning joints of arms, whose encoders count whole turns: they have none to identify.
+    Usual,
+    /// These.
+    These(Vec<Effect>),
+}
+
+impl Effects {
+    /// Whether each parameter of `robot` is identified, at these joint values; base, targets and fixtures always are.
+    pub(crate) fn include<'j>(&self, robot: &dyn Robot, joints: impl Iterator<Item = &'j [f64]>) -> Vec<bool> {
+        let parameters = robot.parameters();
+        match self {
+            Self::All => vec![true; parameters.len()],
+            Self::Usual => {
+                let arm = robot.free_base().is_some();
+                let turning = |joint: usize| robot.joints()[joint].quantity == Quantity::Angle;
+                let ratio = |p: &Parameter| arm && p.effect == Effect::Gains && p.joint.is_some_and(turning);
+                parameters.iter().map(|p| p.role != Role::Robot || !ratio(p)).collect()
+            }
+            Self::These(chosen) => {
+                let is_chosen = |effect: Option<Effect>| effect.is_none_or(|effect| chosen.contains(&effect));
+                effects_at(robot, &joints.collect::<Vec<_>>()).into_iter().map(is_chosen).collect()
+            }
+        }
+    }
+}
+
 /// The effect of each parameter; `None` of base and targets.
 pub fn effects(robot: &dyn Robot, observations: &[Observation]) -> Vec<Option<Effect>> {
+    effects_at(robot, &observations.iter().map(|o| o.joints.as_slice()).collect::<Vec<_>>())
+}
+
+fn effects_at(robot: &dyn Robot, poses: &[&[f64]]) -> Vec<Option<Effect>> {
     let (n, joints) = (robot.parameters().len(), robot.joints().len());
     let rows = robot.dimension() * robot.targets().len();
     let nominal = robot.nominal();
     let (mut by_parameter, mut by_joint) = (vec![0.0; rows * n], vec![0.0; rows * joints]);
     // sums of products over all poses: parameter with parameter, joint with joint, parameter with joint
     let (mut own, mut other, mut mixed) = (vec![0.0; n], vec![0.0; joints], vec![0.0; n * joints]);
-    for o in observations.iter().step_by(observations.len().div_ceil(POSES).max(1)) {
-        robot.jacobian(&nominal, &o.joints, &mut by_parameter);
-        robot.joint_jacobian(&nominal, &o.joints, &mut by_joint);
+    for q in poses.iter().step_by(poses.len().div_ceil(POSES).max(1)) {
+        robot.jacobian(&nominal, q, &mut by_parameter);
+        robot.joint_jacobian(&nominal, q, &mut by_joint);
         for (p, q) in by_parameter.chunks_exact(n).zip(by_joint.chunks_exact(joints)) {
             for (i, p) in p.iter().enumerate() {
                 own[i] += p * p;

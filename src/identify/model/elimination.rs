@@ -1,6 +1,7 @@
 //! Which unknowns are eliminated block by block: targets, or fixed points and planes, each of which only its own observations show.
 
 use crate::model::kinds::Condition;
+use crate::model::prior::Prior;
 use crate::{Observation, Settings};
 use etalon_math::{Blocks, OWN, Rows, Solution};
 use etalon_robots::{FreeBase, Robot};
@@ -50,6 +51,10 @@ impl Layout {
         settings.conditions.iter().for_each(|c| add(owners.of(arm, c), c.kind.rows()));
         for known in &settings.known {
             add(Some(known.points()[0]).filter(|_| known.points().len() == 1), known.rows());
+        }
+        if settings.prior != Prior::None {
+            let owner = |i: usize| unknown.iter().find(|of| of.contains(&i)).map(|of| of.start);
+            free.iter().for_each(|&i| add(owner(i), 1));
         }
         let mut places = vec![None; robot.parameters().len()];
         blocks.common.iter().enumerate().for_each(|(k, &j)| places[free[j]] = Some((None, OWN + k)));

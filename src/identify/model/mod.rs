@@ -6,6 +6,7 @@ pub(crate) mod fixture;
 pub(crate) mod frame_error;
 pub(crate) mod kinds;
 pub(crate) mod observation;
+pub(crate) mod prior;
 pub(crate) mod residuals;
 pub(crate) mod rigid_part;
 pub(crate) mod weights;

@@ -2,6 +2,7 @@
 
 use crate::model::elimination::Layout;
 use crate::model::kinds::{Condition, Known};
+use crate::model::prior::Nominal;
 use crate::model::rigid_part::{At, Shape};
 use crate::model::weights::Weights;
 use crate::{Error, Result};
@@ -47,14 +48,18 @@ pub(crate) struct Residuals<'a> {
     conditions: &'a [Condition],
     /// stated shapes of rigid parts, whose rows come behind what is measured
     shapes: Vec<Shape>,
-    /// what is known of fixed points, whose rows come last
+    /// what is known of fixed points, whose rows come behind the shapes
     known: &'a [Known],
+    /// nominal values, whose rows come last
+    nominals: Vec<Nominal>,
     /// residuals are divided by this
     pub unit: f64,
     /// standard deviation of a residual so divided, as the instrument states it
     stated_noise: Option<f64>,
     values: Vec<f64>,
     rows: Vec<usize>,
+    /// standard deviation of a row of a nominal value
+    prior_weight: f64,
     /// unknowns that only few residuals show
     pub layout: Option<Layout>,
     /// errors of what the rows behind the coordinates state, as these are scaled; empty where none are drawn
@@ -72,6 +77,12 @@ impl<'a> Residuals<'a> {
         let all = |loads: Loads| observations.par_iter().with_min_len(CHUNK).map(|o| loads(&o.joints)).collect();
         let loads: Vec<Vec<f64>> = robot.loads().map_or_else(Vec::new, all);
         Self::under(loads.into(), robot, observations, settings, free, values)
+    }
+
+    /// The same residuals with these values of the parameters that are not free; nominal values stay.
+    pub fn holding(mut self, values: &[f64]) -> Self {
+        self.values = values.to_vec();
+        self
     }
 
     /// Those of the same observations as a function of other parameters.
@@ -113,6 +124,7 @@ impl<'a> Residuals<'a> {
             common: Common::new(observations, settings, robot.dimension()),
             conditions: &settings.conditions,
             known: &settings.known,
+            nominals: Nominal::rows(robot, settings.prior, free, values),
             shapes: match platform {
                 None => settings.rigid.iter().filter_map(|part| Shape::new(robot, part)).collect(),
                 Some(_) => Vec::new(),
@@ -121,15 +133,17 @@ impl<'a> Residuals<'a> {
             stated_noise: settings.standard_uncertainty_mm.map(|u| u / unit),
             values: values.to_vec(),
             rows: rows.collect(),
+            prior_weight: settings.prior.weight(),
             drawn: Vec::new(),
         })
     }
 
-    /// Standard deviations of the rows behind the coordinates: of conditions, stated shapes and known points.
+    /// Standard deviations of the rows behind the coordinates: of conditions, stated shapes, known points and nominal values.
     pub fn stated(&self) -> Vec<f64> {
         let first = self.coordinate_count();
         let mut stated = vec![1.0; self.residual_count() - first];
         self.shapes().for_each(|(row, shape)| stated[row - first..][..shape.rows()].fill(shape.variance().sqrt()));
+        self.nominal_rows().for_each(|row| stated[row - first] = self.prior_weight);
         stated
     }
 
@@ -174,9 +188,9 @@ impl<'a> Residuals<'a> {
     /// median size, which a few wrong readings do not move); 0 where neither is known.
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
-            let dof = self.residual_count().saturating_sub(s.x.len());
+            let (dof, equations) = (self.degrees_of_freedom(s), self.nominal_rows().start as f64);
             let median = median(s.residuals.iter().take(self.measured_count()).map(|r| r.abs())).unwrap_or(0.0);
-            if dof > 0 { OF_MEDIAN * median * (self.residual_count() as f64 / dof as f64).sqrt() } else { 0.0 }
+            if dof >= 1.0 { OF_MEDIAN * median * (equations / dof).sqrt() } else { 0.0 }
         };
         self.stated_noise.unwrap_or(0.0).max(solution.map_or(0.0, shown))
     }
@@ -353,6 +367,42 @@ impl<'a> Residuals<'a> {
             row += known.rows();
             (row - known.rows(), known)
         })
+    }
+
+    /// First row of the nominal values, which are the last rows.
+    pub fn nominal_rows(&self) -> Range<usize> {
+        let all = self.residual_count();
+        all - self.nominals.len()..all
+    }
+
+    /// Variance of a row of a nominal value.
+    pub fn nominal_variance(&self) -> f64 {
+        self.prior_weight.powi(2)
+    }
+
+    /// How many parameters the data leave open, from none of those with a nominal value to all: Σ (u/s)² with u by data and nominal
+    /// values, s by these alone. `solution` is one of these residuals.
+    pub fn undetermined(&self, solution: &Solution) -> f64 {
+        let factor = solution.factor.as_ref().filter(|_| !self.nominals.is_empty());
+        let Some((common, inverse)) = factor.and_then(|f| Some((f.common(), f.common_inverse()?))) else { return 0.0 };
+        // eliminated unknowns are measured directly: the rows of `nominals` are in the order of the columns
+        let open = |(k, &j): (usize, &usize)| {
+            let derivative = self.nominals[j].derivative() / solution.scale[j];
+            (derivative.powi(2) * inverse[k * common.len() + k]).clamp(0.0, 1.0)
+        };
+        common.iter().enumerate().map(open).sum()
+    }
+
+    /// Degrees of freedom of everything but nominal values: equations minus parameters, of which those that the data leave open do not
+    /// count.
+    pub fn degrees_of_freedom(&self, solution: &Solution) -> f64 {
+        let equations = self.residual_count() - self.nominals.len();
+        (equations as f64 - solution.x.len() as f64 + self.undetermined(solution)).max(0.0)
+    }
+
+    /// Sum of squares of everything but nominal values.
+    pub fn squares(&self, solution: &Solution) -> f64 {
+        solution.residuals[..self.nominal_rows().start].iter().map(|r| r * r).sum()
     }
 
     /// Each observation of a range with its state.
@@ -600,7 +650,8 @@ impl Problem for Residuals<'_> {
     }
 
     fn prior_count(&self) -> usize {
-        self.shapes.iter().map(Shape::rows).sum::<usize>() + self.known.iter().map(Known::rows).sum::<usize>()
+        let shapes = self.shapes.iter().map(Shape::rows).sum::<usize>();
+        shapes + self.known.iter().map(Known::rows).sum::<usize>() + self.nominals.len()
     }
 
     fn residuals(&self, x: &[f64], r: &mut [f64]) {
@@ -613,6 +664,8 @@ impl Problem for Residuals<'_> {
         for (row, known) in self.known() {
             known.residuals(&all, &mut r[row..][..known.rows()]);
         }
+        let nominals = self.nominal_rows();
+        r[nominals].iter_mut().zip(&self.nominals).for_each(|(r, nominal)| *r = nominal.residual(&all));
         r[self.coordinate_count()..].iter_mut().zip(&self.drawn).for_each(|(row, error)| *row -= error);
     }
 
@@ -630,6 +683,10 @@ impl Problem for Residuals<'_> {
             for (i, (full, out)) in full.chunks_exact(all.len()).zip(out).enumerate() {
                 self.take(row + i, |parameter| full[parameter], out);
             }
+        }
+        for (row, nominal) in self.nominal_rows().zip(&self.nominals) {
+            let by = |parameter| if parameter == nominal.parameter { nominal.derivative() } else { 0.0 };
+            self.take(row, by, &mut jacobian[row * width..][..width]);
         }
     }
 

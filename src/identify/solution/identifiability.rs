@@ -1,5 +1,6 @@
 //! Which parameters are separately identifiable: rank of the scaled Jacobian, column by column in the model's order.
 
+use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use etalon_math::{Factor, factor_at};
 
@@ -31,10 +32,32 @@ pub(crate) struct Analysis {
     pub groups: Vec<Group>,
 }
 
+/// Which of columns that depend on each other is held.
+#[derive(Clone, Copy)]
+enum Choice<'a> {
+    /// The last.
+    Last,
+    /// The one that a nominal value knows best beside its effect: by the standard uncertainty of each column, infinite where it has no
+    /// nominal value.
+    BestKnown(&'a [f64]),
+}
+
 impl Analysis {
+    /// Analyses the Jacobian of `problem`, without nominal values, at `values`. Of parameters that depend on each other the one is held
+    /// whose tolerance moves the targets least, so that holding it moves the others little; the last one where tolerances are alike.
+    pub fn by_prior(problem: &Residuals, values: &[f64]) -> Self {
+        let s = |&i: &usize| Prior::TOLERANCES.uncertainty(problem.robot, i).unwrap_or(f64::INFINITY);
+        let known: Vec<f64> = problem.free.iter().map(s).collect();
+        Self::choosing(problem, values, 0.0, Choice::BestKnown(&known))
+    }
+
     /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), where a residual has the standard
     /// deviation `noise` (in the residuals' own unit; 0 where it is not known).
     pub fn at(problem: &Residuals, values: &[f64], noise: f64) -> Self {
+        Self::choosing(problem, values, noise, Choice::Last)
+    }
+
+    fn choosing(problem: &Residuals, values: &[f64], noise: f64, choice: Choice) -> Self {
         let free = &problem.free;
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let (mut factor, norms) = factor_at(problem, &x);
@@ -51,7 +74,7 @@ impl Analysis {
             useless_uncertainty: None,
         };
         for (own, r) in factor.blocks() {
-            let found = independent(&r, |j| unseen(own[j]));
+            let found = independent(&r, |j| unseen(own[j]), |_| f64::INFINITY);
             let with = |weights: Vec<(usize, f64)>| weights.into_iter().map(|(k, _)| own[k]).collect();
             groups.extend(found.dependent.into_iter().map(|(j, weights)| group(own[j], with(weights))));
         }
@@ -62,7 +85,12 @@ impl Analysis {
         let common = factor.common();
         let size = common.len();
         let r: Vec<Vec<f64>> = (0..size).map(|j| (0..size).map(|i| factor.r(i, j)).collect()).collect();
-        let found = independent(&r, |k| unseen(columns[common[k]]));
+        // effect of a column within its tolerance
+        let effect = |k: usize| match choice {
+            Choice::Last => f64::INFINITY,
+            Choice::BestKnown(known) => norms[columns[common[k]]] * known[columns[common[k]]],
+        };
+        let found = independent(&r, |k| unseen(columns[common[k]]), effect);
         for (j, weights) in &found.dependent {
             let mut with: Vec<usize> = weights.iter().map(|&(k, _)| columns[common[k]]).collect();
             let mut moved = vec![0.0; size];
@@ -74,7 +102,9 @@ impl Analysis {
         }
         let mut kept = factor.own();
         kept.extend(found.basis.iter().map(|b| common[b.0]));
-        groups.extend(useless(problem, (&factor, &columns), &norms, kept, noise));
+        if noise > 0.0 {
+            groups.extend(useless(problem, (&factor, &columns), &norms, kept, noise));
+        }
         Self { groups }
     }
 
@@ -91,15 +121,28 @@ struct Independent {
     dependent: Vec<(usize, Vec<(usize, f64)>)>,
 }
 
-fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool) -> Independent {
+/// Effects that differ by less, relatively, are alike.
+const ALIKE: f64 = 1e-6;
+
+/// Columns are taken by their `effect` beside those before, the largest first, and in their order where it is infinite or alike.
+fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool, effect: impl Fn(usize) -> f64) -> Independent {
     let mut found = Independent { basis: Vec::new(), dependent: Vec::new() };
-    for (j, column) in columns.iter().enumerate() {
+    let mut left: Vec<usize> = (0..columns.len()).collect();
+    while !left.is_empty() {
+        let size = |&j: &usize| {
+            let effect = effect(j);
+            if effect.is_infinite() { effect } else { effect * norm(&split(&columns[j], &found.basis).1) }
+        };
+        let first = left.iter().enumerate().map(|(k, j)| (k, size(j)));
+        let first = first.reduce(|a, b| if b.1 > a.1 * (1.0 + ALIKE) { b } else { a }).map_or(0, |first| first.0);
+        let j = left.remove(first);
+        let column = &columns[j];
         if unseen(j) {
             found.dependent.push((j, Vec::new()));
             continue;
         }
         let (shares, rest) = split(column, &found.basis);
-        let distance = rest.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let distance = norm(&rest);
         if distance > RANK_TOLERANCE {
             found.basis.push((j, rest.into_iter().map(|v| v / distance).collect()));
             continue;
@@ -109,6 +152,10 @@ fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool) -> Independ
         found.dependent.push((j, members.collect()));
     }
     found
+}
+
+fn norm(column: &[f64]) -> f64 {
+    column.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
 /// Of the columns `kept` of a factor, those whose parameters would be known worse than they are before: the worst is held, until none is

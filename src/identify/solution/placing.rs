@@ -4,6 +4,8 @@
 //! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
 
 use crate::Result;
+use crate::model::effects::Effects;
+use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::Analysis;
 use crate::{Observation, ResidualKind, Settings};
@@ -28,6 +30,8 @@ pub(crate) static PLAIN: Settings = Settings {
     rigid: Vec::new(),
     conditions: Vec::new(),
     known: Vec::new(),
+    prior: Prior::None,
+    effects: Effects::All,
 };
 
 /// At most `count` of the observations, spread over all.

@@ -2,11 +2,13 @@
 
 use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;
+use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
+use crate::solution::evidence::most_probable_scale;
 use crate::solution::identifiability::{Analysis, Group};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_math::{Options, Prior, Solution, WithPriors};
+use etalon_math::{Options, Solution, WithPriors};
 use etalon_robots::{Quantity, Robot, Role};
 use std::f64::consts::TAU;
 
@@ -18,6 +20,10 @@ const ROUNDS: usize = 8;
 const ITERATIONS: usize = 300;
 /// Noise that the first, tied solution takes residuals to have.
 const ANCHOR_MM: f64 = 0.01;
+/// Least noise beside which nominal values count.
+const LEAST_NOISE_MM: f64 = 1e-4;
+/// Relative change of the noise below which nominal values weigh as they should.
+const SETTLED: f64 = 0.02;
 
 /// A solution, and what was held to find it.
 pub(crate) struct Identifiable {
@@ -31,8 +37,10 @@ pub(crate) struct Identifiable {
     pub solution: Solution,
     /// Steps taken in all.
     pub iterations: usize,
+    /// What nominal values count for.
+    pub prior: Prior,
     /// What rows of stated shapes were multiplied by.
-    pub shape_weight: f64,
+    pub weight: f64,
 }
 
 /// Solves for the `wanted` parameters from `start` (all parameters of the robot).
@@ -44,24 +52,28 @@ pub(crate) fn solve_identifiable(
     start: &[f64],
 ) -> Result<Identifiable> {
     // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
+    let solve = match settings.prior {
+        Prior::None => rounds,
+        Prior::Tolerances { .. } => with_prior,
+    };
     let (mut values, mut held) = (start.to_vec(), None);
     let many = || Layout::new(robot, wanted, observations, settings).is_some();
     if observations.len() > 2 * SUBSET && !many() {
         let step = observations.len().div_ceil(SUBSET);
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-        if let Ok(near) = rounds(robot, &subset, settings, wanted, values.clone(), None) {
+        if let Ok(near) = solve(robot, &subset, settings, wanted, values.clone(), None) {
             (values, held) = (near.values, Some(near.groups.iter().map(|g| g.held).collect()));
         }
     }
-    let mut found = rounds(robot, observations, settings, wanted, values, held)?;
-    if !settings.rigid.is_empty() {
+    let mut found = solve(robot, observations, settings, wanted, values, held)?;
+    if settings.prior == Prior::None && !settings.rigid.is_empty() {
         // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid beside them
         let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
         let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
         let held = found.groups.iter().map(|g| g.held).collect();
-        let settings = settings.with_shape_weight(weight);
+        let settings = settings.with_weight(weight);
         found = rounds(robot, observations, &settings, wanted, found.values, Some(held))?;
-        found.shape_weight = weight;
+        found.weight = weight;
         found.iterations += before;
     }
     // a whole turn more or less is the same robot: the angle nearest to nominal is taken (a rotation vector is not an angle)
@@ -72,6 +84,65 @@ pub(crate) fn solve_identifiable(
     }
     found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
     Ok(found)
+}
+
+/// Solves with nominal values as readings: what is redundant in the data alone is held, everything else is well posed. Nominal values
+/// weigh as against the noise that the residuals show, where that is more than stated.
+fn with_prior(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    wanted: &[usize],
+    start: Vec<f64>,
+    held: Option<Vec<usize>>,
+) -> Result<Identifiable> {
+    let plain = settings.without_prior();
+    let order = by_rank(robot, wanted);
+    let groups = |values: &[f64], weight: f64| -> Result<Vec<Group>> {
+        let plain = plain.with_weight(weight);
+        Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, &order, values)?, values).groups)
+    };
+    let stated = settings.standard_uncertainty_mm;
+    let mut weight = if stated.is_some() { 1.0 } else { ANCHOR_MM };
+    let mut scale = 1.0;
+    let mut held = match held {
+        Some(held) => held,
+        None => held_by(&groups(&start, weight)?),
+    };
+    let (mut values, mut iterations) = (start.clone(), 0);
+    for round in 1.. {
+        let free = without(wanted, &held);
+        if free.is_empty() {
+            return Err(nothing_left(robot, observations, &start));
+        }
+        for &i in &held {
+            let p = &robot.parameters()[i];
+            values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
+        }
+        let prior = Prior::Tolerances { weight, scale };
+        let weighted = Settings { prior, ..settings.with_weight(weight) };
+        // unknowns without tolerance are expected where the search began
+        let problem = Residuals::new(robot, observations, &weighted, &free, &start)?.holding(&values);
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
+        iterations += solution.iterations;
+        values = problem.all(&solution.x);
+        if !solution.termination.is_success() {
+            return Err(diagnose_failure(robot, observations, settings, wanted, &start, solution.termination));
+        }
+        let noise = problem.noise(Some(&solution)).max(LEAST_NOISE_MM / problem.unit);
+        let found = groups(&values, noise)?;
+        let now = held_by(&found);
+        let plain = plain.with_weight(noise);
+        let data = Residuals::new(robot, observations, &plain, &free, &values)?;
+        let probable = most_probable_scale(&data, &solution.x, &start, noise);
+        let settled = now == held && (noise / weight - 1.0).abs() < SETTLED && probable == scale;
+        if settled || round == ROUNDS {
+            return Ok(Identifiable { values, free, groups: found, solution, iterations, weight, prior });
+        }
+        (held, weight, scale) = (now, noise, probable);
+    }
+    unreachable!("the last round returns")
 }
 
 /// Solves with redundant and useless parameters held, until the same are redundant at the solution; `held` is a first guess of them.
@@ -125,7 +196,7 @@ fn rounds(
         let groups = [useless.clone(), redundant].concat();
         let now = held_by(&groups);
         if now == held {
-            return Ok(Identifiable { values, free, groups, solution, iterations, shape_weight: 1.0 });
+            return Ok(Identifiable { values, free, groups, solution, iterations, weight: 1.0, prior: settings.prior });
         }
         held = now;
     }
@@ -171,8 +242,8 @@ fn anchored(
     let residuals = all.of_others(settings, &free, start)?;
     let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
     let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
-    let prior = |(parameter, i)| Prior { parameter, value: x[parameter], weight: weight(i) };
-    let priors: Vec<Prior> = free.iter().enumerate().map(prior).collect();
+    let prior = |(parameter, i)| etalon_math::Prior { parameter, value: x[parameter], weight: weight(i) };
+    let priors: Vec<etalon_math::Prior> = free.iter().enumerate().map(prior).collect();
     let solution =
         etalon_math::solve(&WithPriors::new(&residuals, &priors), &x, Options { step: 1e-3, ..Options::default() });
     if !solution.termination.is_success() {

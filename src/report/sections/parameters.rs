@@ -173,6 +173,7 @@ mod tests {
             before: 300.0,
             value: 299.123_456_789,
             standard_uncertainty: Some(0.001_49),
+            determined: None,
             degrees_of_freedom: None,
             status: ParameterStatus::Identified,
             confounded_with: vec![],

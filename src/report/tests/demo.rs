@@ -245,6 +245,7 @@ fn parameters() -> ParametersDocument {
             before: nominal,
             value,
             standard_uncertainty: (status == ParameterStatus::Identified).then_some(0.000_37 * (1 + i * i) as f64),
+            determined: None,
             degrees_of_freedom: None,
             status,
             confounded_with: if i == 10 { vec!["delta2".to_owned(), "d".to_owned()] } else { vec![] },

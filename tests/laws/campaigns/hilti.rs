@@ -37,6 +37,7 @@ targets = ["prism"]
 [frame.world]
 as_exported = true
 [identify]
+effects = "all"
 calibration = "index mod 10 < 7"
 validation = "rest"
 "#;

@@ -60,6 +60,7 @@ fn largest_error(name: &str, change: Change) -> (f64, String) {
     change(&scratch);
     let decimals = std::fs::read_to_string(scratch.path().join("truth.toml")).unwrap();
     let stated = decimals.lines().find(|line| line.starts_with("decimals")).unwrap();
+    scratch.replace("campaign.toml", "[identify]", "[identify]\nprior = \"none\"");
     scratch.replace("truth.toml", stated, "decimals = 13\nnoise_um = 0");
     ends(&scratch, "simulate", 0, &[]);
     ends(&scratch, "run", 0, &[]);

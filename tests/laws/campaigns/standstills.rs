@@ -131,7 +131,7 @@ fn campaign(scratch: &Scratch, log: &[(f64, [f64; 3])], measured: &[(f64, [f64; 
          [[export]]\nfile = \"exports/poses.txt\"\nunit = \"mm\"\n\
          format = {{ delimiter = \";\", columns = [\"target\", \"time_s\", \"x\", \"y\", \"z\"] }}\n\
          [log]\nfile = \"encoders.csv\"\n{LOG}{stated}[join]\nby = \"time\"\n{join}\n[frame.world]\nas_exported = true\n\
-         [identify]\ncalibration = \"1-8\"\nvalidation = \"rest\"\n"
+         [identify]\nprior = \"none\"\ncalibration = \"1-8\"\nvalidation = \"rest\"\n"
     );
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
 }

@@ -46,6 +46,7 @@ pub(crate) fn identified(
         before: if i + 1 == values.len() { 100.5 } else { 100.0 },
         value: *value,
         standard_uncertainty: Some(*u),
+        determined: None,
         degrees_of_freedom: None,
         status: ParameterStatus::Identified,
         confounded_with: Vec::new(),

@@ -540,7 +540,8 @@ fn a_table_of_every_kind_identifies_as_its_conditions_do() {
     for kind in KINDS {
         let campaign = campaign(kind, 79, 0, 1.0);
         let found = campaign.identify();
-        let output = identified(&campaign.table(), &["--standard-uncertainty-um", "50", "--json"]);
+        let stated = ["--standard-uncertainty-um", "50", "--effects", "all", "--prior", "none", "--json"];
+        let output = identified(&campaign.table(), &stated);
         let document: serde_json::Value =
             serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{kind}: {e} {output:?}"));
         let parameters = document["parameters"].as_array().unwrap();

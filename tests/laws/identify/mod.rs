@@ -10,6 +10,7 @@ pub(super) mod geometric_campaign;
 pub(super) mod monte_carlo;
 pub(super) mod plans;
 pub(super) mod prediction;
+pub(super) mod priors;
 pub(super) mod probes;
 pub(super) mod recommendation;
 pub(super) mod rigid;

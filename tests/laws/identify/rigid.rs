@@ -120,7 +120,7 @@ fn a_target_seen_once_has_the_place_of_its_plate() {
 fn errors_of_the_robot_do_not_bend_the_plate() {
     let bench = Bench::new(1, 2e-3);
     let (alone, with) = (bench.identify(vec![]), bench.identify(vec![bench.part.clone()]));
-    assert!(with.inflation_factor > 3.0 && with.shape_weight > 3.0, "{} {}", with.inflation_factor, with.shape_weight);
+    assert!(with.inflation_factor > 3.0 && with.weight > 3.0, "{} {}", with.inflation_factor, with.weight);
     let (free_mm, plate_mm) = (bench.shape_error_mm(&alone.values), bench.shape_error_mm(&with.values));
     println!("distances off by {free_mm:.4} mm without, {plate_mm:.4} mm with the plate");
     assert!(free_mm > 0.05 && plate_mm < 4.0 * PLATE_U_MM, "{free_mm} {plate_mm}");

@@ -454,7 +454,8 @@ fn a_table_with_stations_identifies_and_slips_are_named() {
         let scratch = Scratch::with(&[("robot.toml", &arm_toml("", "")), ("observations.csv", table)]);
         let command = ["identify", "--robot", "robot.toml", "--observations", "observations.csv"];
         let mut etalon = Command::new(env!("CARGO_BIN_EXE_etalon"));
-        etalon.args(command).args(["--standard-uncertainty-um", "20", "--json"]).current_dir(scratch.path());
+        etalon.args(command).args(["--standard-uncertainty-um", "20", "--effects", "all", "--prior", "none", "--json"]);
+        etalon.current_dir(scratch.path());
         etalon.output().unwrap()
     };
     let output = run(&table);

@@ -1,0 +1,94 @@
+//! Nominal values with tolerances, as rows of the residuals.
+//!
+//! With the prior, identification minimises Σ (r/σ)² + Σ ((p − p₀)/s)²; s is the tolerance t of a parameter as the half-width of a
+//! rectangular distribution, s = t/√3 (GUM 4.3.7).
+
+use etalon_robots::Robot;
+
+/// Weight of nominal values in an identification.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Prior {
+    /// None: plain least squares.
+    #[default]
+    None,
+    /// One row for each free parameter: its deviation from nominal over its standard uncertainty by its tolerance.
+    Tolerances {
+        /// Standard deviation of a residual, by which the rows are multiplied so that they weigh as stated; 1 where the stated
+        /// uncertainty of the instrument explains the residuals.
+        weight: f64,
+        /// Standard uncertainties of parts of the robot over those of their usual tolerances, where nobody stated others: how much better
+        /// this robot is made, by the data.
+        scale: f64,
+    },
+}
+
+impl Prior {
+    /// Tolerances beside residuals that have the stated uncertainty.
+    pub const TOLERANCES: Self = Self::Tolerances { weight: 1.0, scale: 1.0 };
+
+    /// What rows of nominal values are multiplied by.
+    pub(crate) fn weight(self) -> f64 {
+        match self {
+            Self::None => 1.0,
+            Self::Tolerances { weight, .. } => weight,
+        }
+    }
+
+    /// Standard uncertainty (mm, rad, 1) of the nominal value of a parameter: its tolerance as the half-width of a rectangular distribution
+    /// (GUM 4.3.7), scaled where nobody stated it; `None` where it has no tolerance, or nominal values do not count.
+    pub fn uncertainty(self, robot: &dyn Robot, parameter: usize) -> Option<f64> {
+        let Self::Tolerances { scale, .. } = self else { return None };
+        let p = &robot.parameters()[parameter];
+        let scale = if p.scales() { scale } else { 1.0 };
+        (p.tolerance.is_finite() && p.tolerance > 0.0).then(|| scale * p.tolerance / 3f64.sqrt())
+    }
+
+    /// The same prior beside residuals of this standard deviation.
+    pub(crate) fn with_weight(self, weight: f64) -> Self {
+        match self {
+            Self::None => Self::None,
+            Self::Tolerances { scale, .. } => Self::Tolerances { weight, scale },
+        }
+    }
+}
+
+/// Standard uncertainties of base and targets without tolerance, in those that a look at them has: wide enough to count as no knowledge,
+/// and narrow enough that no solution runs away.
+const DIFFUSE: f64 = 10.0;
+
+/// The row of one parameter: w (p − p₀)/s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Nominal {
+    /// Index of the parameter.
+    pub parameter: usize,
+    /// p₀
+    pub value: f64,
+    /// w/s
+    factor: f64,
+}
+
+impl Nominal {
+    /// Rows of the free parameters. Those without tolerance are expected where `values` have them.
+    pub fn rows(robot: &dyn Robot, prior: Prior, free: &[usize], values: &[f64]) -> Vec<Self> {
+        let Prior::Tolerances { weight, .. } = prior else { return Vec::new() };
+        let row = |&parameter: &usize| {
+            let p = &robot.parameters()[parameter];
+            let (value, s) = match prior.uncertainty(robot, parameter) {
+                Some(s) => (p.nominal, s),
+                None => (values[parameter], DIFFUSE * p.known_within()),
+            };
+            Self { parameter, value, factor: weight / s }
+        };
+        free.iter().map(row).collect()
+    }
+
+    /// Value of the row.
+    pub fn residual(&self, values: &[f64]) -> f64 {
+        self.factor * (values[self.parameter] - self.value)
+    }
+
+    /// Derivative of the row by its parameter.
+    pub fn derivative(&self) -> f64 {
+        self.factor
+    }
+}
