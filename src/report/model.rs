@@ -484,6 +484,27 @@ impl<'a, T> Columns<'a, T> {
         titles.into_iter().enumerate().fold(self, add)
     }
 
+    /// With a column of a page for each of these angles.
+    pub fn page_angles(self, titles: &'a [String], of: fn(&'a T) -> &'a [f64]) -> Self {
+        let add = |columns: Self, (i, title): (usize, &'a String)| {
+            columns.page(title, "deg", move |record| fixed(of(record).get(i).copied(), 4))
+        };
+        titles.iter().enumerate().fold(self, add)
+    }
+
+    /// With some of the columns of another table, by their titles, on a page.
+    pub fn page_of(mut self, table: Self, titles: &[&str]) -> Self {
+        let shown = table.0.into_iter().filter(|c| titles.contains(&c.title));
+        self.0.extend(shown.map(|c| Column { on: On::Page, ..c }));
+        self
+    }
+
+    /// These columns in the workbook alone.
+    pub fn in_workbook(mut self) -> Self {
+        self.0.iter_mut().for_each(|c| c.on = On::Sheet);
+        self
+    }
+
     /// The last column shown in another unit than that of the documents.
     pub fn shown_in(mut self, unit: &'a str) -> Self {
         self.0.iter_mut().rev().take(1).for_each(|c| c.shown_in = unit);

@@ -264,17 +264,10 @@ pub fn evaluate(
         }
     }
     let judged = sets.last();
-    type Figure = fn(&Statistics) -> f64;
-    let stated: [(&str, Option<f64>, ErrorQuantity, Figure); 4] = [
-        ("position_max_mm", limits.position_max_mm, Position, |s| s.max),
-        ("position_mean_mm", limits.position_mean_mm, Position, |s| s.mean),
-        ("position_rms_mm", limits.position_rms_mm, Position, |s| s.rms),
-        ("orientation_max_deg", limits.orientation_max_deg, Orientation, |s| s.max),
-    ];
     let rule = limits.decision_rule.unwrap_or_default();
     let mut verdicts = Vec::new();
-    for (name, limit, quantity, pick) in stated {
-        let Some(limit) = limit else { continue };
+    for (name, limit) in limits.stated() {
+        let Some((quantity, pick)) = name.of_errors() else { continue };
         let errors = judged.and_then(|set| set.of(quantity)).ok_or_else(|| {
             Message::error(format!("the limit `{name}` cannot be judged: these data give no such error"))
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")

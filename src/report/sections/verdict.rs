@@ -8,8 +8,8 @@ use crate::number::{self, Shown};
 use crate::words::Words;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, ErrorStatistics,
-    Iso9283Document, Iso9283Pose, Iso9283Variation, LimitVerdict, ParametersDocument, ResidualSummary, Statistics,
-    ToolAccuracy,
+    Iso9283Document, Iso9283Variation, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic,
+    ResidualSummary, Statistics, ToolAccuracy,
 };
 
 /// What the report is called: one of repeatability alone is called so.
@@ -59,7 +59,7 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
     let undecided: Vec<&str> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.as_str()).collect();
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.into()).collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return words.say("The campaign states no limits."),
         (_, 0) if !undecided.is_empty() => String::new(),
@@ -85,7 +85,7 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
 fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
     let e = set.of(ErrorQuantity::Position)?;
     let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
-    let limit = accuracy.limits.iter().find(|l| l.name == "position_max_mm");
+    let limit = accuracy.limits.iter().find(|l| l.name == LimitQuantity::PositionMaxMm);
     let u = e.expanded_uncertainty.map(|u| u * factor);
     let (before, after) = (e.before.max * factor, e.after.max * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
@@ -155,7 +155,8 @@ pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) ->
 
 /// What the intervals prove of every limit of every pose.
 fn conformities(tested: &Characteristics) -> impl Iterator<Item = Conformity> {
-    tested.poses.iter().flat_map(|d| &d.poses).flat_map(|p| [p.ap_conformity, p.rp_conformity]).flatten()
+    let poses = tested.poses.iter().flat_map(|d| &d.poses);
+    poses.flat_map(|p| PoseCharacteristic::ALL.map(|c| (c.conformity)(p))).flatten()
 }
 
 /// Why the numbers must not be used.
@@ -209,22 +210,22 @@ fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f
 /// instrument is good enough.
 fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let Some(document) = &tested.poses else { return Vec::new() };
-    let of = |sentence: &str, limit: &str, value: fn(&Iso9283Pose) -> Option<f64>, proved: Proved| {
-        let all = document.poses.iter().filter_map(|p| Some((value(p)?, p.pose)));
+    let of = |sentence: &str, of: PoseCharacteristic| {
+        let all = document.poses.iter().filter_map(|p| Some(((of.value)(p)?, p.pose)));
         let (mm, pose) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let limit = document.limits.iter().find(|l| l.name == limit);
+        let limit = document.limits.iter().find(|l| l.name == of.limit);
         // with the digits that decide, also where it is close to the limit
         let apart_um = limit.map(|l| 1e3 * (l.limit - mm).abs());
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
         let within = limit.map(|l| within(mm <= l.limit, &um(l.limit), words));
-        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, proved, words)];
+        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, of, words)];
         Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
     };
     let accuracy = words.say("The accuracy is {0} µm, at pose {1}.");
-    let accuracy = of(&accuracy, "accuracy_max_mm", |p| p.ap_mm, |p| p.ap_conformity);
+    let accuracy = of(&accuracy, PoseCharacteristic::AP);
     let repeatability = words.say("The repeatability is {0} µm, at pose {1}.");
-    let repeatability = of(&repeatability, "repeatability_max_mm", |p| p.rp_mm, |p| p.rp_conformity);
+    let repeatability = of(&repeatability, PoseCharacteristic::RP);
     let by_approach = pooled(document, words);
     let instrument = Some(quarter_sentence(document, words)).filter(|sentence| !sentence.is_empty());
     [accuracy, by_approach, repeatability, instrument].into_iter().flatten().collect()
@@ -254,16 +255,13 @@ fn within(within: bool, allowed: &str, words: &Words) -> String {
     }
 }
 
-/// What the interval of a pose proves of a limit.
-type Proved = fn(&Iso9283Pose) -> Option<Conformity>;
-
 /// Which poses conform by ISO 14253-1, where a limit is stated.
-fn conformity(document: &Iso9283Document, proved: Proved, words: &Words) -> Option<String> {
-    let of = |what| -> Vec<String> {
-        document.poses.iter().filter(|p| proved(p) == Some(what)).map(|p| p.pose.to_string()).collect()
+fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words) -> Option<String> {
+    let poses = |what| -> Vec<String> {
+        document.poses.iter().filter(|p| (of.conformity)(p) == Some(what)).map(|p| p.pose.to_string()).collect()
     };
-    let conforming = of(Conformity::Conforming);
-    let (not, neither) = (of(Conformity::NotConforming), of(Conformity::Neither));
+    let conforming = poses(Conformity::Conforming);
+    let (not, neither) = (poses(Conformity::NotConforming), poses(Conformity::Neither));
     let all = conforming.len() + not.len() + neither.len();
     let first = match conforming.len() {
         0 => None,
@@ -309,7 +307,7 @@ mod tests {
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), ("good", &expected.map(str::to_owned)[..]));
-        let limit = |u| LimitVerdict::of("position_max_mm", "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
+        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = of(&documents);
         assert!(

@@ -109,7 +109,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     d.accuracy.definition = t();
     d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
     d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| e.unit = t());
-    d.accuracy.limits.iter_mut().for_each(|l| (l.name, l.unit) = (t(), t()));
+    d.accuracy.limits.iter_mut().for_each(|l| l.unit = t());
     d.errors.iter_mut().for_each(|e| (e.set, e.target) = (t(), t()));
     d
 }
