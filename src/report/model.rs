@@ -68,8 +68,7 @@ fn sentence(text: &str) -> String {
 /// The first box: is everything met, and how much better is the robot.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Verdict {
-    /// `good`, `bad` or `open`
-    pub class: &'static str,
+    pub class: Grade,
     /// what the exit code follows
     #[serde(skip)]
     pub met: bool,
@@ -77,6 +76,23 @@ pub(crate) struct Verdict {
     /// what the headlines are of
     pub about: String,
     pub headlines: Vec<Headline>,
+}
+
+/// How a verdict looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Grade {
+    Good,
+    Bad,
+    #[default]
+    Open,
+}
+
+impl Grade {
+    /// Good where `met`, bad otherwise.
+    pub fn of(met: bool) -> Self {
+        if met { Self::Good } else { Self::Bad }
+    }
 }
 
 /// One number before and after.

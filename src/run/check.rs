@@ -12,7 +12,7 @@ use etalon_base::message::{Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
-use etalon_documents::{ImportDocument, Presentation};
+use etalon_documents::{ImportDocument, Presentation, SourceKind};
 use etalon_formats::Point;
 use etalon_report::branding;
 use etalon_robots::Robot;
@@ -128,7 +128,7 @@ fn find(campaign: &Campaign) -> Found {
     let whole = |keys: &[&str]| !keys.iter().any(|key| campaign.unread.affects(&[key]));
     let mut read = more.0.is_empty() && whole(&["export", "log", "join"]);
     // a label that is missing may be in a file that did not read
-    let opened = gathered.document.sources.iter().filter(|s| s.kind == "export" && s.rows_read > 0).count();
+    let opened = gathered.document.sources.iter().filter(|s| s.kind == SourceKind::Export && s.rows_read > 0).count();
     let complete = opened == campaign.file.exports.len();
     names::labels(campaign, &gathered, complete, &mut problems);
     let named = complete && problems.0.len() == before && whole(&["feature", "frame"]);
