@@ -109,12 +109,12 @@ impl Identify {
         messages.extend(stale(robot.as_ref(), &observations));
         let before = fit_frames(robot.as_ref(), &observations, &settings).map_err(remedied)?;
         let mut found = identify_from(robot.as_ref(), &observations, &settings, &before).map_err(remedied)?;
-        found.warnings.splice(0..0, messages);
+        found.warnings.splice(0..0, messages.into_iter().map(Into::into));
         let calibration_conditions = settings.conditions.clone();
         let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };
         let errors = evaluate::errors(robot.as_ref(), &sets, &before, &found.values);
         let messages = plausibility(robot.as_ref(), &sets.calibration, &settings, &before, &found, &errors);
-        found.warnings.splice(0..0, messages);
+        found.warnings.splice(0..0, messages.into_iter().map(Into::into));
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.observations].into_iter().chain(&described))?;
         let document = parameters_document(robot.as_ref(), &settings, &before, &found, &inputs);

@@ -7,6 +7,7 @@ mod judgement;
 mod model;
 pub mod plan;
 mod solution;
+mod warning;
 
 pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
@@ -38,11 +39,12 @@ pub use model::observation::{
     AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,
 };
 pub use model::residuals::{OF_MEDIAN, ResidualKind};
-pub use model::rigid_part::{Pair, RigidPart};
+pub use model::rigid_part::{Contradicted, Pair, RigidPart};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
+pub use warning::{Subject, Warning};
 
 use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
@@ -144,7 +146,7 @@ pub struct Identification {
     /// How the solver ended.
     pub termination: Termination,
     /// Warnings, with remedies.
-    pub warnings: Vec<Message>,
+    pub warnings: Vec<Warning>,
 }
 
 impl Identification {
@@ -203,7 +205,8 @@ pub fn identify_with(
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
     let mut found =
         judgement::uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
-    found.warnings.extend(model::kinds::without_length(robot, observations, settings, &found.status));
+    let without = model::kinds::without_length(robot, observations, settings, &found.status);
+    found.warnings.extend(without.map(Into::into));
     Ok(found)
 }
 

@@ -75,19 +75,19 @@ pub fn identify(
         let other = LogFit { name, sets: &others, found: &theirs };
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
-        found.warnings.extend(warnings.into_iter().flatten());
+        found.warnings.extend(warnings.into_iter().flatten().map(Into::into));
     }
-    found.warnings.splice(0..0, messages);
+    found.warnings.splice(0..0, messages.into_iter().map(Into::into));
     let mut errors = evaluate::errors(robot, &sets, &before, &found.values);
     let messages = plausibility(robot, &sets.calibration, &settings, &before, &found, &errors);
-    found.warnings.splice(0..0, messages);
+    found.warnings.splice(0..0, messages.into_iter().map(Into::into));
     let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.validation_distance = validation_distance(robot, &sets);
     if evaluate::with_times(&mut errors, &joined.observations[0].1.times()?) {
         accuracy.joints.push(table::TIME.to_owned());
     }
-    found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
+    found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near).map(Into::into));
     if sets.validation_conditions.is_empty() {
         let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)
             .map_err(remedied)?;
@@ -101,7 +101,7 @@ pub fn identify(
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
     let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
-    found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)));
+    found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) =

@@ -36,7 +36,7 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
         let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
         let errors = evaluate::errors(robot, &sets, &before, &found.values);
         let mut messages = plausibility(robot, observations, &settings, &before, &found, &errors);
-        messages.extend(found.warnings);
+        messages.extend(found.warnings.into_iter().map(|warning| warning.message));
         Ok(messages)
     };
     found().unwrap_or_else(|problems: etalon::base::message::Problems| problems.0)

@@ -154,7 +154,7 @@ fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUp
     for (factor, how) in LENGTHS {
         let mut changed = subset.clone();
         changed.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| v * factor));
-        add(format!("the measured points {how} (`unit` of the export)"), changed, robot, true);
+        add(format!("the measured points {how} (unit of the export)"), changed, robot, true);
     }
     for (shift, which) in [(-1, "previous"), (1, "next")] {
         let what = format!("the joints of each pose taken from the {which} one");
@@ -201,7 +201,7 @@ fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUp
 fn elsewhere(robot: &dyn Robot, observations: &[Observation], nominal: &[f64]) -> Option<Change> {
     let (fit, left) = planar_fit(robot, observations, nominal, &ANYWHERE)?;
     let what = format!(
-        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm (`unit` and labels of the points that make it)",
+        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm (unit and labels of the points that make it)",
         fit.angle.to_degrees(),
         fit.shift[0],
         fit.shift[1]

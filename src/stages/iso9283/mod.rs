@@ -3,6 +3,7 @@
 pub mod load;
 pub mod pose;
 pub mod repeatability;
+pub mod stated;
 mod streams;
 
 use crate::stages::gather::Gathered;

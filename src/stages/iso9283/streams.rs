@@ -1,12 +1,13 @@
 //! Recorded motions of a campaign: files become characteristics of ISO 9283.
 
+use super::stated::Stated;
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::{Campaign, StreamDefinition};
 use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
+use etalon_standards::iso9283::motion::Settings;
 use etalon_standards::iso9283::motion::stream::Recording;
-use etalon_standards::iso9283::motion::{Settings, Stated};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
