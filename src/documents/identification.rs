@@ -3,8 +3,8 @@
 use crate::*;
 use etalon_base::message::{Message, Severity};
 use etalon_identify::{
-    Contradicted, Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status, Subject,
-    Warning,
+    Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError, Settings, SingularValue,
+    Status, Subject, Warning,
 };
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -101,14 +101,28 @@ pub fn parameters_document(
 
 /// Warnings of an identification, which name what can be stated in a campaign.
 pub fn warning_messages(warnings: &[Warning]) -> Vec<Message> {
+    warnings.iter().map(warning_message).collect()
+}
+
+/// A warning or an error, which names what can be stated in a campaign.
+pub fn warning_message(warning: &Warning) -> Message {
     let hold = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
                 that instead";
-    let named = |warning: &Warning| match &warning.subject {
+    match &warning.subject {
         Subject::HeldByFrames => warning.message.clone().hint(hold),
         Subject::Shape(contradicted) => contradicted_places(contradicted),
+        Subject::SetUp(found) => warning.message.clone().hint(set_up_hint(found)),
         Subject::Other => warning.message.clone(),
-    };
-    warnings.iter().map(named).collect()
+    }
+}
+
+/// The change of the set-up to look for, with the keys that state it.
+pub fn set_up_hint(found: &SetUpError) -> String {
+    found.hint(|origin| match origin {
+        Origin::Unit => " (`unit` of the export)",
+        Origin::WorldFrame => " (`unit` and labels of the points that make it)",
+        Origin::Named => "",
+    })
 }
 
 /// The message that a measurement contradicts the stated places of a rigid part.

@@ -63,12 +63,15 @@ pub enum LimitQuantity {
     AccuracyMaxMm,
 }
 
+/// One of the figures of errors.
+pub type StatisticOf = fn(&Statistics) -> f64;
+
 impl LimitQuantity {
     /// All of them.
     pub const ALL: &[Self] = <Self as strum::VariantArray>::VARIANTS;
 
     /// The errors that are limited, and which of their figures; `None` for characteristics of ISO 9283.
-    pub fn of_errors(self) -> Option<(ErrorQuantity, fn(&Statistics) -> f64)> {
+    pub fn of_errors(self) -> Option<(ErrorQuantity, StatisticOf)> {
         match self {
             Self::PositionMaxMm => Some((ErrorQuantity::Position, |s| s.max)),
             Self::PositionMeanMm => Some((ErrorQuantity::Position, |s| s.mean)),

@@ -43,8 +43,8 @@ pub use model::rigid_part::{Contradicted, Pair, RigidPart};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
-pub use solution::set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
-pub use warning::{Subject, Warning};
+pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
+pub use warning::{Origin, SetUpError, Subject, Warning};
 
 use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;

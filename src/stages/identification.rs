@@ -258,7 +258,8 @@ pub(super) fn wrong_set_up(robot: &dyn Robot, observations: &[Observation], sett
     if observations.is_empty() {
         return None;
     }
-    etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())
+    let problem = etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm())?;
+    Some(etalon_documents::warning_message(&problem))
 }
 
 /// Leaves out what the campaign excludes.

@@ -4,10 +4,10 @@ use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
 use etalon_base::message::{Message, count};
 use etalon_base::pose::{centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{PointError, PoseSet};
+use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
-    far_from_nominal, moved_between,
+    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
+    moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -56,8 +56,13 @@ pub fn plausibility(
     };
     match far {
         Some(far) => messages.insert(0, far),
-        None if exchanged(robot, &found.values).is_none() => explain(&mut messages, robot, observations),
-        None => {}
+        None => {
+            if let Some(first) = messages.first_mut().filter(|_| exchanged(robot, &found.values).is_none())
+                && let Some(found) = set_up_error(robot, observations)
+            {
+                first.hint = Some(set_up_hint(&found));
+            }
+        }
     }
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
@@ -218,7 +223,7 @@ fn far_before(
     let left: Vec<f64> = errors.iter().filter(|e| e.set == PoseSet::Calibration).map(|e| norm(e.before_mm)).collect();
     let rms_mm = rms(left.iter().copied());
     let allowed_mm = allowed_mm(robot, observations, before, settings.coordinate_uncertainty_mm())?;
-    (median(left)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
+    (median(left)? > allowed_mm).then(|| warning_message(&far_from_nominal(robot, observations, rms_mm, allowed_mm)))
 }
 
 /// Errors about the parameters `values` and the errors that they leave; empty where the result is plausible.

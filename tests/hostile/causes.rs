@@ -60,7 +60,7 @@ fn a_wrong_unit_is_told_by_the_spread_of_the_points() {
         let before = "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = ";
         scratch.replace("campaign.toml", &format!("{before}\"mm\""), &format!("{before}\"{unit}\""));
         let spread = format!("measured points spread over {} mm, the model's over 478 mm", spread);
-        run(&scratch, 2, &["no parameter is left to identify: ", &spread, named, "(unit of the export)"]);
+        run(&scratch, 2, &["no parameter is left to identify: ", &spread, named, "`unit` of the export"]);
     }
 }
 

@@ -66,11 +66,11 @@ fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
         .sheet("other pose", "", |d| d.poses[1])
         .both("cycles", "", |d| d.cycles)
         .micrometres("AD", |d| d.ad_mm)
-        .micrometres("AD x", |d| d.ad_axes_mm.get(0).copied())
+        .micrometres("AD x", |d| d.ad_axes_mm.first().copied())
         .micrometres("AD y", |d| d.ad_axes_mm.get(1).copied())
         .micrometres("AD z", |d| d.ad_axes_mm.get(2).copied())
         .micrometres("RD", |d| d.rd_mm)
-        .micrometres("RD x", |d| d.rd_axes_mm.get(0).copied())
+        .micrometres("RD x", |d| d.rd_axes_mm.first().copied())
         .micrometres("RD y", |d| d.rd_axes_mm.get(1).copied())
         .micrometres("RD z", |d| d.rd_axes_mm.get(2).copied())
         .sheet_xyz(["AD of the first angle", "AD of the second angle", "AD of the third angle"], "deg", |d| {
