@@ -548,7 +548,7 @@ fn experiment(selection: &str, cycles: i64, seed: u64) -> Found {
     campaign("dextar", &changes, 50_000 + seed, |_, found| {
         let found = found.identified.as_ref().expect("identified");
         let mut means: BTreeMap<i64, [f64; 2]> = BTreeMap::new();
-        for e in found.errors.iter().filter(|e| e.set == "validation") {
+        for e in found.errors.iter().filter(|e| e.set == etalon::documents::PoseSet::Validation) {
             let mean = means.entry(e.pose.number().expect("number")).or_default();
             [0, 1].iter().for_each(|&k| mean[k] += e.after_mm[k] / cycles as f64);
         }

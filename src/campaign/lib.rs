@@ -24,8 +24,8 @@ pub use types::*;
 
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result, Stated};
-use etalon_documents::Source;
 use etalon_documents::schema::schema;
+use etalon_documents::{Source, SourceKind};
 use etalon_identify::{FrameError, Settings, Systematic};
 use etalon_robots::{Joint, LongestChain, Quantity, Robot};
 use std::collections::BTreeMap;
@@ -124,8 +124,8 @@ impl Campaign {
 
     /// The path of a file that was read.
     pub fn source(&self, source: &Source) -> Result<PathBuf> {
-        match source.kind.as_str() {
-            "campaign" => Ok(self.location.clone()),
+        match source.kind {
+            SourceKind::Campaign => Ok(self.location.clone()),
             _ => Ok(paths::resolve(&self.folder, &source.file)?),
         }
     }

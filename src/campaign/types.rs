@@ -3,7 +3,7 @@
 use super::{Join, JoinBy, StatedPoses};
 use etalon_base::country::Country;
 use etalon_base::pose::{Vector, minus, norm, unit};
-use etalon_documents::{Conditions, DecisionRule, Effect, Language};
+use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
 use etalon_documents::{ResidualKind, ToolFrame};
 use etalon_formats::dialect::{Decimal, Delimiter, Encoding, FromRow};
 use etalon_formats::{Export, Layout, Log};
@@ -619,16 +619,21 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Keys and values.
-    pub fn stated(&self) -> [(&'static str, Option<f64>); 6] {
-        [
-            ("position_max_mm", self.position_max_mm),
-            ("position_mean_mm", self.position_mean_mm),
-            ("position_rms_mm", self.position_rms_mm),
-            ("orientation_max_deg", self.orientation_max_deg),
-            ("repeatability_max_mm", self.repeatability_max_mm),
-            ("accuracy_max_mm", self.accuracy_max_mm),
-        ]
+    /// The limit of a quantity.
+    pub fn of(&self, quantity: LimitQuantity) -> Option<f64> {
+        match quantity {
+            LimitQuantity::PositionMaxMm => self.position_max_mm,
+            LimitQuantity::PositionMeanMm => self.position_mean_mm,
+            LimitQuantity::PositionRmsMm => self.position_rms_mm,
+            LimitQuantity::OrientationMaxDeg => self.orientation_max_deg,
+            LimitQuantity::RepeatabilityMaxMm => self.repeatability_max_mm,
+            LimitQuantity::AccuracyMaxMm => self.accuracy_max_mm,
+        }
+    }
+
+    /// The limits that are stated.
+    pub fn stated(&self) -> impl Iterator<Item = (LimitQuantity, f64)> {
+        LimitQuantity::ALL.iter().filter_map(|&quantity| Some((quantity, self.of(quantity)?)))
     }
 }
 

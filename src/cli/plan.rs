@@ -229,7 +229,7 @@ impl Plan {
             value: s.index,
             condition: s.condition,
         });
-        let mut messages = planned.sensitivity.messages.clone();
+        let mut messages = etalon_documents::warning_messages(&planned.sensitivity.messages);
         messages.extend(planned.prediction.messages.clone());
         Ok(PlanDocument {
             schema: "etalon/plan/1".to_owned(),

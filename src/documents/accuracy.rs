@@ -116,7 +116,8 @@ pub struct ToolAccuracy {
     /// The part in whose frame it is stated.
     pub frame: ToolFrame,
     /// The poses: `validation`, or `calibration` where there are no others.
-    pub set: String,
+    #[schemars(with = "String")]
+    pub set: PoseSet,
     /// How many.
     pub poses: usize,
     /// Predicted with the parameters before minus predicted with the identified ones, mm.
@@ -185,12 +186,36 @@ pub struct ValidationDistance {
     pub outside: usize,
 }
 
+/// Set of poses of a campaign.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, strum::Display, strum::IntoStaticStr,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum PoseSet {
+    /// Poses that parameters are identified from.
+    Calibration,
+    /// Poses that judge the parameters.
+    Validation,
+}
+
+impl PoseSet {
+    /// Both sets in their order.
+    pub const ALL: [Self; 2] = [Self::Calibration, Self::Validation];
+
+    /// Name of the set.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
 /// Errors over one set of poses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AccuracySet {
     /// `calibration` or `validation`.
-    pub name: String,
+    #[schemars(with = "String")]
+    pub name: PoseSet,
     /// Poses in it.
     pub poses: usize,
     /// Points or poses whose errors are counted.
@@ -265,7 +290,8 @@ pub struct Statistics {
 #[serde(deny_unknown_fields)]
 pub struct PointError {
     /// `calibration` or `validation`.
-    pub set: String,
+    #[schemars(with = "String")]
+    pub set: PoseSet,
     /// Pose number.
     pub pose: PoseName,
     /// Cycle number.

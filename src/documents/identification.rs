@@ -1,8 +1,11 @@
 //! The document of an identification: parameters with all that is needed to trust them.
 
 use crate::*;
-use etalon_base::message::Severity;
-use etalon_identify::{Group, Identification, Observability, RANK_TOLERANCE, Settings, SingularValue, Status};
+use etalon_base::message::{Message, Severity};
+use etalon_identify::{
+    Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError, Settings, SingularValue,
+    Status, Subject, Warning,
+};
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -92,9 +95,41 @@ pub fn parameters_document(
             termination: found.termination.into(),
             meaning: found.termination.to_string(),
         },
-        messages: found.warnings.clone(),
+        messages: warning_messages(&found.warnings),
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
     }
+}
+
+/// Warnings of an identification, which name what can be stated in a campaign.
+pub fn warning_messages(warnings: &[Warning]) -> Vec<Message> {
+    warnings.iter().map(warning_message).collect()
+}
+
+/// A warning or an error, which names what can be stated in a campaign.
+pub fn warning_message(warning: &Warning) -> Message {
+    let hold = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
+                that instead";
+    match &warning.subject {
+        Subject::HeldByFrames => warning.message.clone().hint(hold),
+        Subject::Shape(contradicted) => contradicted_places(contradicted),
+        Subject::SetUp(found) => warning.message.clone().hint(set_up_hint(found)),
+        Subject::Other => warning.message.clone(),
+    }
+}
+
+/// The change of the set-up to look for, with the keys that state it.
+pub fn set_up_hint(found: &SetUpError) -> String {
+    found.hint(|origin| match origin {
+        Origin::Unit => " (`unit` of the export)",
+        Origin::WorldFrame => " (`unit` and labels of the points that make it)",
+        Origin::Named => "",
+    })
+}
+
+/// The message that a measurement contradicts the stated places of a rigid part.
+pub fn contradicted_places(contradicted: &Contradicted) -> Message {
+    let message = contradicted.message("[[rigid]]: `places_mm`");
+    message.hint("check unit and names in `places_mm`, and whether the part was changed since they were determined")
 }
 
 /// What each source contributes to the standard uncertainties of the `written` parameters, in their units.

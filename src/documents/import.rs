@@ -46,7 +46,8 @@ pub struct Source {
     /// Its size.
     pub bytes: usize,
     /// `export`, `log`, `campaign` or `robot`.
-    pub kind: String,
+    #[schemars(with = "String")]
+    pub kind: SourceKind,
     /// How it was read: format, delimiter, decimal mark, unit.
     pub dialect: String,
     /// Rows that hold data.
@@ -56,6 +57,32 @@ pub struct Source {
     /// Standstills of a log recorded during motion, one row of the joint values each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub standstills: Vec<StandingInterval>,
+}
+
+/// What a file that was read is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::IntoStaticStr)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum SourceKind {
+    /// The campaign.
+    Campaign,
+    /// A robot file.
+    Robot,
+    /// An export of a measuring system.
+    Export,
+    /// A log of a controller.
+    Log,
+    /// A table.
+    Table,
+    /// A recorded motion.
+    Stream,
+}
+
+impl SourceKind {
+    /// Name of the kind.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
 }
 
 /// A row that was refused.

@@ -40,7 +40,9 @@ pub use compensation::*;
 pub use fit::*;
 pub use frames::*;
 pub use geometric::*;
-pub use identification::{observability_summary, parameters_document};
+pub use identification::{
+    contradicted_places, observability_summary, parameters_document, set_up_hint, warning_message, warning_messages,
+};
 pub use import::*;
 pub use iso9283::*;
 pub use kinematics::*;

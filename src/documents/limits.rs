@@ -1,6 +1,7 @@
 //! Limits of a campaign, judged with the uncertainty of what they limit by a decision rule that is stated by name.
 
 use crate::mirror::mirror;
+use crate::{ErrorQuantity, Statistics};
 use etalon_standards::decision;
 use etalon_standards::iso9283::statistics::interval::Interval;
 use schemars::JsonSchema;
@@ -41,12 +42,53 @@ impl Conformity {
     }
 }
 
+/// What a limit is of, by its key in campaigns.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::Display, strum::IntoStaticStr, strum::VariantArray,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum LimitQuantity {
+    /// Largest position error.
+    PositionMaxMm,
+    /// Mean position error.
+    PositionMeanMm,
+    /// Root mean square position error.
+    PositionRmsMm,
+    /// Largest orientation error.
+    OrientationMaxDeg,
+    /// Largest repeatability RP of all poses.
+    RepeatabilityMaxMm,
+    /// Largest accuracy AP of all poses.
+    AccuracyMaxMm,
+}
+
+/// One of the figures of errors.
+pub type StatisticOf = fn(&Statistics) -> f64;
+
+impl LimitQuantity {
+    /// All of them.
+    pub const ALL: &[Self] = <Self as strum::VariantArray>::VARIANTS;
+
+    /// The errors that are limited, and which of their figures; `None` for characteristics of ISO 9283.
+    pub fn of_errors(self) -> Option<(ErrorQuantity, StatisticOf)> {
+        match self {
+            Self::PositionMaxMm => Some((ErrorQuantity::Position, |s| s.max)),
+            Self::PositionMeanMm => Some((ErrorQuantity::Position, |s| s.mean)),
+            Self::PositionRmsMm => Some((ErrorQuantity::Position, |s| s.rms)),
+            Self::OrientationMaxDeg => Some((ErrorQuantity::Orientation, |s| s.max)),
+            Self::RepeatabilityMaxMm | Self::AccuracyMaxMm => None,
+        }
+    }
+}
+
 /// One limit of the campaign.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LimitVerdict {
     /// Name of the limit in the campaign.
-    pub name: String,
+    #[schemars(with = "String")]
+    pub name: LimitQuantity,
     /// Unit of the numbers.
     pub unit: String,
     /// What the campaign allows.
@@ -65,10 +107,17 @@ pub struct LimitVerdict {
 
 impl LimitVerdict {
     /// A value with its expanded uncertainty (k = 2), judged.
-    pub fn of(name: &str, unit: &str, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
+    pub fn of(
+        name: LimitQuantity,
+        unit: &str,
+        limit: f64,
+        value: f64,
+        expanded: Option<f64>,
+        rule: DecisionRule,
+    ) -> Self {
         let interval = expanded.map(|u| Interval { low_mm: value - u, high_mm: value + u });
         let judged = Self {
-            name: name.to_owned(),
+            name,
             unit: unit.to_owned(),
             limit,
             value,
@@ -94,7 +143,7 @@ mod tests {
     fn a_limit_is_met_where_its_rule_says_conforming() {
         for rule in [DecisionRule::SimpleAcceptance, DecisionRule::Guarded, DecisionRule::SharedRisk] {
             for (value, u) in [(0.30, Some(0.03)), (0.39, Some(0.03)), (0.41, Some(0.03)), (0.30, None)] {
-                let of = LimitVerdict::of("p", "mm", 0.4, value, u, rule);
+                let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.4, value, u, rule);
                 assert_eq!(of.met, of.conformity == Conformity::Conforming, "{rule:?} {value} {u:?}");
             }
         }

@@ -1,5 +1,6 @@
 //! Reasons why there is no result. They name neither keys nor options: who knows where a value was stated adds the remedy.
 
+use crate::warning::{SetUpError, Warning};
 use etalon_base::message::{Message, Problems, count};
 use etalon_base::pose_name::PoseName;
 use etalon_math::Termination;
@@ -62,7 +63,7 @@ pub enum Error {
         /// Why, where the observations show it.
         cause: Option<Cause>,
         /// The change of the set-up that explains the observations, where there is one.
-        set_up: Option<String>,
+        set_up: Option<SetUpError>,
     },
     /// The observations determine fewer parameters than are wanted.
     Undetermined {
@@ -80,8 +81,10 @@ pub enum Error {
         /// Why, where the observations show it.
         cause: Option<Cause>,
         /// The change of the set-up that explains the observations, where there is one.
-        set_up: Option<String>,
+        set_up: Option<SetUpError>,
     },
+    /// The robot or its set-up does not explain the observations.
+    Unexplained(Box<Warning>),
     /// Any other problem, with its remedy.
     Other(Problems),
 }
@@ -188,6 +191,7 @@ impl fmt::Display for Error {
                 let why = cause.as_ref().map_or_else(|| termination.to_string(), Cause::to_string);
                 write!(f, "the identification ended without a result: {why}")
             }
+            Self::Unexplained(warning) => warning.fmt(f),
             Self::Other(problems) => problems.fmt(f),
         }
     }
@@ -198,6 +202,7 @@ impl Error {
     pub fn messages(self) -> Vec<Message> {
         let message = Message::error(self.to_string());
         match self {
+            Self::Unexplained(warning) => vec![warning.message],
             Self::Other(problems) => problems.0,
             Self::BaseNotFound => {
                 vec![message.expected("at least four poses in which the arm moves in all directions")]
@@ -217,6 +222,12 @@ impl Error {
 impl From<Problems> for Error {
     fn from(problems: Problems) -> Self {
         Self::Other(problems)
+    }
+}
+
+impl From<Warning> for Error {
+    fn from(warning: Warning) -> Self {
+        Self::Unexplained(Box::new(warning))
     }
 }
 

@@ -7,6 +7,7 @@ mod judgement;
 mod model;
 pub mod plan;
 mod solution;
+mod warning;
 
 pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
@@ -39,11 +40,12 @@ pub use model::observation::{
 };
 pub use model::prior::Prior;
 pub use model::residuals::{OF_MEDIAN, ResidualKind};
-pub use model::rigid_part::{Pair, RigidPart};
+pub use model::rigid_part::{Contradicted, Pair, RigidPart};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
-pub use solution::set_up::{allowed_mm, explain, far_from_nominal, moved_between, set_up_problem};
+pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
+pub use warning::{Origin, SetUpError, Subject, Warning};
 
 use etalon_base::message::Message;
 use etalon_base::pattern::matches_pattern;
@@ -203,7 +205,7 @@ pub struct Identification {
     /// How the solver ended.
     pub termination: Termination,
     /// Warnings, with remedies.
-    pub warnings: Vec<Message>,
+    pub warnings: Vec<Warning>,
 }
 
 /// A parameter of which the data determine a smaller share has no value by them.
@@ -308,7 +310,8 @@ pub fn identify_with(
     let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
     let mut found =
         judgement::uncertainty::with_uncertainty(robot, (observations, systematic), settings, &wanted, found)?;
-    found.warnings.extend(model::kinds::without_length(robot, observations, settings, &found.status));
+    let without = model::kinds::without_length(robot, observations, settings, &found.status);
+    found.warnings.extend(without.map(Into::into));
     Ok(found)
 }
 

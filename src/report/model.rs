@@ -68,8 +68,7 @@ fn sentence(text: &str) -> String {
 /// The first box: is everything met, and how much better is the robot.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Verdict {
-    /// `good`, `bad` or `open`
-    pub class: &'static str,
+    pub class: Grade,
     /// what the exit code follows
     #[serde(skip)]
     pub met: bool,
@@ -77,6 +76,23 @@ pub(crate) struct Verdict {
     /// what the headlines are of
     pub about: String,
     pub headlines: Vec<Headline>,
+}
+
+/// How a verdict looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Grade {
+    Good,
+    Bad,
+    #[default]
+    Open,
+}
+
+impl Grade {
+    /// Good where `met`, bad otherwise.
+    pub fn of(met: bool) -> Self {
+        if met { Self::Good } else { Self::Bad }
+    }
 }
 
 /// One number before and after.
@@ -482,6 +498,27 @@ impl<'a, T> Columns<'a, T> {
     pub fn sheet_xyz(self, titles: [&'a str; 3], unit: &'a str, of: fn(&'a T) -> &'a [f64]) -> Self {
         let add = |columns: Self, (i, title)| columns.sheet(title, unit, move |record| of(record).get(i).copied());
         titles.into_iter().enumerate().fold(self, add)
+    }
+
+    /// With a column of a page for each of these angles.
+    pub fn page_angles(self, titles: &'a [String], of: fn(&'a T) -> &'a [f64]) -> Self {
+        let add = |columns: Self, (i, title): (usize, &'a String)| {
+            columns.page(title, "deg", move |record| fixed(of(record).get(i).copied(), 4))
+        };
+        titles.iter().enumerate().fold(self, add)
+    }
+
+    /// With some of the columns of another table, by their titles, on a page.
+    pub fn page_of(mut self, table: Self, titles: &[&str]) -> Self {
+        let shown = table.0.into_iter().filter(|c| titles.contains(&c.title));
+        self.0.extend(shown.map(|c| Column { on: On::Page, ..c }));
+        self
+    }
+
+    /// These columns in the workbook alone.
+    pub fn in_workbook(mut self) -> Self {
+        self.0.iter_mut().for_each(|c| c.on = On::Sheet);
+        self
     }
 
     /// The last column shown in another unit than that of the documents.

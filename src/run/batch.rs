@@ -11,7 +11,7 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::{
     AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
-    ParametersDocument,
+    ParametersDocument, PoseCharacteristic,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -171,7 +171,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
         }
         rows.extend(accuracy.limits.iter().map(|l| Row {
             kind: "limit",
-            item: l.name.clone(),
+            item: l.name.to_string(),
             unit: l.unit.clone(),
             value: l.value,
             limit: Some(l.limit),
@@ -181,7 +181,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
     }
     let of_pose = |p: &Iso9283Pose| {
         let row = |kind, value| Row { kind, item: p.pose.to_string(), unit: "mm".to_owned(), value, ..Row::default() };
-        [p.ap_mm.map(|ap| row("AP", ap)), p.rp_mm.map(|rp| row("RP", rp))].into_iter().flatten().collect::<Vec<_>>()
+        PoseCharacteristic::ALL.iter().filter_map(|c| Some(row(c.symbol, (c.value)(p)?))).collect::<Vec<_>>()
     };
     rows.extend(tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
     rows
@@ -191,7 +191,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
 fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
     let errors = of("error").filter(|row| !row.item.ends_with("before")).chain(of("parameter"));
-    let largest = ["AP", "RP"].into_iter().filter_map(move |kind| {
+    let largest = PoseCharacteristic::ALL.into_iter().filter_map(move |PoseCharacteristic { symbol: kind, .. }| {
         let value = of(kind).map(|row| row.value).max_by(f64::total_cmp)?;
         Some((kind, "mm", value, None))
     });

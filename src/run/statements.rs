@@ -3,7 +3,7 @@
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
-use etalon_documents::ResidualKind;
+use etalon_documents::{LimitQuantity, ResidualKind};
 use etalon_formats::Export;
 use etalon_formats::dialect::Role;
 use etalon_formats::table::LABEL;
@@ -90,23 +90,26 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
 /// Limits that are positive, and that something judges.
 fn limits(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
-    for (key, limit) in file.limits.stated() {
-        if limit.is_some_and(|limit| limit <= 0.0) {
-            let message = Message::error(format!("the limit `{key}` must be positive"));
-            problems.0.push(message.at(campaign.place_of(&["limits", key])));
+    for (quantity, limit) in file.limits.stated() {
+        let place = || campaign.place_of(&["limits", quantity.into()]);
+        if limit <= 0.0 {
+            let message = Message::error(format!("the limit `{quantity}` must be positive"));
+            problems.0.push(message.at(place()));
         }
         let labelled = file.repeatability.as_ref();
-        let (needs, stated) = match key {
-            "repeatability_max_mm" => ("[repeatability] or [poses]", labelled.is_some() || file.poses.is_some()),
-            "accuracy_max_mm" => {
+        let (needs, stated) = match quantity {
+            LimitQuantity::RepeatabilityMaxMm => {
+                ("[repeatability] or [poses]", labelled.is_some() || file.poses.is_some())
+            }
+            LimitQuantity::AccuracyMaxMm => {
                 let commanded = labelled.is_some_and(|r| r.commanded.is_some()) || file.poses.is_some();
                 ("[repeatability] with `commanded`, or [poses]", commanded)
             }
             _ => ("[identify]", campaign.identifies()),
         };
-        if limit.is_some() && !stated {
-            let message = Message::error(format!("the limit `{key}` needs {needs}"));
-            problems.0.push(message.at(campaign.place_of(&["limits", key])).hint("remove it, or state what it judges"));
+        if !stated {
+            let message = Message::error(format!("the limit `{quantity}` needs {needs}"));
+            problems.0.push(message.at(place()).hint("remove it, or state what it judges"));
         }
     }
 }

@@ -13,7 +13,7 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Presentation,
+    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Presentation, SourceKind,
 };
 use etalon_formats::Point;
 use etalon_report::branding;
@@ -115,7 +115,8 @@ impl Walk {
         let whole = |keys: &[&str]| !keys.iter().any(|key| campaign.unread.affects(&[key]));
         walk.is_read = more.0.is_empty() && whole(&["export", "log", "join"]);
         // a label that is missing may be in a file that did not read
-        let opened = gathered.document.sources.iter().filter(|s| s.kind == "export" && s.rows_read > 0).count();
+        let opened =
+            gathered.document.sources.iter().filter(|s| s.kind == SourceKind::Export && s.rows_read > 0).count();
         let complete = opened == campaign.file.exports.len();
         names::labels(campaign, &gathered, complete, problems);
         walk.is_named = complete && problems.0.len() == before && whole(&["feature", "frame"]);

@@ -5,8 +5,8 @@ use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    InfluenceEntry, PointError, ReadingReliability, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose,
-    RobustSummary,
+    InfluenceEntry, PointError, PoseSet, ReadingReliability, ReliabilitySummary, ResidualTrend, RobustParameter,
+    RobustPose, RobustSummary,
 };
 use etalon_identify::{
     ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, Reliability, RobustChange, RobustComparison, Variance, holm,
@@ -97,7 +97,7 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
 
 /// Gives the errors of the calibration what is known of their readings; of the centre of a platform the worse of its two.
 pub fn with_reliability(robot: &dyn Robot, found: &Reliability, errors: &mut [PointError]) {
-    let mut errors = errors.iter_mut().filter(|e| e.set == "calibration");
+    let mut errors = errors.iter_mut().filter(|e| e.set == PoseSet::Calibration);
     for readings in &found.readings {
         if robot.platform().is_none() {
             for reading in readings.iter().flatten() {
@@ -128,7 +128,7 @@ struct Mean {
 /// the measurement: F tests of a parabola against a constant, all coordinates together; p values are corrected for their number.
 pub fn trends(errors: &[PointError], joints: &[String], base_mm: Vector) -> Vec<ResidualTrend> {
     let mut poses: BTreeMap<PoseName, Mean> = BTreeMap::new();
-    for (order, e) in errors.iter().filter(|e| e.set == "calibration").enumerate() {
+    for (order, e) in errors.iter().filter(|e| e.set == PoseSet::Calibration).enumerate() {
         let pose = poses.entry(e.pose).or_default();
         let reach = norm(minus(e.at_mm, base_mm));
         let against = e.joints.iter().copied().chain([reach, order as f64]);
@@ -206,7 +206,7 @@ mod tests {
             let joints = vec![noise.uniform(90.0), noise.uniform(90.0)];
             let bent = wave_mm * (joints[1].to_radians()).cos();
             [1, 2].map(|cycle| PointError {
-                set: "calibration".to_owned(),
+                set: PoseSet::Calibration,
                 pose: i.into(),
                 cycle,
                 target: "T".to_owned(),

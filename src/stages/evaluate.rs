@@ -9,7 +9,7 @@ use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
-    ReadingReliability, Statistics,
+    PoseSet, ReadingReliability, Statistics,
 };
 use etalon_formats::table::{self, XYZ};
 use etalon_identify::{self as identify, Condition, Contributions, Kind, Observation, Settings};
@@ -31,6 +31,16 @@ pub struct Sets {
     pub validation_conditions: Vec<Condition>,
 }
 
+impl Sets {
+    /// Observations of a set, and what else was observed.
+    pub fn of(&self, set: PoseSet) -> (&[Observation], &[Condition]) {
+        match set {
+            PoseSet::Calibration => (&self.calibration, &self.calibration_conditions),
+            PoseSet::Validation => (&self.validation, &self.validation_conditions),
+        }
+    }
+}
+
 /// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
 pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
     let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
@@ -49,7 +59,8 @@ pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selec
 /// Errors of every observation of both sets with two sets of parameters.
 pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Vec<PointError> {
     let mut all = Vec::new();
-    for (name, observations) in [("calibration", &sets.calibration), ("validation", &sets.validation)] {
+    for set in PoseSet::ALL {
+        let (observations, conditions) = sets.of(set);
         for o in observations {
             match robot.platform() {
                 Some(platform) => {
@@ -59,7 +70,7 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                     let (b, a) = (error(before), error(after));
                     let at = platform.measured_pose(after, pair);
                     all.push(PointError {
-                        set: name.to_owned(),
+                        set,
                         pose: o.pose,
                         cycle: o.cycle,
                         target: "C".to_owned(),
@@ -72,15 +83,11 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                         reliability: None,
                     });
                 }
-                None => all.extend(target_errors(robot, o, name, before, after)),
+                None => all.extend(target_errors(robot, o, set, before, after)),
             }
         }
-        let conditions = match name {
-            "calibration" => &sets.calibration_conditions,
-            _ => &sets.validation_conditions,
-        };
         for condition in conditions {
-            condition_error(robot, condition, name, before, after, &mut all);
+            condition_error(robot, condition, set, before, after, &mut all);
         }
     }
     all
@@ -115,7 +122,7 @@ fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
 fn condition_error(
     robot: &dyn Robot,
     condition: &Condition,
-    set: &str,
+    set: PoseSet,
     before: &[f64],
     after: &[f64],
     all: &mut Vec<PointError>,
@@ -137,7 +144,7 @@ fn condition_error(
         return;
     }
     all.push(PointError {
-        set: set.to_owned(),
+        set,
         pose: condition.pose,
         cycle: condition.cycle,
         target: target.clone(),
@@ -152,7 +159,7 @@ fn condition_error(
 }
 
 /// Errors of each target of a pose in space; with three or more, the rotation that is left between them.
-fn target_errors(robot: &dyn Robot, o: &Observation, set: &str, before: &[f64], after: &[f64]) -> Vec<PointError> {
+fn target_errors(robot: &dyn Robot, o: &Observation, set: PoseSet, before: &[f64], after: &[f64]) -> Vec<PointError> {
     let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
     let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
     let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
@@ -246,24 +253,17 @@ pub fn evaluate(
 ) -> Result<AccuracyDocument> {
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
-    for name in ["calibration", "validation"] {
+    for name in PoseSet::ALL {
         let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name).collect();
         if !of.is_empty() {
             sets.push(accuracy_of(name, &of, planar, uncertainty));
         }
     }
     let judged = sets.last();
-    type Figure = fn(&Statistics) -> f64;
-    let stated: [(&str, Option<f64>, ErrorQuantity, Figure); 4] = [
-        ("position_max_mm", limits.position_max_mm, Position, |s| s.max),
-        ("position_mean_mm", limits.position_mean_mm, Position, |s| s.mean),
-        ("position_rms_mm", limits.position_rms_mm, Position, |s| s.rms),
-        ("orientation_max_deg", limits.orientation_max_deg, Orientation, |s| s.max),
-    ];
     let rule = limits.decision_rule.unwrap_or_default();
     let mut verdicts = Vec::new();
-    for (name, limit, quantity, pick) in stated {
-        let Some(limit) = limit else { continue };
+    for (name, limit) in limits.stated() {
+        let Some((quantity, pick)) = name.of_errors() else { continue };
         let errors = judged.and_then(|set| set.of(quantity)).ok_or_else(|| {
             Message::error(format!("the limit `{name}` cannot be judged: these data give no such error"))
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
@@ -303,7 +303,7 @@ pub fn evaluate(
     })
 }
 
-fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: ErrorUncertainty) -> AccuracySet {
+fn accuracy_of(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty: ErrorUncertainty) -> AccuracySet {
     let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
     let mut quantities = vec![statistics(Position, "mm", errors, &|v, _| Some(norm(v)))];
     for (axis, quantity) in ErrorQuantity::AXES.into_iter().enumerate().take(if planar { 2 } else { 3 }) {
@@ -316,7 +316,7 @@ fn accuracy_of(name: &str, errors: &[&PointError], planar: bool, uncertainty: Er
     for of in &mut quantities {
         of.expanded_uncertainty = uncertainty.expanded(of.quantity);
     }
-    AccuracySet { name: name.to_owned(), poses: poses.len(), count: errors.len(), errors: quantities }
+    AccuracySet { name, poses: poses.len(), count: errors.len(), errors: quantities }
 }
 
 /// The budgets of figures, from the variances that each source contributes (mm²).
@@ -360,7 +360,7 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let whole =
         |name: &str, f: fn(&PointError) -> i64| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
     let mut columns = vec![
-        text("set", |e| &e.set),
+        text("set", |e| e.set.name()),
         table::pose_column("pose", &errors.iter().map(|e| Some(e.pose)).collect::<Vec<_>>()),
         whole("cycle", |e| e.cycle),
         text("target", |e| &e.target),
@@ -396,7 +396,13 @@ const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before
 
 /// The errors from such a table.
 pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
-    let (sets, targets) = (table::texts(frame, "set")?, table::texts(frame, "target")?);
+    let set = |name: &String| -> Result<PoseSet> {
+        let unknown =
+            || Message::error(format!("`{name}` is not a set of poses")).expected("calibration or validation");
+        Ok(PoseSet::ALL.into_iter().find(|set| set.name() == name).ok_or_else(unknown)?)
+    };
+    let sets = table::texts(frame, "set")?.iter().map(set).collect::<Result<Vec<_>>>()?;
+    let targets = table::texts(frame, "target")?;
     let (poses, cycles) = (table::poses(frame)?, table::integers(frame, "cycle")?);
     let vectors = |prefix: &str| -> Result<Vec<Vector>> {
         let [x, y, z] = XYZ.map(|axis| table::numbers(frame, &format!("{prefix}{axis}")));
@@ -416,7 +422,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         Some(ReadingReliability { redundancy, w: *w.get(i)?, detectable_mm: *detectable.get(i)? })
     };
     let error = |i: usize| PointError {
-        set: sets[i].clone(),
+        set: sets[i],
         pose: poses[i],
         cycle: cycles[i],
         target: targets[i].clone(),
@@ -453,7 +459,7 @@ mod tests {
         };
         let times = [time(1, "a", 1e9), time(1, "b", 1e9 + 2.0), time(2, "a", 1e9 + 60.0)];
         let error = |pose: i64, target: &str| PointError {
-            set: "calibration".to_owned(),
+            set: PoseSet::Calibration,
             pose: pose.into(),
             cycle: 1,
             target: target.to_owned(),

@@ -72,7 +72,7 @@ pub fn identify(
         let other = LogFit { name, sets: &others, found: &theirs };
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
-        solved.found.warnings.extend(warnings.into_iter().flatten());
+        solved.found.warnings.extend(warnings.into_iter().flatten().map(Into::into));
     }
     let mut errors = solved.judge(robot, &sets, &settings, messages);
     let Solved { before, mut found } = solved;
@@ -82,7 +82,7 @@ pub fn identify(
     if evaluate::with_times(&mut errors, &joined.observations[0].1.times()?) {
         accuracy.joints.push(table::TIME.to_owned());
     }
-    found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near));
+    found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near).map(Into::into));
     if sets.validation_conditions.is_empty() {
         let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)
             .map_err(remedied)?;
@@ -96,7 +96,7 @@ pub fn identify(
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
     let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
-    found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)));
+    found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
     let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) =
@@ -136,9 +136,9 @@ impl Solved {
     ) -> Vec<PointError> {
         let Self { before, found } = self;
         let errors = evaluate::errors(robot, sets, before, &found.values);
-        found.warnings.splice(0..0, said);
+        found.warnings.splice(0..0, said.into_iter().map(Into::into));
         let messages = plausibility(robot, &sets.calibration, settings, before, found, &errors);
-        found.warnings.splice(0..0, messages);
+        found.warnings.splice(0..0, messages.into_iter().map(Into::into));
         errors
     }
 }
@@ -296,7 +296,7 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
 pub(super) fn check_set_up(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<()> {
     let problem = || etalon_identify::set_up_problem(robot, observations, settings.coordinate_uncertainty_mm());
     let problem = if observations.is_empty() { None } else { problem() };
-    problem.map_or(Ok(()), |problem| Err(problem.into()))
+    problem.map_or(Ok(()), |problem| Err(etalon_documents::warning_message(&problem).into()))
 }
 
 /// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.

@@ -154,7 +154,7 @@ pub fn distributions(
         uncertainties_from: found.uncertainty_from.into(),
         parameters: (0..n).map(entry).collect(),
         errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
-        messages: found.warnings.clone(),
+        messages: etalon_documents::warning_messages(&found.warnings),
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(draws.seed) },
     })
 }

@@ -4,10 +4,10 @@ use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
 use etalon_base::message::{Message, count};
 use etalon_base::pose::{centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::PointError;
+use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, explain,
-    far_from_nominal, moved_between,
+    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
+    moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -58,8 +58,13 @@ pub fn plausibility(
     };
     match far {
         Some(far) => messages.insert(0, far),
-        None if exchanged(robot, &found.values).is_none() => explain(&mut messages, robot, observations),
-        None => {}
+        None => {
+            if let Some(first) = messages.first_mut().filter(|_| exchanged(robot, &found.values).is_none())
+                && let Some(found) = set_up_error(robot, observations)
+            {
+                first.hint = Some(set_up_hint(&found));
+            }
+        }
     }
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
@@ -115,7 +120,7 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
     if !settings.conditions.iter().any(|c| c.kind.is_orientation()) {
         return None;
     }
-    let calibration = errors.iter().filter(|e| e.set == "calibration");
+    let calibration = errors.iter().filter(|e| e.set == PoseSet::Calibration);
     let median_deg = median(calibration.filter_map(|e| e.after_deg)).filter(|deg| *deg > TURNED_DEG)?;
     let what = format!("observed orientations differ from those of the robot by {median_deg:.1} deg (median)");
     Some(Message::error(what).hint("check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first; or the order of angles: without \
@@ -124,7 +129,7 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
 
 /// A warning about validation readings that lie far from the others: their errors are in the accuracy.
 fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
-    let of: Vec<&PointError> = errors.iter().filter(|e| e.set == "validation").collect();
+    let of: Vec<&PointError> = errors.iter().filter(|e| e.set == PoseSet::Validation).collect();
     let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
     let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > far_times * median_mm).collect();
     if far.is_empty() || 10 * far.len() > of.len() {
@@ -218,10 +223,10 @@ fn far_before(
         // what tolerances allow is known of positions
         return None;
     }
-    let left: Vec<f64> = errors.iter().filter(|e| e.set == "calibration").map(|e| norm(e.before_mm)).collect();
+    let left: Vec<f64> = errors.iter().filter(|e| e.set == PoseSet::Calibration).map(|e| norm(e.before_mm)).collect();
     let rms_mm = rms(left.iter().copied());
     let allowed_mm = allowed_mm(robot, observations, before, settings.coordinate_uncertainty_mm())?;
-    (median(left)? > allowed_mm).then(|| far_from_nominal(robot, observations, rms_mm, allowed_mm))
+    (median(left)? > allowed_mm).then(|| warning_message(&far_from_nominal(robot, observations, rms_mm, allowed_mm)))
 }
 
 /// Errors about the parameters found and the errors that they leave; empty where the result is plausible.
@@ -233,7 +238,7 @@ fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError])
     }
     messages.extend(beyond_tolerance(robot, found));
     let mut described = false;
-    for set in ["calibration", "validation"] {
+    for set in PoseSet::ALL {
         let of = || errors.iter().filter(|e| e.set == set);
         let (before, after) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
         let all: Vec<_> = of().map(|e| e.at_mm).collect();

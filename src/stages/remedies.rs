@@ -1,11 +1,13 @@
 //! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml, columns of tables and options of the command line.
 
 use etalon_base::message::{Message, Problems};
+use etalon_documents::{set_up_hint, warning_message};
 use etalon_identify::{Cause, Error, OUTLIER, Reading, RobustFit};
 use etalon_robots::Robot;
 
 /// The messages of an error of [`etalon_identify`] with the remedy as the hint of the first.
 pub fn remedied(error: Error) -> Problems {
+    let set_up;
     let hint = match &error {
         Error::Other(_) => None,
         Error::PoseWithoutUncertainty => Some("state it (--standard-uncertainty-um), or compare targets"),
@@ -31,7 +33,11 @@ pub fn remedied(error: Error) -> Problems {
         Error::BaseNotFound => {
             Some("measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file")
         }
-        Error::NothingLeft { set_up: Some(set_up), .. } | Error::Failed { set_up: Some(set_up), .. } => Some(&**set_up),
+        Error::Unexplained(warning) => return warning_message(warning).into(),
+        Error::NothingLeft { set_up: Some(found), .. } | Error::Failed { set_up: Some(found), .. } => {
+            set_up = set_up_hint(found);
+            Some(&*set_up)
+        }
         Error::NothingLeft { cause: Some(cause), .. } | Error::Failed { cause: Some(cause), .. } => Some(check(cause)),
         Error::NothingLeft { .. } => Some("hold fewer parameters, and measure more poses"),
         Error::Undetermined { .. } => Some(
@@ -102,16 +108,21 @@ pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Messag
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_identify::{Origin, SetUpError};
 
     #[test]
     fn a_change_of_the_set_up_comes_before_the_remedy_for_the_cause() {
         let cause = Cause::Extent { measured_mm: 20.0, model_mm: 508.0 };
-        let hint = |set_up: Option<&str>| {
-            let set_up = set_up.map(str::to_owned);
+        let hint = |set_up| {
             let error = Error::NothingLeft { cause: Some(cause.clone()), set_up };
             remedied(error).0.remove(0).hint.unwrap()
         };
-        assert_eq!(hint(Some("with `q1` reversed")), "with `q1` reversed");
+        let changes = vec![("in inches".to_owned(), Origin::Unit), ("`q1` reversed".to_owned(), Origin::Named)];
+        let found = hint(Some(SetUpError { changes, stated_mm: 9.0, changed_mm: 1.0 }));
+        assert!(
+            found.starts_with("with in inches (`unit` of the export) (as well with `q1` reversed), the"),
+            "{found}"
+        );
         assert_eq!(hint(None), check(&cause));
     }
 

@@ -3,7 +3,7 @@
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::{Campaign, ObservationsDefinition};
-use etalon_documents::Source;
+use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
@@ -100,7 +100,7 @@ pub(crate) struct CampaignTables<'a> {
 impl CampaignTables<'_> {
     /// A table; `holds` describes it in the list of inputs.
     pub fn read(&mut self, file: &Spanned<String>, holds: &str) -> Result<TableFile> {
-        self.read_with(file, "table", holds, etalon_formats::observations)
+        self.read_with(file, SourceKind::Table, holds, etalon_formats::observations)
     }
 
     /// The table of observations.
@@ -113,7 +113,7 @@ impl CampaignTables<'_> {
                 .hint(format!("remove `{key}`: cells of a workbook are read as they are"))
                 .into());
         }
-        self.listed(&stated.file, "table", "observations", |path, bytes| {
+        self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
             TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())
         })
     }
@@ -122,7 +122,7 @@ impl CampaignTables<'_> {
     pub fn read_with(
         &mut self,
         file: &Spanned<String>,
-        kind: &str,
+        kind: SourceKind,
         holds: &str,
         table: impl FnOnce(&str, &str) -> Result<DataFrame>,
     ) -> Result<TableFile> {
@@ -132,7 +132,7 @@ impl CampaignTables<'_> {
     fn listed(
         &mut self,
         file: &Spanned<String>,
-        kind: &str,
+        kind: SourceKind,
         holds: &str,
         read: impl FnOnce(&Path, Vec<u8>) -> Result<TableFile>,
     ) -> Result<TableFile> {
@@ -145,7 +145,7 @@ impl CampaignTables<'_> {
             file: file.get_ref().clone(),
             sha256: stamp.sha256,
             bytes: stamp.size,
-            kind: kind.to_owned(),
+            kind,
             dialect: holds.to_owned(),
             rows_read: table.table.height(),
             refused: Vec::new(),

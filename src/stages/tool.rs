@@ -66,7 +66,7 @@ impl<'a> Expected<'a> {
     /// Over the poses that are judged; `None` without a covariance.
     pub fn accuracy(&self, sets: &Sets, accuracy: &AccuracyDocument) -> Result<Option<ToolAccuracy>> {
         let Some(judged) = accuracy.sets.last() else { return Ok(None) };
-        let observations = if judged.name == "validation" { &sets.validation } else { &sets.calibration };
+        let (observations, _) = sets.of(judged.name);
         let count = observations.len() as f64;
         let (mut sizes_before, mut sizes) = (Vec::new(), Vec::new());
         let (mut of_parameters, mut of_held) = (0.0, 0.0);
@@ -85,7 +85,7 @@ impl<'a> Expected<'a> {
             ),
             point_mm: self.point.point_mm,
             frame: self.point.frame.into(),
-            set: judged.name.clone(),
+            set: judged.name,
             poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
             before: summarise(sizes_before),
             after,

@@ -32,7 +32,7 @@ pub fn verify(
     let robot: &dyn Robot = robot;
     messages.extend(stale(robot, &observations));
     if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
-        return Err(problem.into());
+        return Err(etalon_documents::warning_message(&problem).into());
     }
     let settings = noise.applied(&mut observations, Settings::default());
     let comparison = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };

@@ -371,7 +371,7 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
                 assert!((p.rp_mm.unwrap() - q.rp_mm.unwrap()).abs() < 1e-9);
                 assert!(sample != "pose-test" || (p.ap_conformity, p.ap_mm) == (q.ap_conformity, q.ap_mm));
             }
-            let limit = found.limits.iter().find(|l| l.name == name).unwrap();
+            let limit = found.limits.iter().find(|l| l.name.to_string() == name).unwrap();
             assert_eq!(limit.met, conforms, "{sample} {limit_mm}");
             assert!(judged(&text(&run.stdout), name, &format!("mm {verdict}")), "{sample}");
         }

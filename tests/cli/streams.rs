@@ -34,7 +34,8 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
     let shown: Vec<i64> = stream.arrivals.iter().map(|a| a.pose.number().unwrap()).collect();
     assert_eq!(shown.iter().filter(|p| **p == 2).count(), 3);
     let import: ImportDocument = read(&scratch, "import.json");
-    let sources: Vec<&str> = import.sources.iter().filter(|s| s.kind == "stream").map(|s| s.file.as_str()).collect();
+    let sources: Vec<&str> =
+        import.sources.iter().filter(|s| s.kind.name() == "stream").map(|s| s.file.as_str()).collect();
     assert_eq!(sources, ["exports/motion.csv", "commanded.csv", "path.csv"]);
 
     let report = scratch.path().join("out/report.html");

@@ -91,7 +91,7 @@ fn trap_7_the_origin_counts_as_not_measured_unless_the_campaign_says_otherwise()
     };
     let refused = |missing: &str| {
         let imported = campaign(&export(missing), &files).1.unwrap();
-        let source = imported.document.sources.into_iter().find(|s| s.kind == "export").unwrap();
+        let source = imported.document.sources.into_iter().find(|s| s.kind.name() == "export").unwrap();
         (imported.points.len(), source.refused.into_iter().map(|r| r.reason).collect::<Vec<_>>())
     };
     assert_eq!(refused(""), (1, vec!["not measured: 0 0 0".to_owned()]));

@@ -24,7 +24,7 @@ fn read(file: &str, format: &str, unit: &str) -> Result<(Vec<(String, Vector)>, 
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
     let imported = gather(&campaign).map_err(|e| e.to_string())?;
     let points = imported.points.into_iter().map(|p| (p.label.to_string(), p.xyz_mm)).collect();
-    Ok((points, imported.document.sources.into_iter().find(|s| s.kind == "export").unwrap()))
+    Ok((points, imported.document.sources.into_iter().find(|s| s.kind.name() == "export").unwrap()))
 }
 
 /// What is said against a file, which must hold all these parts.

@@ -6,7 +6,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
-use etalon_standards::iso9283::plan::{Request, plan, reach};
+use etalon_standards::iso9283::plan::{PlanError, Request, UnknownReach, plan, reach};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -50,12 +50,14 @@ impl PlanOptions {
             plane: self.test_plane.clone(),
             orientation_deg: self.orientation_deg.clone(),
             reorientation_deg: self.reorientation_deg.clone(),
-        })?;
+        })
+        .map_err(without_plan)?;
         let document = match &self.robot {
             None => Iso9283PlanDocument::new(&plan, None),
             Some(file) => {
                 let robot = read_robot(file)?.build(&["target".to_owned()])?;
-                Iso9283PlanDocument::new(&plan, Some((robot.as_ref(), &reach(&plan, robot.as_ref())?)))
+                let reach = reach(&plan, robot.as_ref()).map_err(|UnknownReach| unknown_reach(robot.model()))?;
+                Iso9283PlanDocument::new(&plan, Some((robot.as_ref(), &reach)))
             }
         };
         for u in &document.unreached {
@@ -72,6 +74,21 @@ impl PlanOptions {
         print(if json { to_json(&document)? } else { as_text(&document).into_bytes() })?;
         Ok(verdict)
     }
+}
+
+fn without_plan(error: PlanError) -> Problems {
+    match error {
+        PlanError::ReorientationAlone => {
+            let message = Message::error("a reorientation without an orientation to begin with");
+            message.hint("state --orientation-deg as well").into()
+        }
+        PlanError::Other(problems) => problems,
+    }
+}
+
+fn unknown_reach(model: &str) -> Problems {
+    let message = Message::error(format!("what a robot of model `{model}` reaches its file does not state"));
+    message.hint("leave --robot out, and try the places on the robot at low speed").into()
 }
 
 fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<String>> {

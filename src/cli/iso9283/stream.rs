@@ -3,6 +3,7 @@
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, answer, remark};
+use crate::stages::iso9283::stated::Stated;
 use etalon_base::files;
 use etalon_base::message::Result;
 use etalon_documents::{Characteristics, Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, to_json};
@@ -10,7 +11,6 @@ use etalon_formats::table::ANGLES;
 use etalon_formats::table::XYZ;
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
 use etalon_report::Faces;
-use etalon_standards::iso9283::motion::Stated;
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;

@@ -2,12 +2,12 @@
 
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
-use etalon_base::message::{Message, Result, count};
+use etalon_base::message::{Message, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{Settings, Standing, standing};
-use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PathSettings};
+use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PassError, PathSettings};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
@@ -167,7 +167,8 @@ impl Iso9283StreamDocument {
             weaving: None,
         };
         if let Some(path) = &settings.path {
-            let driven = Driven::new(recording, path, settings.near_mm)?;
+            let driven =
+                Driven::new(recording, path, settings.near_mm).map_err(|e| without_pass(e, settings.near_mm))?;
             match &path.weave {
                 Some(weave) => document.weaving = Some(driven.weaving(weave)?.into()),
                 None => document.path = Some(driven.characteristics(settings.band_mm, settings.seed)?.into()),
@@ -176,6 +177,17 @@ impl Iso9283StreamDocument {
         }
         Ok(document)
     }
+}
+
+/// The message that a motion has no pass of its path.
+fn without_pass(error: PassError, near_mm: f64) -> Problems {
+    let planes = match error {
+        PassError::NoPass { planes } => planes,
+        PassError::Other(problems) => return problems,
+    };
+    let through = format!("a motion through {planes} planes, each within {near_mm} mm of the path");
+    let hint = "are recording and path in the same frame, and driven the same way? --near-mm allows more";
+    Message::error("no pass of the commanded path was found").expected(through).hint(hint).into()
 }
 
 /// Warnings of a recording and its standstills.

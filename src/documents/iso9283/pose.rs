@@ -2,7 +2,7 @@
 
 use super::{all, degrees};
 use crate::mirror::mirror;
-use crate::{Conformity, LimitVerdict};
+use crate::{Conformity, LimitQuantity, LimitVerdict};
 use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -244,6 +244,42 @@ mirror! {
         #[serde(skip_serializing_if = "Option::is_none")]
         quarter_rule_met: Option<bool> = p.is_verified(),
     }
+}
+
+/// A characteristic of poses that campaigns limit.
+#[derive(Clone, Copy, Debug)]
+pub struct PoseCharacteristic {
+    /// Symbol of the standard.
+    pub symbol: &'static str,
+    /// Limit of its largest value.
+    pub limit: LimitQuantity,
+    /// Value in mm.
+    pub value: fn(&Iso9283Pose) -> Option<f64>,
+    /// 95 % interval.
+    pub interval: fn(&Iso9283Pose) -> Option<Iso9283Interval>,
+    /// Conformity with the limit.
+    pub conformity: fn(&Iso9283Pose) -> Option<Conformity>,
+}
+
+impl PoseCharacteristic {
+    /// Pose accuracy (7.2.1).
+    pub const AP: Self = Self {
+        symbol: "AP",
+        limit: LimitQuantity::AccuracyMaxMm,
+        value: |p| p.ap_mm,
+        interval: |p| p.ap_interval,
+        conformity: |p| p.ap_conformity,
+    };
+    /// Pose repeatability (7.2.2).
+    pub const RP: Self = Self {
+        symbol: "RP",
+        limit: LimitQuantity::RepeatabilityMaxMm,
+        value: |p| p.rp_mm,
+        interval: |p| p.rp_interval,
+        conformity: |p| p.rp_conformity,
+    };
+    /// All of them, in the order of the clauses.
+    pub const ALL: [Self; 2] = [Self::AP, Self::RP];
 }
 
 mirror! {

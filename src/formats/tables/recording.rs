@@ -3,7 +3,7 @@
 use crate::table::numbers;
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
 use etalon_base::message::{Message, Place, Result};
-use etalon_standards::iso9283::motion::stream::{Recording, Stream};
+use etalon_standards::iso9283::motion::stream::{Recording, Stream, Unusable};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
@@ -25,8 +25,12 @@ pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
         let message = message.expected("a column time_s, or the sampling rate");
         return Err(message.hint("state the rate of the instrument: --rate-hz 1000").into());
     }
-    let stream =
-        Stream::new(time_s, positions_mm, &angles_rad).map_err(|wrong| table.at_row(wrong.message, wrong.sample))?;
+    let unusable = |Unusable { sample, message, is_late }| {
+        let message = table.at_row(message, sample);
+        let hint = "stamps that are coarser than the sampling rate give no times: state the rate (--rate-hz) instead";
+        if is_late { message.hint(hint) } else { message }
+    };
+    let stream = Stream::new(time_s, positions_mm, &angles_rad).map_err(unusable)?;
     let (stream, jumps) = stream.without_jumps();
     if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
         let what = format!("no robot moves like this: {} of {n} samples are faster than 20 m/s", jumps.len());

@@ -4,7 +4,7 @@ use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
 use crate::solution::identifiability::Analysis;
-use crate::solution::set_up::set_up_hint;
+use crate::solution::set_up::set_up_error;
 use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -29,14 +29,14 @@ pub(crate) fn diagnose_failure(
     {
         return too_little(robot, observations, &all, start);
     }
-    let (cause, set_up) = (cause(robot, observations, start), set_up_hint(robot, observations));
+    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations));
     Error::Failed { termination, cause, set_up }
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
 pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Error {
     let cause = cause(robot, observations, start);
-    let set_up = cause.as_ref().and_then(|_| set_up_hint(robot, observations));
+    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations));
     Error::NothingLeft { cause, set_up }
 }
 

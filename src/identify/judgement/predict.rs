@@ -6,7 +6,7 @@ use crate::model::residuals::Residuals;
 use crate::solution::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use crate::solution::observability::{Observability, WeakGroup, observe, weak_message};
 use crate::{Error, Result};
-use crate::{Observation, Settings, wanted_parameters};
+use crate::{Observation, Settings, Warning, wanted_parameters};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Factor, Problem, column_norms, covariance, factor_at, svd};
@@ -25,7 +25,7 @@ pub struct Sensitivity {
     /// Rows of each observation.
     pub rows: Vec<usize>,
     /// The groups in words.
-    pub messages: Vec<Message>,
+    pub messages: Vec<Warning>,
 }
 
 /// What is known after an identification.

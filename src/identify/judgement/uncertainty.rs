@@ -8,10 +8,10 @@ use crate::model::elimination::Remaining;
 use crate::model::frame_error::FrameError;
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
-use crate::model::rigid_part::Shape;
+use crate::model::rigid_part::{Contradicted, Shape};
 use crate::solution::observability::{Observability, WeakGroup, held_singular_values, observe, weak_message};
 use crate::solution::solver::Identifiable;
-use crate::{Group, Identification, Observation, ResidualKind, Settings, Status};
+use crate::{Group, Identification, Observation, ResidualKind, Settings, Status, Subject, Warning};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::{median, rms};
@@ -73,7 +73,7 @@ pub(crate) fn with_uncertainty(
         _ => from_residuals((problem, solution, &jacobian), instrument.as_deref(), chi_square),
     };
     let Found { mut covariance, from: uncertainty_from, degrees: effective_degrees, warning } = found;
-    let mut warnings: Vec<Message> = warning.into_iter().collect();
+    let mut warnings: Vec<Warning> = warning.into_iter().map(Into::into).collect();
     let replicates = (apart && settings.conditions.is_empty())
         .then(|| budget::replicates(robot, observations, &values, dof))
         .flatten();
@@ -87,7 +87,8 @@ pub(crate) fn with_uncertainty(
         budget.carry_all(systematic, &observed, all, unseen, total)?;
     }
     let inflation_factor = inflation(instrument.as_deref(), covariance.as_deref(), n);
-    warnings.extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)));
+    warnings
+        .extend(chi_square.and_then(|chi| of_chi_square(chi, dof, inflation_factor, uncertainty_from)).map(Into::into));
 
     let lengths = lengths(problem, solution);
     let factor = solution.factor.as_ref();
@@ -95,7 +96,7 @@ pub(crate) fn with_uncertainty(
     let (observability, weak) = observability(problem, solution, (settings, wanted), covariance.as_deref())?;
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(held_messages(robot, &groups));
-    warnings.extend(weak_message(robot, &weak));
+    warnings.extend(weak_message(robot, &weak).map(Into::into));
     let status = |i| match () {
         () if problem.free.contains(&i) => Status::Identified,
         () if wanted.contains(&i) => Status::NotIdentifiable,
@@ -295,10 +296,11 @@ fn contradictions(
     solution: &Solution,
     values: &[f64],
     covariance: Option<&[f64]>,
-) -> Vec<Message> {
+) -> Vec<Warning> {
     let (Some(inverse), Some(covariance)) = (solution.covariance(), covariance) else { return Vec::new() };
     let of = |(_, shape): (_, &Shape)| shape.contradiction(&problem.at(values), &inverse, covariance);
-    problem.shapes().filter_map(of).collect()
+    let warning = |c: Contradicted| Warning { message: c.message("stated places"), subject: Subject::Shape(c) };
+    problem.shapes().filter_map(of).map(warning).collect()
 }
 
 fn shortfall(chi_square: f64, dof: usize) -> Message {
@@ -327,7 +329,7 @@ fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: Uncertain
 }
 
 /// Messages of what is held; what only the choice of base and targets fixes is one of them.
-pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Message> {
+pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning> {
     let parameters = robot.parameters();
     let of_robot = |i: usize| parameters[i].role == Role::Robot;
     let by_frames =
@@ -347,10 +349,8 @@ pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Message>
             Some(Message::warning(what))
         }
     };
-    let hint = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
-                that instead";
-    let joined = joined.map(|message| message.hint(hint).routine());
-    joined.into_iter().chain(others.into_iter().map(|g| held_message(robot, g))).collect()
+    let joined = joined.map(|message| Warning { message: message.routine(), subject: Subject::HeldByFrames });
+    joined.into_iter().chain(others.into_iter().map(|g| held_message(robot, g).into())).collect()
 }
 
 fn held_message(robot: &dyn Robot, group: &Group) -> Message {

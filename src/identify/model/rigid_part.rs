@@ -152,7 +152,7 @@ impl Shape {
     /// A message where the measurements alone give the part another shape than the stated one, beyond the uncertainty of both: a test of
     /// the rows as one group of observations (Baarda 1968), at the solution with `covariance` of the free parameters, of which the
     /// residuals make `inverse`, (JᵀJ)⁻¹.
-    pub fn contradiction(&self, at: &At, inverse: &[f64], covariance: &[f64]) -> Option<Message> {
+    pub fn contradiction(&self, at: &At, inverse: &[f64], covariance: &[f64]) -> Option<Contradicted> {
         let (m, n) = (self.rows(), at.free.len());
         let mut rows = vec![0.0; m * n];
         self.jacobian(at, &mut rows);
@@ -227,19 +227,46 @@ impl RigidPart {
         (0..self.targets.len()).flat_map(|second| (0..second).map(move |first| Pair { first, second }))
     }
 
-    /// The message that the distance of two targets, as found `by` a measurement, contradicts the stated places: an error where it is
-    /// that of another part.
-    pub fn contradicted(&self, pair: Pair, found_mm: f64, by: &str) -> Message {
+    /// The distance of two targets, as found `by` a measurement, against the stated places.
+    pub fn contradicted(&self, pair: Pair, found_mm: f64, by: &'static str) -> Contradicted {
         let stated_mm = pair.distance_mm(&self.places_mm);
+        Contradicted {
+            targets: self.targets.clone(),
+            pair: [pair.first, pair.second].map(|i| self.targets[i].clone()),
+            by,
+            found_mm,
+            stated_mm,
+            is_near: (found_mm - stated_mm).abs() <= self.tolerance_mm,
+        }
+    }
+}
+
+/// A distance of two targets that contradicts the stated places of their part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contradicted {
+    /// Targets of the part.
+    pub targets: Vec<String>,
+    /// The two targets.
+    pub pair: [String; 2],
+    /// How the distance was found, in words.
+    pub by: &'static str,
+    /// The distance, mm.
+    pub found_mm: f64,
+    /// The distance of the stated places, mm.
+    pub stated_mm: f64,
+    /// `false` if the distance is that of another part.
+    pub is_near: bool,
+}
+
+impl Contradicted {
+    /// The message, with the stated places by their name: an error where the distance is that of another part.
+    pub fn message(&self, places: &str) -> Message {
+        let Self { by, found_mm, stated_mm, pair: [a, b], .. } = self;
         let what = format!(
-            "[[rigid]]: `places_mm` of {} are contradicted beyond their uncertainty: {by} {found_mm:.4} mm from `{}` to `{}`, they make \
-             it {stated_mm:.4} mm",
+            "{places} of {} are contradicted beyond their uncertainty: {by} {found_mm:.4} mm from `{a}` to `{b}`, they make it \
+             {stated_mm:.4} mm",
             self.targets.join(", "),
-            self.targets[pair.first],
-            self.targets[pair.second],
         );
-        let near = (found_mm - stated_mm).abs() <= self.tolerance_mm;
-        let message = if near { Message::warning(what) } else { Message::error(what) };
-        message.hint("check unit and names in `places_mm`, and whether the part was changed since they were determined")
+        if self.is_near { Message::warning(what) } else { Message::error(what) }
     }
 }

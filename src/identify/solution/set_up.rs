@@ -4,6 +4,7 @@
 use crate::Observation;
 use crate::model::residuals::Residuals;
 use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
+use crate::warning::{Origin, SetUpError, Subject, Warning};
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -35,47 +36,10 @@ const LENGTHS: [(f64, &str); 4] = [
     (1.0 / MM_PER_INCH, "in millimetres instead of inches"),
 ];
 
-/// The change of a set-up with which the nominal robot explains the measurements.
-struct SetUpError {
-    /// The change, and others that explain the data as well: "`q7` reversed".
-    changes: Vec<String>,
-    /// Root mean square of the distances that the nominal robot misses the measurements by as the set-up is stated, mm; infinite
-    /// where it cannot be where the joints put it.
-    stated_mm: f64,
-    /// The same with the change, mm.
-    changed_mm: f64,
-}
-
-impl SetUpError {
-    /// What to look for.
-    fn hint(&self) -> String {
-        let [first, others @ ..] = &self.changes[..] else { return String::new() };
-        let others = match others {
-            [] => String::new(),
-            others => {
-                format!(" (as well {})", others.iter().map(|o| format!("with {o}")).collect::<Vec<_>>().join(", "))
-            }
-        };
-        let stated = match self.stated_mm.is_finite() {
-            true => format!("falls from {:.3} to {:.3} mm", self.stated_mm, self.changed_mm),
-            false => format!("is {:.3} mm; without that its poses are out of reach", self.changed_mm),
-        };
-        format!("with {first}{others}, the root mean square error of the nominal robot {stated}: check that first")
-    }
-}
-
-/// Gives the first of `messages` the change of the set-up that explains it as its hint, where there is one.
-pub fn explain(messages: &mut [Message], robot: &dyn Robot, observations: &[Observation]) {
-    if let Some(first) = messages.first_mut()
-        && let Some(hint) = set_up_hint(robot, observations)
-    {
-        first.hint = Some(hint);
-    }
-}
-
-/// The change of the set-up that explains the observations, where there is one.
-pub(crate) fn set_up_hint(robot: &dyn Robot, observations: &[Observation]) -> Option<String> {
-    set_up_error(robot, observations).map(|found| found.hint())
+/// A message with the change of the set-up that explains it, where there is one, in place of its hint.
+pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Observation]) -> Warning {
+    let Some(found) = set_up_error(robot, observations) else { return message.into() };
+    Warning { message: message.hint(found.hint(|_| "")), subject: Subject::SetUp(found) }
 }
 
 /// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken
@@ -106,7 +70,7 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
 /// change of the set-up that would.
 ///
 /// A few wrong readings are no wrong set-up: half of all readings must be as far.
-pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<Message> {
+pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<Warning> {
     let subset = spread_over(observations, SUBSET);
     let nominal = robot.nominal();
     let stated = misfit(robot, &subset, &nominal, false);
@@ -116,7 +80,7 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
 }
 
 /// That the nominal robot misses the measurements by more than its tolerances allow.
-pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm: f64, allowed_mm: f64) -> Message {
+pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm: f64, allowed_mm: f64) -> Warning {
     let what = if left_mm.is_finite() {
         format!(
             "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
@@ -125,14 +89,13 @@ pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm
     } else {
         "the nominal robot cannot be where the joints put it".to_owned()
     };
-    let mut message = Message::error(what)
+    let message = Message::error(what)
         .hint("check signs, units and order of the joints, the nominal values, and how log and points are joined");
-    explain(std::slice::from_mut(&mut message), robot, observations);
-    message
+    explained(message, robot, observations)
 }
 
 /// The change of the set-up with which the nominal robot explains the measurements, where there is one.
-fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUpError> {
+pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUpError> {
     let subset = spread_over(observations, SUBSET);
     let nominal = robot.nominal();
     let stated_mm = misfit(robot, &subset, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
@@ -141,7 +104,8 @@ fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUp
         let Some(misfit) = misfit(robot, &observations, &robot.nominal(), anywhere) else { return };
         let allowed = || allowed_mm(robot, &observations, &robot.nominal(), CLEARLY * stated_mm.min(1e9));
         if misfit.rms_mm < EXPLAINS * stated_mm && allowed().is_none_or(|allowed_mm| misfit.rms_mm <= allowed_mm) {
-            found.push(Change { what, left_mm: misfit.rms_mm });
+            let origin = if anywhere { Origin::Unit } else { Origin::Named };
+            found.push(Change { what, origin, left_mm: misfit.rms_mm });
         }
     };
     for (what, changed) in changes_of_joints(robot, &subset) {
@@ -154,7 +118,7 @@ fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUp
     for (factor, how) in LENGTHS {
         let mut changed = subset.clone();
         changed.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| v * factor));
-        add(format!("the measured points {how} (`unit` of the export)"), changed, robot, true);
+        add(format!("the measured points {how}"), changed, robot, true);
     }
     for (shift, which) in [(-1, "previous"), (1, "next")] {
         let what = format!("the joints of each pose taken from the {which} one");
@@ -194,24 +158,25 @@ fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUp
     found.sort_by(|a, b| a.left_mm.total_cmp(&b.left_mm));
     let changed_mm = found.first()?.left_mm;
     let near = found.into_iter().take_while(|f| f.left_mm <= AS_GOOD * changed_mm).take(NAMED);
-    Some(SetUpError { changes: near.map(|f| f.what).collect(), stated_mm, changed_mm })
+    Some(SetUpError { changes: near.map(|f| (f.what, f.origin)).collect(), stated_mm, changed_mm })
 }
 
 /// The base of a planar robot wherever the measurements have it.
 fn elsewhere(robot: &dyn Robot, observations: &[Observation], nominal: &[f64]) -> Option<Change> {
     let (fit, left) = planar_fit(robot, observations, nominal, &ANYWHERE)?;
     let what = format!(
-        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm (`unit` and labels of the points that make it)",
+        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm",
         fit.angle.to_degrees(),
         fit.shift[0],
         fit.shift[1]
     );
-    Some(Change { what, left_mm: rms(left) })
+    Some(Change { what, origin: Origin::WorldFrame, left_mm: rms(left) })
 }
 
 /// A change, and the root mean square distance that it leaves, mm.
 struct Change {
     what: String,
+    origin: Origin,
     left_mm: f64,
 }
 
@@ -503,7 +468,7 @@ fn wrong_nominal(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
             let (unit, outward) = (p.quantity.unit(), |v| p.quantity.outward(v));
             let what =
                 format!("`{}` = {:.2} {unit} instead of {:.2} {unit}", p.name, outward(value), outward(p.nominal));
-            Change { what, left_mm: rms_mm }
+            Change { what, origin: Origin::Named, left_mm: rms_mm }
         })
     };
     let lengths_and_angles =

@@ -4,7 +4,7 @@ use crate::solution::fixtures::place_fixtures;
 use crate::solution::placing::{
     MOST_TARGETS, Placed, UNEXPLAINED, place, place_targets, readings, spread_mm, spread_over,
 };
-use crate::solution::set_up::{explain, far_from_nominal};
+use crate::solution::set_up::{explained, far_from_nominal};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
 use etalon_base::message::Message;
@@ -60,10 +60,9 @@ fn by_points(
         let what = format!(
             "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
         );
-        let mut message = Message::error(what)
+        let message = Message::error(what)
             .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot");
-        explain(std::slice::from_mut(&mut message), robot, observations);
-        return Err(message.into());
+        return Err(explained(message, robot, observations).into());
     }
     if (3..6).all(|i| places.contains(&i)) {
         let turn = shortest([values[3], values[4], values[5]]);

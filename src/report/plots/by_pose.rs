@@ -13,15 +13,15 @@ pub(crate) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &
     let position = |p: &PointError| Some([points::before_mm(p), points::after_mm(p)]);
     let orientation = |p: &PointError| Some([p.before_deg?.abs(), p.after_deg?.abs()]);
     let all = [
-        picture(errors, "position", position, limits, words),
-        picture(errors, "orientation", orientation, limits, words),
+        picture(errors, ErrorQuantity::Position, position, limits, words),
+        picture(errors, ErrorQuantity::Orientation, orientation, limits, words),
     ];
     all.into_iter().flatten().collect()
 }
 
 fn picture(
     errors: &[&PointError],
-    quantity: &str,
+    quantity: ErrorQuantity,
     sizes: impl Fn(&PointError) -> Option<[f64; 2]>,
     limits: &[LimitVerdict],
     words: &Words,
@@ -37,7 +37,7 @@ fn picture(
     // a few errors that happen to be nearly zero must not squeeze all others
     let ends = (crate::number::quantile(of(1), 0.02), largest(of(0).chain(of(1))));
     let logarithmic = largest(of(0)) > RATIO * crate::number::quantile(of(1), 0.5) && ends.0 > 0.0;
-    let is_angle = quantity == "orientation";
+    let is_angle = quantity == ErrorQuantity::Orientation;
     let unit = if is_angle { "deg" } else { "mm" };
     let axis = if logarithmic { Axis::decades(unit, ends, DECADES) } else { Axis::from_zero(unit, ends.1) };
     let (low, unit) = (axis.ends().0, axis.shown().unit);
@@ -178,7 +178,8 @@ mod tests {
     #[test]
     fn a_limit_is_a_line_with_its_name() {
         let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.15; 3], [0.1; 3])).collect();
-        let limit = LimitVerdict::of("position_max_mm", "mm", 0.2, 0.17, None, Default::default());
+        let limit =
+            LimitVerdict::of(etalon_documents::LimitQuantity::PositionMaxMm, "mm", 0.2, 0.17, None, Default::default());
         let svg = &drawn(&errors, std::slice::from_ref(&limit))[0].svg;
         assert!(svg.contains("class=\"limit\"") && svg.contains(">position_max_mm</text>"));
         // under the axis and its name, where there are no marks

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
-use etalon_documents::LimitVerdict;
+use etalon_documents::{ErrorQuantity, LimitVerdict};
 
 /// Height between the axes.
 const HEIGHT: f64 = 240.0;
@@ -148,9 +148,10 @@ impl Chart {
 
     /// Draws the limits of a quantity that lie on its axis, which is the level one where `across`. Their names are in the
     /// legend, where they cover no mark; several are numbered at the ends of their lines.
-    pub fn limits(&mut self, limits: &[LimitVerdict], quantity: &str, across: bool) {
+    pub fn limits(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, across: bool) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
-        let drawn = |l: &&LimitVerdict| l.name.starts_with(quantity) && l.limit.is_finite() && axis.contains(l.limit);
+        let of = |l: &LimitVerdict| l.name.of_errors().is_some_and(|(of, _)| of == quantity);
+        let drawn = |l: &&LimitVerdict| of(l) && l.limit.is_finite() && axis.contains(l.limit);
         let all: Vec<&LimitVerdict> = limits.iter().filter(drawn).collect();
         let place = |l: &LimitVerdict| if across { self.at(l.limit, 0.0).0 } else { self.at(0.0, l.limit).1 };
         let mut order: Vec<(f64, usize)> = all.iter().enumerate().map(|(i, l)| (place(l), i + 1)).collect();
@@ -208,21 +209,25 @@ fn spread(mut places: Vec<f64>) -> Vec<f64> {
 mod tests {
     use super::super::svg::{WIDE, numbers};
     use super::*;
+    use etalon_documents::LimitQuantity;
 
-    fn limits(width: f64, names: &[&str], across: bool) -> String {
+    fn limits(width: f64, names: &[LimitQuantity], across: bool) -> String {
         let limits: Vec<_> = names
             .iter()
-            .map(|name| LimitVerdict::of(name, "mm", 0.001 * name.len() as f64, 0.0, None, Default::default()))
+            .map(|&name| {
+                let limit = 0.001 * name.to_string().len() as f64;
+                LimitVerdict::of(name, "mm", limit, 0.0, None, Default::default())
+            })
             .collect();
         let axis = || Axis::from_zero("mm", 0.1);
         let mut chart = Chart::new(width, [axis(), axis()], ["a", "b"]);
-        chart.limits(&limits, "position", across);
+        chart.limits(&limits, ErrorQuantity::Position, across);
         chart.figure("p", String::new(), String::new()).svg
     }
 
     #[test]
     fn close_limits_have_numbers_that_stay_apart_and_names_below_the_picture() {
-        let names = ["position_mean_mm", "position_rms_mm", "position_max_mm"];
+        let names = [LimitQuantity::PositionMeanMm, LimitQuantity::PositionRmsMm, LimitQuantity::PositionMaxMm];
         for across in [false, true] {
             let svg = limits(NARROW, &names, across);
             let key = if across { "x" } else { "y" };

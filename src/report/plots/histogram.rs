@@ -54,7 +54,7 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
         }
         chart.svg.legend(look, &set.name);
     }
-    chart.limits(limits, "position", true);
+    chart.limits(limits, ErrorQuantity::Position, true);
     let title = match after {
         true => words.say("Sizes of the position error after calibration"),
         false => words.say("Sizes of the position error before calibration"),
@@ -88,7 +88,7 @@ mod tests {
     fn every_point_is_in_one_bin() {
         let mut errors: Vec<_> =
             (0..100).map(|i| point(i, [0.0; 3], [0.1; 3], [f64::from(i as i32) * 1e-4, 0.0, 0.0])).collect();
-        errors.iter_mut().skip(60).for_each(|p| p.set = "validation".to_owned());
+        errors.iter_mut().skip(60).for_each(|p| p.set = PoseSet::Validation);
         let picture = histogram(&errors.iter().collect::<Vec<_>>(), &[], true, &Words::default()).unwrap();
         let total = |column: usize| picture.rows.iter().map(|r| r[column].parse::<usize>().unwrap()).sum::<usize>();
         assert_eq!((total(2), total(3), picture.rows.len()), (60, 40, 10));

@@ -40,5 +40,5 @@ mod layer {
     pub(super) use crate::words::Words;
     pub(super) use etalon_base::pose::{Vector, centroid, minus, norm};
     pub(super) use etalon_base::pose_name::PoseName;
-    pub(super) use etalon_documents::{LimitVerdict, PointError};
+    pub(super) use etalon_documents::{ErrorQuantity, LimitVerdict, PointError, PoseSet};
 }

@@ -90,18 +90,25 @@ pub(crate) fn after_mm(p: &PointError) -> f64 {
 
 /// `true` for a point of a validation pose.
 pub(crate) fn is_validation(p: &PointError) -> bool {
-    p.set == "validation"
+    p.set == PoseSet::Validation
 }
 
 /// Look of the mark of a point.
 pub(crate) fn look(p: &PointError) -> Look<'static> {
-    if is_validation(p) { VALIDATION } else { CALIBRATION }
+    look_of(p.set)
+}
+
+fn look_of(set: PoseSet) -> Look<'static> {
+    match set {
+        PoseSet::Calibration => CALIBRATION,
+        PoseSet::Validation => VALIDATION,
+    }
 }
 
 /// Look and name of each set that occurs.
 pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, &'static str)> {
-    let all = [(CALIBRATION, "calibration"), (VALIDATION, "validation")];
-    all.into_iter().filter(|(set, _)| points.iter().any(|p| look(p) == *set)).collect()
+    let there = PoseSet::ALL.into_iter().filter(|set| points.iter().any(|p| p.set == *set));
+    there.map(|set| (look_of(set), set.name())).collect()
 }
 
 /// Adds the sets that occur to the legend.
@@ -120,7 +127,7 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     let [x, y, z] = p.after_mm.map(length);
     let [before, after] = [before, after].map(|mm| format!("{} {}", length(mm), shown.unit));
     let target = isolated(&p.target);
-    let set = words.say(if is_validation(p) { "validation" } else { "calibration" });
+    let set = words.say(p.set.name());
     let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &before, &after];
     let text = words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values);
     let angle = |deg: Option<f64>| deg.filter(|d| d.is_finite()).map(f64::abs);
@@ -162,7 +169,7 @@ mod tests {
     fn every_validation_pose_has_a_mark_and_the_largest_error_of_a_pose_is_it() {
         let mut errors: Vec<_> =
             (0..3000).map(|i| point(i / 3, [i as f64, 0.0, 0.0], [0.1; 3], [0.01 * (i % 3 + 1) as f64; 3])).collect();
-        errors.iter_mut().filter(|p| p.pose > PoseName::Number(700)).for_each(|p| p.set = "validation".to_owned());
+        errors.iter_mut().filter(|p| p.pose > PoseName::Number(700)).for_each(|p| p.set = PoseSet::Validation);
         let few = readable(&errors.iter().collect::<Vec<_>>());
         assert_eq!(few.iter().filter(|p| is_validation(p)).count(), 299);
         assert!(few.len() <= MARKS + 1 && few.iter().all(|p| p.after_mm[0] == 0.03), "{}", few.len());

@@ -1,7 +1,7 @@
 //! What commanded poses add: accuracy of position and orientation, distances; and the exchangeability of robots.
 
-use super::repeatability::{angles, conformity, interval};
-use crate::model::{Block, Columns, Section, Table, fixed, um};
+use super::repeatability::{Named, angles, columns, conformity, interval, named};
+use crate::model::{Block, Columns, Section, Table, fixed};
 use crate::number;
 use crate::words::Words;
 use etalon_documents::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
@@ -10,13 +10,13 @@ use etalon_documents::{Characteristics, Iso9283Distance, Iso9283Document, Iso928
 const DISTANCES: usize = 60;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
-    let document = tested.poses.as_ref()?;
+    let poses = named(tested.poses.as_ref()?, words);
     let mut section = Section::new("accuracy", words.say("Accuracy"));
     let note =
         words.say("AP: distance of the mean from the commanded position, and its coordinates (ISO 9283:1998, 7.2.1).");
-    section.table(words.say("Accuracy of position"), note, positions(document, words));
+    section.table(words.say("Accuracy of position"), note, positions(&poses, words));
     let note = words.say("AP: mean minus commanded angle; RP: three standard deviations; each angle alone (ISO 9283:1998, 7.2.1 and 7.2.2).");
-    section.table(words.say("Orientation"), note, orientation(document, words));
+    section.table(words.say("Orientation"), note, orientation(&poses, words));
     section.on_terminal().whole()
 }
 
@@ -41,56 +41,38 @@ pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option
     section.on_terminal().whole()
 }
 
-fn positions(document: &Iso9283Document, words: &Words) -> Table {
-    let columns = Columns::<&Iso9283Pose>::new()
-        .page("pose", "", |p| p.pose)
-        .page("visits", "", |p| p.cycles)
-        .page("AP", "µm", |p| um(p.ap_mm))
-        .page("95 %", "µm", |p| interval(p.ap_interval, words))
-        .page("AP x", "µm", |p| um(p.ap_x_mm))
-        .page("AP y", "µm", |p| um(p.ap_y_mm))
-        .page("AP z", "µm", |p| um(p.ap_z_mm))
-        .page("U/AP", "", |p| fixed(p.uncertainty_over_ap, 2))
-        .page("verdict", "", |p| conformity(p.ap_conformity, words));
-    let commanded: Vec<&Iso9283Pose> = document.poses.iter().filter(|p| p.ap_mm.is_some()).collect();
-    Table::of(words, &commanded, columns).without_empty_columns()
+fn positions(poses: &[Named], words: &Words) -> Table {
+    let columns = Columns::<Named>::new()
+        .page_of(columns(), &["pose", "visits", "AP"])
+        .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
+        .page_of(columns(), &["AP x", "AP y", "AP z"])
+        .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
+        .page("verdict", "", |n| conformity(n.pose.ap_conformity, words));
+    let commanded = poses.iter().filter(|n| n.pose.ap_mm.is_some());
+    Table::of(words, commanded, columns).without_empty_columns()
 }
 
-fn orientation(document: &Iso9283Document, words: &Words) -> Table {
+fn orientation(poses: &[Named], words: &Words) -> Table {
     let angles = |p: &Iso9283Pose| [p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg];
-    let columns = Columns::<&Iso9283Pose>::new()
-        .page("pose", "", |p| p.pose)
-        .page("AP a", "deg", |p| fixed(p.ap_a_deg, 4))
-        .page("AP b", "deg", |p| fixed(p.ap_b_deg, 4))
-        .page("AP c", "deg", |p| fixed(p.ap_c_deg, 4))
-        .page("RP a", "deg", |p| fixed(p.rp_a_deg, 4))
-        .page("RP b", "deg", |p| fixed(p.rp_b_deg, 4))
-        .page("RP c", "deg", |p| fixed(p.rp_c_deg, 4));
-    let turned: Vec<&Iso9283Pose> = document.poses.iter().filter(|p| angles(p).iter().any(Option::is_some)).collect();
-    Table::of(words, &turned, columns).without_empty_columns()
+    let shown = ["pose", "AP a", "AP b", "AP c", "RP a", "RP b", "RP c"];
+    let turned = poses.iter().filter(|n| angles(n.pose).iter().any(Option::is_some));
+    Table::of(words, turned, Columns::new().page_of(columns(), &shown)).without_empty_columns()
 }
 
 fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
-    let axis = |values: &[f64], k: usize| um(values.get(k).copied());
     let columns = Columns::<Iso9283Distance>::new()
         .page("between poses", "", between)
         .sheet("pose", "", |d| d.poses[0])
         .sheet("other pose", "", |d| d.poses[1])
         .both("cycles", "", |d| d.cycles)
         .micrometres("AD", |d| d.ad_mm)
-        .both("AD x", "mm", move |d| axis(&d.ad_axes_mm, 0))
-        .shown_in("µm")
-        .both("AD y", "mm", move |d| axis(&d.ad_axes_mm, 1))
-        .shown_in("µm")
-        .both("AD z", "mm", move |d| axis(&d.ad_axes_mm, 2))
-        .shown_in("µm")
+        .micrometres("AD x", |d| d.ad_axes_mm.first().copied())
+        .micrometres("AD y", |d| d.ad_axes_mm.get(1).copied())
+        .micrometres("AD z", |d| d.ad_axes_mm.get(2).copied())
         .micrometres("RD", |d| d.rd_mm)
-        .both("RD x", "mm", move |d| axis(&d.rd_axes_mm, 0))
-        .shown_in("µm")
-        .both("RD y", "mm", move |d| axis(&d.rd_axes_mm, 1))
-        .shown_in("µm")
-        .both("RD z", "mm", move |d| axis(&d.rd_axes_mm, 2))
-        .shown_in("µm")
+        .micrometres("RD x", |d| d.rd_axes_mm.first().copied())
+        .micrometres("RD y", |d| d.rd_axes_mm.get(1).copied())
+        .micrometres("RD z", |d| d.rd_axes_mm.get(2).copied())
         .sheet_xyz(["AD of the first angle", "AD of the second angle", "AD of the third angle"], "deg", |d| {
             &d.ad_angles_deg
         })
@@ -114,11 +96,6 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
     let title = |of: &str| names.iter().map(|a| format!("{of} {a}")).collect::<Vec<_>>();
     let (ad, rd) = (title("AD"), title("RD"));
     let first = Columns::<Iso9283Distance>::new().page("between poses", "", between).page("cycles", "", |d| d.cycles);
-    let with_ad = ad.iter().enumerate().fold(first, |columns, (k, title)| {
-        columns.page(title, "deg", move |d| fixed(d.ad_angles_deg.get(k).copied(), 4))
-    });
-    let columns = rd.iter().enumerate().fold(with_ad, |columns, (k, title)| {
-        columns.page(title, "deg", move |d| fixed(d.rd_angles_deg.get(k).copied(), 4))
-    });
+    let columns = first.page_angles(&ad, |d| &d.ad_angles_deg).page_angles(&rd, |d| &d.rd_angles_deg);
     Table::of(words, &document.distances, columns).showing(DISTANCES)
 }

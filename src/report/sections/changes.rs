@@ -1,6 +1,6 @@
 //! What changed between campaigns, and what is chance: a section for each family of quantities.
 
-use crate::model::{Block, Cell, Columns, Section, Table, Text, Verdict, numbers, strong_term, term};
+use crate::model::{Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, strong_term, term};
 use crate::number::{self, stated};
 use crate::plots::trend;
 use crate::words::comparison::{Change, change, family, quantity, unit, value};
@@ -218,16 +218,19 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     let judged = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant.is_some());
     let all = compare.trends.iter().filter(robot).filter(judged).count();
     let (class, found) = match (changed.is_empty(), compare.together.iter().any(|t| t.significant)) {
-        (true, false) => ("good", words.fill("None of {0} quantities of the robot changed significantly.", &[&all])),
-        (true, true) => {
-            ("open", words.say("The robot's parameters changed significantly, all together; no single quantity did."))
+        (true, false) => {
+            (Grade::Good, words.fill("None of {0} quantities of the robot changed significantly.", &[&all]))
         }
+        (true, true) => (
+            Grade::Open,
+            words.say("The robot's parameters changed significantly, all together; no single quantity did."),
+        ),
         (false, _) => {
             let first = changed.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
             let more = if changed.len() > NAMED { ", ..." } else { "" };
             let named = format!("{first}{more}");
             let values: [&dyn Display; 3] = [&changed.len(), &all, &named];
-            ("open", words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
+            (Grade::Open, words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
         }
     };
     let unjudged = compare.trends.iter().filter(robot).filter(|t| !judged(t)).count();
@@ -236,7 +239,7 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     let elsewhere = words.say("Mean positions changed: the robot, or how its frame was found.");
     let more: Vec<String> =
         [(unjudged > 0, unknown), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
-    let class = if more.is_empty() { class } else { "open" };
+    let class = if more.is_empty() { class } else { Grade::Open };
     let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
     let frames = || compare.trends.iter().filter(|t| t.family == CompareFamily::SetUp).filter(judged);
     let frames_changed = frames().filter(|t| of(t)).count();

@@ -18,7 +18,7 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
     if document.uncertainties_from != UncertaintyFrom::Instrument {
         sentences.push(words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties and the bootstrap contain that."));
     }
-    Verdict { class: "open", met: true, sentences, ..Verdict::default() }
+    Verdict { met: true, sentences, ..Verdict::default() }
 }
 
 /// The tables of parameters and of errors.

@@ -9,7 +9,8 @@ use crate::{Identified, Report};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PointError, Statistics,
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PointError, PoseSet,
+    Statistics,
 };
 use std::collections::BTreeMap;
 
@@ -27,7 +28,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         section.push(Block::text(words.say("No errors are given.")));
     }
     for set in &accuracy.sets {
-        let name = words.say(&set.name);
+        let name = words.say(set.name.name());
         let title = match accuracy.point.as_str() {
             "" => words.fill("{0}: {1} poses, {2} errors", &[&name, &set.poses, &set.count]),
             point => {
@@ -35,7 +36,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
             }
         };
         section.push(Block::heading(title));
-        section.push(Block::Table(statistics(accuracy, set, ["before", "after"], words).on("Errors")));
+        section.push(Block::Table(statistics(accuracy, set, set.name.name(), ["before", "after"], words).on("Errors")));
     }
     if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
         let p = number::p_value(p);
@@ -56,11 +57,10 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
             after: tool.after,
             expanded_uncertainty: None,
         };
-        let set =
-            AccuracySet { name: "tool point".to_owned(), poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
+        let set = AccuracySet { name: tool.set, poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
         // the base plays no part in these: they are not the errors before and after of the sets
         let names = ["nominal minus identified", "expected"];
-        section.push(Block::Table(statistics(accuracy, &set, names, words).on("Tool point")));
+        section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on("Tool point")));
         let um = |mm: f64| number::significant(1e3 * mm, 3);
         let shares = [
             &um(tool.parameters_mm),
@@ -121,8 +121,8 @@ fn base_mm(parameters: &ParametersDocument) -> Option<Vector> {
     Some([value("base_x")?, value("base_y")?, value("base_z")?])
 }
 
-/// Mean, RMS, 95 % and max of every quantity of a set, of both errors by their names.
-fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, names: [&str; 2], words: &Words) -> Table {
+/// Mean, RMS, 95 % and max of every quantity of a set, `called` so in the workbook, of both errors by their names.
+fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, called: &str, names: [&str; 2], words: &Words) -> Table {
     // one unit for all lengths, so that rows and sets can be compared
     let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
     let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
@@ -139,7 +139,7 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, names: [&str; 2], 
         ratio.is_finite().then(|| shown(ratio, |r| number::significant(r, 2)))
     };
     let columns = Columns::<ErrorStatistics>::new()
-        .sheet("set", "", |_| set.name.as_str())
+        .sheet("set", "", |_| called)
         .sheet("poses", "", |_| set.poses)
         .sheet("errors", "", |_| set.count)
         .sheet("quantity", "", |e| e.quantity.as_ref())
@@ -176,7 +176,7 @@ fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
 
 /// Set and number of a pose, and its errors.
 struct OfPose<'a> {
-    set: &'a str,
+    set: PoseSet,
     pose: PoseName,
     errors: Vec<&'a PointError>,
 }
@@ -194,25 +194,25 @@ impl OfPose<'_> {
 
 /// Mean and largest error of every pose; of more than a page shows, the largest first.
 fn poses(errors: &[PointError], words: &Words) -> Table {
-    let mut by_pose: BTreeMap<(&str, PoseName), Vec<&PointError>> = BTreeMap::new();
+    let mut by_pose: BTreeMap<(PoseSet, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
-        by_pose.entry((&p.set, p.pose)).or_default().push(p);
+        by_pose.entry((p.set, p.pose)).or_default().push(p);
     }
     let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
-    let validation = rows.iter().filter(|row| row.set == "validation").count();
+    let validation = rows.iter().filter(|row| row.set == PoseSet::Validation).count();
     if rows.len() > ROWS {
         // every validation pose, and of the others the largest
         let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);
-        rows.sort_by(|a, b| b.set.cmp(a.set).then(largest(b).total_cmp(&largest(a))));
+        rows.sort_by(|a, b| b.set.cmp(&a.set).then(largest(b).total_cmp(&largest(a))));
     }
     let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
     let Shown { unit, factor } = number::shown("mm", largest);
     let length = move |v: Option<f64>| shown(v, |v| number::significant(v * factor, 3));
     let angle = |v: Option<f64>| shown(v, |v| number::significant(v, 3));
     let columns = Columns::<OfPose>::new()
-        .sheet("set", "", |r| r.set)
+        .sheet("set", "", |r| r.set.name())
         .both("pose", "", |r| r.pose)
-        .page("set", "", |r| Text::name(&words.say(r.set)))
+        .page("set", "", |r| Text::name(&words.say(r.set.name())))
         .both("errors", "", |r| r.errors.len())
         .sheet("position before, mean", "mm", |r| r.mean(before_mm))
         .both("position before, max", "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
@@ -228,7 +228,7 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
 
 fn residuals(errors: &[PointError], words: &Words) -> Table {
     let columns = Columns::<PointError>::new()
-        .sheet("set", "", |p| p.set.as_str())
+        .sheet("set", "", |p| p.set.name())
         .sheet("pose", "", |p| p.pose)
         .sheet("cycle", "", |p| p.cycle)
         .sheet("target", "", |p| p.target.as_str())
@@ -256,8 +256,8 @@ mod tests {
     use super::*;
     use crate::tests::demo::point;
 
-    fn set(name: &str, errors: Vec<ErrorStatistics>) -> AccuracySet {
-        AccuracySet { name: name.into(), poses: 1, count: 1, errors }
+    fn set(name: PoseSet, errors: Vec<ErrorStatistics>) -> AccuracySet {
+        AccuracySet { name, poses: 1, count: 1, errors }
     }
 
     fn errors(quantity: ErrorQuantity, before_mm: f64, after_mm: f64) -> ErrorStatistics {
@@ -268,7 +268,7 @@ mod tests {
 
     /// Rows of the table of a set as a page shows them.
     fn shown(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
-        let set = set("validation", all);
+        let set = set(PoseSet::Validation, all);
         let document = AccuracyDocument {
             given: None,
             joints: vec![],
@@ -283,7 +283,7 @@ mod tests {
             tool: None,
             map: None,
         };
-        page_of(&statistics(&document, &set, ["before", "after"], &Words::default()))
+        page_of(&statistics(&document, &set, "validation", ["before", "after"], &Words::default()))
     }
 
     fn page_of(table: &Table) -> Vec<Vec<String>> {

@@ -1,6 +1,6 @@
 //! Given parameters judged: whether they still hold, and which of them deserve to be loaded.
 
-use crate::model::{Block, Columns, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
+use crate::model::{Block, Columns, Grade, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
 use crate::number;
 use crate::words::Words;
 use etalon_documents::{
@@ -12,7 +12,7 @@ use etalon_documents::{
 pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
     Verdict {
         met: document.verdict == VerificationVerdict::Valid,
-        class: if document.verdict == VerificationVerdict::Valid { "good" } else { "bad" },
+        class: Grade::of(document.verdict == VerificationVerdict::Valid),
         sentences: vec![Text::document(&document.meaning, words).plain()],
         ..Verdict::default()
     }
@@ -55,7 +55,7 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
 pub(crate) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
     let names: Vec<String> = document.steps.iter().map(|step| step.pose.to_string()).collect();
     let sentences = vec![words.fill("Poses to measure: {0}.", &[&names.join(", ")])];
-    Verdict { class: "open", met: true, sentences, ..Verdict::default() }
+    Verdict { met: true, sentences, ..Verdict::default() }
 }
 
 /// What they would detect.
@@ -68,7 +68,7 @@ pub(crate) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words
 pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
     let met = document.recommended.is_plausible();
     let sentences = document.meaning.iter().map(|m| Text::document(m, words).plain()).collect();
-    Verdict { met, class: if met { "good" } else { "bad" }, sentences, ..Verdict::default() }
+    Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
 }
 
 /// Effects in the order in which they were tried, and what is proven of each parameter.

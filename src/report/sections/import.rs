@@ -33,7 +33,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 fn sources(sources: &[Source], words: &Words) -> Table {
     let columns = Columns::<Source>::new()
         .page("file", "", |s| s.file.as_str())
-        .page("kind", "", |s| term(words, &one_line(&s.kind)))
+        .page("kind", "", |s| term(words, s.kind.name()))
         .page("bytes", "", |s| s.bytes)
         .page("read as", "", |s| Text::document(&s.dialect, words))
         .page("rows", "", |s| s.rows_read)

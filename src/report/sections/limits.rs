@@ -13,7 +13,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// The section of these limits; `default` where nobody chose their rule.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
-        .both("limit", "", |l| l.name.as_str())
+        .both("limit", "", |l| l.name.to_string())
         .both("allowed", "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both("reached", "", |l| Cell::Number { value: l.value, shown: reached(l) })
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
@@ -77,10 +77,13 @@ fn reached(l: &LimitVerdict) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_documents::LimitQuantity;
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
-        let of = |value, u| reached(&LimitVerdict::of("p", "mm", 0.05, value, u, DecisionRule::Guarded));
+        let of = |value, u| {
+            reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, value, u, DecisionRule::Guarded))
+        };
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
         assert_eq!(of(0.034_567, Some(0.0123)), "0.035");

@@ -1,12 +1,14 @@
 //! A plan: which poses to measure, how far from the best, and what a calibration with them would come to.
 
-use crate::model::{Block, Cell, Columns, Section, Table, Text, Verdict, fixed, shown, significant as digits, term};
+use crate::model::{
+    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, shown, significant as digits, term,
+};
 use crate::number::{self, significant, stated};
 use crate::plots::{chosen, curve, map, parameter_errors, points};
 use crate::words::Words;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    PlanDocument, PlannedParameter, PointError, StudiedParameter, StudiedPlace, StudyDocument, StudyStep,
+    PlanDocument, PlannedParameter, PointError, PoseSet, StudiedParameter, StudiedPlace, StudyDocument, StudyStep,
 };
 use std::collections::BTreeMap;
 
@@ -15,20 +17,20 @@ pub(crate) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
     let chosen = plan.chosen.len();
     let (class, sentence) = match plan.at_most_below_percent {
         _ if plan.proven_optimal => (
-            "good",
+            Grade::Good,
             words.fill(
                 "Proven: no other choice of {0} of {1} candidates has a larger {2}",
                 &[&chosen, &plan.candidates, &plan.index],
             ),
         ),
         Some(below) => (
-            "open",
+            Grade::Open,
             words.fill(
                 "{0} is at most {1} % below the best possible choice of {2} of {3} candidates",
                 &[&plan.index, &significant(below, 2), &chosen, &plan.candidates],
             ),
         ),
-        None => ("open", words.fill("No bound is known for {0}: another choice may be better", &[&plan.index])),
+        None => (Grade::Open, words.fill("No bound is known for {0}: another choice may be better", &[&plan.index])),
     };
     Verdict { class, met: true, sentences: vec![sentence], ..Verdict::default() }
 }
@@ -166,7 +168,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
 /// The largest error of a place as a mark of a map.
 fn error(place: &StudiedPlace, words: &Words) -> PointError {
     PointError {
-        set: "validation".to_owned(),
+        set: PoseSet::Validation,
         pose: place.pose,
         cycle: 1,
         target: words.say("largest of all working modes"),

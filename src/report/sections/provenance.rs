@@ -23,7 +23,7 @@ pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> 
     let columns = Columns::<(&String, &String, Option<&Source>)>::new()
         .both("file", "", |(name, ..)| Cell::from(*name))
         .both("SHA-256", "", |(_, sha256, _)| Text::code(sha256))
-        .sheet("kind", "", |r| r.2.map(|s| s.kind.as_str()))
+        .sheet("kind", "", |r| r.2.map(|s| s.kind.name()))
         .sheet("bytes", "", |r| r.2.map(|s| s.bytes))
         .sheet("read as", "", |r| r.2.map(|s| s.dialect.as_str()))
         .sheet("rows", "", |r| r.2.map(|s| s.rows_read))

@@ -27,7 +27,8 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         let note = words.say("ISO 9283: its expanded uncertainty may be at most a quarter of what it verifies.");
         section.table("", note, rule);
     }
-    section.push(Block::Table(characteristics(&poses, words)));
+    let all = Table::of(words, &poses, columns().in_workbook()).on("ISO 9283 poses");
+    section.push(Block::Table(all.without_empty_columns()));
     by_approach(document, &mut section, words);
     section.figures(visits::pictures(document, words));
     let columns = Columns::<Iso9283OutOfPlane>::new().page("pose", "", |p| p.pose).page(
@@ -67,12 +68,13 @@ pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
 }
 
 /// A pose with its number, or homing by its name.
-struct Named<'a> {
+pub(super) struct Named<'a> {
     name: Cell,
-    pose: &'a Iso9283Pose,
+    pub pose: &'a Iso9283Pose,
 }
 
-fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
+/// The poses of a document, and homing.
+pub(super) fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
     let poses = document.poses.iter().map(|pose| Named { name: pose.pose.into(), pose });
     let homing = document.homing.iter().map(|pose| Named { name: term(words, "homing"), pose });
     poses.chain(homing).collect()
@@ -102,10 +104,9 @@ fn intervals(poses: &[Named], words: &Words) -> Table {
         numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
     };
     let columns = Columns::<Named>::new()
-        .page("pose", "", |n| n.name.clone())
-        .page("RP", "µm", |n| um(n.pose.rp_mm))
+        .page_of(columns(), &["pose", "RP"])
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
-        .page("RP without noise", "µm", |n| um(n.pose.rp_without_noise_mm))
+        .page_of(columns(), &["RP without noise"])
         .page("ellipsoid, semi-axes", "µm", axes)
         .page("verdict", "", |n| conformity(n.pose.rp_conformity, words));
     let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
@@ -142,8 +143,8 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
     }
 }
 
-/// Everything of every pose, for the workbook.
-fn characteristics(poses: &[Named], words: &Words) -> Table {
+/// Everything of every pose: the columns of the workbook, of which pages show some.
+pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
     let proved = |c: Option<Conformity>| {
         c.map(|c| match c {
             Conformity::Conforming => "proved",
@@ -151,17 +152,17 @@ fn characteristics(poses: &[Named], words: &Words) -> Table {
             Conformity::Neither => "neither proved nor disproved",
         })
     };
-    let columns = Columns::<Named>::new()
-        .sheet("pose", "", |n| n.name.clone())
-        .sheet("visits", "", |n| n.pose.cycles)
-        .sheet("AP", "mm", |n| n.pose.ap_mm)
-        .sheet("AP x", "mm", |n| n.pose.ap_x_mm)
-        .sheet("AP y", "mm", |n| n.pose.ap_y_mm)
-        .sheet("AP z", "mm", |n| n.pose.ap_z_mm)
-        .sheet("RP", "mm", |n| n.pose.rp_mm)
+    Columns::<Named>::new()
+        .both("pose", "", |n| n.name.clone())
+        .both("visits", "", |n| n.pose.cycles)
+        .micrometres("AP", |n| n.pose.ap_mm)
+        .micrometres("AP x", |n| n.pose.ap_x_mm)
+        .micrometres("AP y", |n| n.pose.ap_y_mm)
+        .micrometres("AP z", |n| n.pose.ap_z_mm)
+        .micrometres("RP", |n| n.pose.rp_mm)
         .sheet("RP, 95 % from", "mm", |n| n.pose.rp_interval.map(|i| i.low_mm))
         .sheet("RP, 95 % to", "mm", |n| n.pose.rp_interval.map(|i| i.high_mm))
-        .sheet("RP without noise", "mm", |n| n.pose.rp_without_noise_mm)
+        .micrometres("RP without noise", |n| n.pose.rp_without_noise_mm)
         .sheet("RP in x, y", "mm", |n| n.pose.rp_xy_mm)
         .sheet("RP along x", "mm", |n| n.pose.rp_along_x_mm)
         .sheet("RP along y", "mm", |n| n.pose.rp_along_y_mm)
@@ -175,24 +176,23 @@ fn characteristics(poses: &[Named], words: &Words) -> Table {
         .sheet("enclosing circle in x, y, radius", "mm", |n| n.pose.enclosing_circle_radius_mm)
         .sheet("AP, 95 % from", "mm", |n| n.pose.ap_interval.map(|i| i.low_mm))
         .sheet("AP, 95 % to", "mm", |n| n.pose.ap_interval.map(|i| i.high_mm))
-        .sheet("AP a", "deg", |n| n.pose.ap_a_deg)
-        .sheet("AP b", "deg", |n| n.pose.ap_b_deg)
-        .sheet("AP c", "deg", |n| n.pose.ap_c_deg)
-        .sheet("RP a", "deg", |n| n.pose.rp_a_deg)
-        .sheet("RP b", "deg", |n| n.pose.rp_b_deg)
-        .sheet("RP c", "deg", |n| n.pose.rp_c_deg)
+        .both("AP a", "deg", |n| fixed(n.pose.ap_a_deg, 4))
+        .both("AP b", "deg", |n| fixed(n.pose.ap_b_deg, 4))
+        .both("AP c", "deg", |n| fixed(n.pose.ap_c_deg, 4))
+        .both("RP a", "deg", |n| fixed(n.pose.rp_a_deg, 4))
+        .both("RP b", "deg", |n| fixed(n.pose.rp_b_deg, 4))
+        .both("RP c", "deg", |n| fixed(n.pose.rp_c_deg, 4))
         .sheet("noise of a reading, x", "mm", |n| n.pose.noise_mm.map(|n| n[0]))
         .sheet("noise of a reading, y", "mm", |n| n.pose.noise_mm.map(|n| n[1]))
         .sheet("noise of a reading, z", "mm", |n| n.pose.noise_mm.map(|n| n[2]))
         .sheet("ellipsoid, semi-axis 1", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[0]))
         .sheet("ellipsoid, semi-axis 2", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[1]))
         .sheet("ellipsoid, semi-axis 3", "mm", |n| n.pose.ellipsoid.map(|e| e.semi_axes_mm[2]))
-        .sheet("AP within its limit", "", |n| proved(n.pose.ap_conformity))
-        .sheet("RP within its limit", "", |n| proved(n.pose.rp_conformity))
+        .sheet("AP within its limit", "", move |n| proved(n.pose.ap_conformity))
+        .sheet("RP within its limit", "", move |n| proved(n.pose.rp_conformity))
         .sheet("U over AP", "", |n| n.pose.uncertainty_over_ap)
         .sheet("U over RP", "", |n| n.pose.uncertainty_over_rp)
-        .sheet("25 % rule", "", |n| n.pose.quarter_rule_met.map(|met| if met { "met" } else { "not met" }));
-    Table::of(words, poses, columns).on("ISO 9283 poses").without_empty_columns()
+        .sheet("25 % rule", "", |n| n.pose.quarter_rule_met.map(|met| if met { "met" } else { "not met" }))
 }
 
 /// An approach of a pose, and the mean of all visits of the pose.
@@ -263,10 +263,8 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
     if titles.is_empty() {
         return Table::default();
     }
-    let first = Columns::<Iso9283Variation>::new().page("pose", "", |v| v.pose);
-    let columns = titles.iter().enumerate().fold(first, |columns, (k, title)| {
-        columns.page(title, "deg", move |v| fixed(v.vap_angles_deg.get(k).copied(), 4))
-    });
+    let columns = Columns::<Iso9283Variation>::new().page("pose", "", |v| v.pose);
+    let columns = columns.page_angles(&titles, |v| &v.vap_angles_deg);
     Table::of(words, &document.approaches, columns)
 }
 

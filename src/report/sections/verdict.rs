@@ -3,13 +3,13 @@
 use super::limits::{judged, limits, name};
 use super::repeatability::quarter_sentence;
 use crate::Identified;
-use crate::model::{Headline, Verdict};
+use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::Words;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, ErrorStatistics,
-    Iso9283Document, Iso9283Pose, Iso9283Variation, LimitVerdict, ParametersDocument, ResidualSummary, Statistics,
-    ToolAccuracy,
+    Iso9283Document, Iso9283Variation, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet,
+    ResidualSummary, Statistics, ToolAccuracy,
 };
 
 /// What the report is called: one of repeatability alone is called so.
@@ -26,10 +26,10 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
 pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
     let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
     let class = match Conformity::of_all(limits.iter().map(|l| l.conformity)) {
-        _ if alarm.is_some() => "bad",
-        Conformity::NotConforming => "bad",
-        Conformity::Conforming if !limits.is_empty() => "good",
-        _ => "open",
+        _ if alarm.is_some() => Grade::Bad,
+        Conformity::NotConforming => Grade::Bad,
+        Conformity::Conforming if !limits.is_empty() => Grade::Good,
+        _ => Grade::Open,
     };
     let set = identified.and_then(|i| headline_set(i.accuracy));
     let mut sentences: Vec<String> = alarm.into_iter().collect();
@@ -41,9 +41,9 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
     let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
-            words.fill("Errors of {0} before → after calibration, {1} poses:", &[point, &words.say(&s.name)])
+            words.fill("Errors of {0} before → after calibration, {1} poses:", &[point, &words.say(s.name.name())])
         }
-        None => words.fill("Errors before → after calibration, {0} poses:", &[&words.say(&s.name)]),
+        None => words.fill("Errors before → after calibration, {0} poses:", &[&words.say(s.name.name())]),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     Verdict {
@@ -59,7 +59,7 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
     let undecided: Vec<&str> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.as_str()).collect();
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.into()).collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return words.say("The campaign states no limits."),
         (_, 0) if !undecided.is_empty() => String::new(),
@@ -85,14 +85,14 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
 fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
     let e = set.of(ErrorQuantity::Position)?;
     let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
-    let limit = accuracy.limits.iter().find(|l| l.name == "position_max_mm");
+    let limit = accuracy.limits.iter().find(|l| l.name == LimitQuantity::PositionMaxMm);
     let u = e.expanded_uncertainty.map(|u| u * factor);
     let (before, after) = (e.before.max * factor, e.after.max * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
     let reached =
         limit.map_or_else(|| number::fixed(after, decimals), |l| number::apart(after, l.limit * factor, decimals));
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
-    let (n, set) = (set.poses, words.say(&set.name));
+    let (n, set) = (set.poses, words.say(set.name.name()));
     let values: [&dyn std::fmt::Display; 5] = [&n, &set, &number::fixed(before, decimals), &reached, &unit];
     let changed = match after <= before {
         true => words.fill("The largest position error at {0} {1} poses fell from {2} to {3} {4}", &values),
@@ -133,7 +133,7 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
     let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
     let sentences = largest.into_iter().chain([counted(&limits, words)]).collect();
     let met = limits.iter().all(|l| l.met);
-    Verdict { met, class: if met { "good" } else { "bad" }, sentences, ..Verdict::default() }
+    Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
 }
 
 /// Of a test without a campaign.
@@ -155,7 +155,8 @@ pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) ->
 
 /// What the intervals prove of every limit of every pose.
 fn conformities(tested: &Characteristics) -> impl Iterator<Item = Conformity> {
-    tested.poses.iter().flat_map(|d| &d.poses).flat_map(|p| [p.ap_conformity, p.rp_conformity]).flatten()
+    let poses = tested.poses.iter().flat_map(|d| &d.poses);
+    poses.flat_map(|p| PoseCharacteristic::ALL.map(|c| (c.conformity)(p))).flatten()
 }
 
 /// Why the numbers must not be used.
@@ -171,7 +172,7 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
 /// Validation poses were not used to fit: they decide where there are any.
 fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
     let counted = || accuracy.sets.iter().filter(|s| s.count > 0);
-    counted().find(|s| s.name == "validation").or_else(|| counted().next())
+    counted().find(|s| s.name == PoseSet::Validation).or_else(|| counted().next())
 }
 
 fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
@@ -209,22 +210,22 @@ fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f
 /// instrument is good enough.
 fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let Some(document) = &tested.poses else { return Vec::new() };
-    let of = |sentence: &str, limit: &str, value: fn(&Iso9283Pose) -> Option<f64>, proved: Proved| {
-        let all = document.poses.iter().filter_map(|p| Some((value(p)?, p.pose)));
+    let of = |sentence: &str, of: PoseCharacteristic| {
+        let all = document.poses.iter().filter_map(|p| Some(((of.value)(p)?, p.pose)));
         let (mm, pose) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let limit = document.limits.iter().find(|l| l.name == limit);
+        let limit = document.limits.iter().find(|l| l.name == of.limit);
         // with the digits that decide, also where it is close to the limit
         let apart_um = limit.map(|l| 1e3 * (l.limit - mm).abs());
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
         let within = limit.map(|l| within(mm <= l.limit, &um(l.limit), words));
-        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, proved, words)];
+        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, of, words)];
         Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
     };
     let accuracy = words.say("The accuracy is {0} µm, at pose {1}.");
-    let accuracy = of(&accuracy, "accuracy_max_mm", |p| p.ap_mm, |p| p.ap_conformity);
+    let accuracy = of(&accuracy, PoseCharacteristic::AP);
     let repeatability = words.say("The repeatability is {0} µm, at pose {1}.");
-    let repeatability = of(&repeatability, "repeatability_max_mm", |p| p.rp_mm, |p| p.rp_conformity);
+    let repeatability = of(&repeatability, PoseCharacteristic::RP);
     let by_approach = pooled(document, words);
     let instrument = Some(quarter_sentence(document, words)).filter(|sentence| !sentence.is_empty());
     [accuracy, by_approach, repeatability, instrument].into_iter().flatten().collect()
@@ -254,16 +255,13 @@ fn within(within: bool, allowed: &str, words: &Words) -> String {
     }
 }
 
-/// What the interval of a pose proves of a limit.
-type Proved = fn(&Iso9283Pose) -> Option<Conformity>;
-
 /// Which poses conform by ISO 14253-1, where a limit is stated.
-fn conformity(document: &Iso9283Document, proved: Proved, words: &Words) -> Option<String> {
-    let of = |what| -> Vec<String> {
-        document.poses.iter().filter(|p| proved(p) == Some(what)).map(|p| p.pose.to_string()).collect()
+fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words) -> Option<String> {
+    let poses = |what| -> Vec<String> {
+        document.poses.iter().filter(|p| (of.conformity)(p) == Some(what)).map(|p| p.pose.to_string()).collect()
     };
-    let conforming = of(Conformity::Conforming);
-    let (not, neither) = (of(Conformity::NotConforming), of(Conformity::Neither));
+    let conforming = poses(Conformity::Conforming);
+    let (not, neither) = (poses(Conformity::NotConforming), poses(Conformity::Neither));
     let all = conforming.len() + not.len() + neither.len();
     let first = match conforming.len() {
         0 => None,
@@ -308,12 +306,12 @@ mod tests {
             "What is left is 1.19 times the instrument's uncertainty: the model does not explain everything.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
-        assert_eq!((good.class, &good.sentences[..]), ("good", &expected.map(str::to_owned)[..]));
-        let limit = |u| LimitVerdict::of("position_max_mm", "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
+        assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
+        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = of(&documents);
         assert!(
-            open.class == "open" && !open.met && open.sentences[0].ends_with("(limit 0.05 mm: undecided)."),
+            open.class == Grade::Open && !open.met && open.sentences[0].ends_with("(limit 0.05 mm: undecided)."),
             "{open:?}"
         );
         assert!(
@@ -322,10 +320,10 @@ mod tests {
         );
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
-        assert_eq!(bad.class, "bad");
+        assert_eq!(bad.class, Grade::Bad);
         assert!(bad.sentences[2].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
         documents.accuracy.limits.clear();
-        assert_eq!(of(&documents).class, "open");
+        assert_eq!(of(&documents).class, Grade::Open);
     }
 
     #[test]
@@ -343,14 +341,17 @@ mod tests {
             "Within its uncertainty it is undecided whether the limit is met: accuracy_max_mm. Decision rule: guarded acceptance \
              (ISO 14253-1).",
         ];
-        assert_eq!((open.class, open.met, &open.sentences[2..]), ("open", false, &expected.map(str::to_owned)[..]));
+        assert_eq!(
+            (open.class, open.met, &open.sentences[2..]),
+            (Grade::Open, false, &expected.map(str::to_owned)[..])
+        );
         let poses = documents.tested.poses.as_mut().unwrap();
         poses.poses[0].ap_conformity = Some(Conformity::Conforming);
         poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
         poses.limits[1] = LimitVerdict { limit: 0.02, ..poses.limits[1].clone() }.with(Conformity::NotConforming);
         poses.poses[1].rp_conformity = Some(Conformity::NotConforming);
         let bad = of(&documents);
-        assert_eq!((bad.class, bad.met), ("bad", false));
+        assert_eq!((bad.class, bad.met), (Grade::Bad, false));
         assert!(bad.sentences[6].starts_with("1 of 4 limits of the campaign is not met."), "{bad:?}");
         assert!(bad.sentences[2].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
         assert!(bad.sentences[4].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
@@ -361,14 +362,14 @@ mod tests {
         let mut documents = Documents::demo();
         documents.parameters.solver.termination = Termination::LostPatience;
         let verdict = of(&documents);
-        assert!(verdict.class == "bad" && verdict.sentences[0].contains("not converged"), "{verdict:?}");
+        assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
     }
 
     #[test]
     fn headlines_are_from_validation_where_there_is_any() {
         let mut documents = Documents::demo();
         assert!(of(&documents).about.contains("validation poses"));
-        documents.accuracy.sets.iter_mut().for_each(|s| s.count *= usize::from(s.name == "calibration"));
+        documents.accuracy.sets.iter_mut().for_each(|s| s.count *= usize::from(s.name == PoseSet::Calibration));
         assert!(of(&documents).about.contains("calibration poses"));
         documents.accuracy.sets.clear();
         assert!(of(&documents).headlines.is_empty());

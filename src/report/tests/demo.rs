@@ -10,7 +10,7 @@ use etalon_documents::*;
 
 /// An error of pose `pose`, cycle 1, target K, calibration.
 pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
-    let (set, target) = ("calibration".to_owned(), "K".to_owned());
+    let (set, target) = (PoseSet::Calibration, "K".to_owned());
     PointError {
         set,
         pose: pose.into(),
@@ -67,8 +67,8 @@ impl Documents {
             after: statistics(after),
             expanded_uncertainty: (quantity == ErrorQuantity::Position).then_some(0.0038),
         };
-        let set = |name: &str, poses: usize| AccuracySet {
-            name: name.to_owned(),
+        let set = |name, poses: usize| AccuracySet {
+            name,
             poses,
             count: 5 * poses,
             errors: vec![
@@ -78,7 +78,7 @@ impl Documents {
                 error(ErrorQuantity::Orientation, "deg", 0.1035, 0.0033),
             ],
         };
-        let limit = |name: &str, unit: &str, limit: f64, value: f64| {
+        let limit = |name, unit: &str, limit: f64, value: f64| {
             LimitVerdict::of(name, unit, limit, value, Some(0.0038), DecisionRule::Guarded)
         };
         Self {
@@ -113,12 +113,12 @@ impl Documents {
                 point: "the platform's centre as the balls measure it".to_owned(),
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
-                sets: vec![set("calibration", 8), set("validation", 51)],
+                sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 budget: Vec::new(),
                 limits: vec![
-                    limit("position_max_mm", "mm", 0.050, 0.0442),
-                    limit("orientation_max_deg", "deg", 0.010, 0.0056),
+                    limit(LimitQuantity::PositionMaxMm, "mm", 0.050, 0.0442),
+                    limit(LimitQuantity::OrientationMaxDeg, "deg", 0.010, 0.0056),
                 ],
                 tool: None,
                 map: None,
@@ -139,7 +139,7 @@ fn errors() -> Vec<PointError> {
             let mut draw = || noise.gaussian(0.003);
             let bend = 0.02 * (y - 120.0) / 85.0;
             errors.push(PointError {
-                set: if pose <= 8 { "calibration" } else { "validation" }.to_owned(),
+                set: if pose <= 8 { PoseSet::Calibration } else { PoseSet::Validation },
                 pose: i64::from(pose).into(),
                 cycle,
                 target: "C".to_owned(),
@@ -157,11 +157,11 @@ fn errors() -> Vec<PointError> {
 }
 
 fn import() -> ImportDocument {
-    let source = |file: &str, kind: &str, dialect: &str, refused: Vec<Refused>| Source {
+    let source = |file: &str, kind, dialect: &str, refused: Vec<Refused>| Source {
         file: file.to_owned(),
         sha256: etalon_base::files::sha256(file.as_bytes()),
         bytes: 48_211,
-        kind: kind.to_owned(),
+        kind,
         dialect: dialect.to_owned(),
         rows_read: 590,
         refused,
@@ -176,8 +176,8 @@ fn import() -> ImportDocument {
         schema: "etalon/import/1".to_owned(),
         campaign: "PreXYT, CMM, spring check".to_owned(),
         sources: vec![
-            source("exports/poses.txt", "export", "delimited by `;`, decimal comma, mm", vec![refused]),
-            source("encoders.csv", "log", "delimited by `,`, decimal point", vec![]),
+            source("exports/poses.txt", SourceKind::Export, "delimited by `;`, decimal comma, mm", vec![refused]),
+            source("encoders.csv", SourceKind::Log, "delimited by `,`, decimal point", vec![]),
         ],
         messages: vec![
             Message::warning("pose 12, cycle 3: target K has no measurement")

@@ -45,12 +45,12 @@ pub(crate) fn whole() -> Characteristics {
     poses.exchangeability_mm = Some(0.0321);
     let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
     poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
-    let limit = |name: &str, limit, value, conformity| {
+    let limit = |name, limit, value, conformity| {
         LimitVerdict::of(name, "mm", limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
     };
     poses.limits = vec![
-        limit("accuracy_max_mm", 0.052, 0.0512, Conformity::Neither),
-        limit("repeatability_max_mm", 0.03, 0.0217, Conformity::Conforming),
+        limit(LimitQuantity::AccuracyMaxMm, 0.052, 0.0512, Conformity::Neither),
+        limit(LimitQuantity::RepeatabilityMaxMm, 0.03, 0.0217, Conformity::Conforming),
     ];
     let direction = Iso9283Compliance {
         direction: "+x".to_owned(),

@@ -4,7 +4,7 @@ use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams};
 use crate::*;
 use etalon_base::message::Place;
-use etalon_documents::{Language, Refused, Statistics};
+use etalon_documents::{Language, PoseSet, Refused, Statistics};
 
 fn html(report: &Report) -> Result<String> {
     Ok(String::from_utf8(Faces::campaign(report)?.file("html")?).unwrap())
@@ -67,7 +67,7 @@ fn of_many_poses_the_page_has_the_worst_and_says_what_is_left_out() {
     let error = |i: i64| {
         let size = 0.001 * (1 + i % 97) as f64;
         let mut error = point(i, [10.0 * (i % 120) as f64, 10.0 * (i / 120) as f64, 0.0], [0.3; 3], [size; 3]);
-        error.set = if i < 8400 { "calibration" } else { "validation" }.to_owned();
+        error.set = if i < 8400 { PoseSet::Calibration } else { PoseSet::Validation };
         error
     };
     documents.errors = (0..16_800).map(error).collect();
@@ -92,7 +92,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     let message = || Message::error(t()).at(Place::line(t(), 1, t())).expected(t()).hint(t());
     d.import.messages = vec![message()];
     for s in &mut d.import.sources {
-        (s.file, s.kind, s.dialect, s.sha256) = (t(), t(), t(), t());
+        (s.file, s.dialect, s.sha256) = (t(), t(), t());
         s.refused = vec![Refused { line: 1, text: t(), reason: t() }];
     }
     d.features.features.iter_mut().for_each(|f| (f.name, f.element) = (t(), t()));
@@ -107,10 +107,10 @@ pub(crate) fn with_text(text: &str) -> Documents {
     }
     (p.provenance.version, p.provenance.inputs) = (t(), [(t(), t())].into());
     d.accuracy.definition = t();
-    d.accuracy.sets.iter_mut().for_each(|s| s.name = t());
     d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| e.unit = t());
-    d.accuracy.limits.iter_mut().for_each(|l| (l.name, l.unit) = (t(), t()));
-    d.errors.iter_mut().for_each(|e| (e.set, e.target) = (t(), t()));
+    d.accuracy.limits.iter_mut().for_each(|l| l.unit = t());
+    // one set: the page stays below the size from which the titles of marks are data
+    d.errors.iter_mut().for_each(|e| (e.set, e.target) = (PoseSet::Calibration, t()));
     d
 }
 

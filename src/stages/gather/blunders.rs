@@ -5,7 +5,7 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Rigid};
-use etalon_documents::{Refused, Source};
+use etalon_documents::{Refused, Source, contradicted_places};
 use etalon_formats::Point;
 use etalon_identify::{OF_MEDIAN, Pair, chi_square_exceeds};
 use etalon_math::statistics::median;
@@ -198,8 +198,8 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
     let pairs = part.pairs().count();
     let (pair, measured_mm, square) = part.pairs().filter_map(deviation).max_by(|a, b| a.2.total_cmp(&b.2))?;
     // the largest of several: no more often beyond than their sum
-    let message = part.contradicted(pair, measured_mm, "measured together they are");
-    chi_square_exceeds(square, pairs).then(|| message.at(place(campaign, rigid)))
+    let message = || contradicted_places(&part.contradicted(pair, measured_mm, "measured together they are"));
+    chi_square_exceeds(square, pairs).then(|| message().at(place(campaign, rigid)))
 }
 
 /// Indices of the points to refuse, and why.

@@ -4,7 +4,7 @@ use super::points::PointColumns;
 use crate::stages::exclusions::excluded_rows;
 use etalon_base::message::{Message, Problems, Result, count};
 use etalon_campaign::Campaign;
-use etalon_documents::{Refused, Source};
+use etalon_documents::{Refused, Source, SourceKind};
 
 /// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones, with their reasons.
 pub(super) fn leave_out(
@@ -39,7 +39,9 @@ pub(super) fn leave_out(
             }
         };
         let reason = format!("excluded: {}", rule.reason);
-        if let Some(source) = sources.iter_mut().find(|source| source.file == *file && source.kind == "export") {
+        if let Some(source) =
+            sources.iter_mut().find(|source| source.file == *file && source.kind == SourceKind::Export)
+        {
             let left_out =
                 columns.points.iter().filter(|point| *point.export == **file && excluded.contains(&point.row));
             let refused =

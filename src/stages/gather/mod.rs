@@ -16,7 +16,7 @@ use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::two_spellings;
 use etalon_campaign::Campaign;
-use etalon_documents::{ImportDocument, Source};
+use etalon_documents::{ImportDocument, Source, SourceKind};
 use etalon_formats::{Export, JointLog, Log, LogRow, Point};
 use points::PointColumns;
 use std::collections::BTreeMap;
@@ -47,10 +47,10 @@ pub fn gather(campaign: &Campaign) -> Result<Gathered> {
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut problems = Problems::default();
     let mut sources = vec![
-        statement("campaign", campaign.file_name(), &campaign.stamps[0]),
-        statement("robot", campaign.file.robot.get_ref(), &campaign.stamps[1]),
+        statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0]),
+        statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]),
     ];
-    sources.extend(campaign.robot_description().map(|(file, stamp)| statement("robot", &file, stamp)));
+    sources.extend(campaign.robot_description().map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();
     let exports = &campaign.file.exports;
@@ -70,7 +70,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             // what it states of itself is reported already
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
-                let mut source = statement("export", file, &Stamp::of(&bytes));
+                let mut source = statement(SourceKind::Export, file, &Stamp::of(&bytes));
                 source.dialect = format!("{}, unit {}", export.format, export.unit.name());
                 if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
                     opened.insert(file, bytes);
@@ -134,7 +134,7 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);
             }
-            let mut source = statement("log", stated.file.get_ref(), &Stamp::of(&bytes));
+            let mut source = statement(SourceKind::Log, stated.file.get_ref(), &Stamp::of(&bytes));
             let table = etalon_formats::log(campaign.stated(), stated, &text, &mut source)?;
             Ok(Some((source, table)))
         }) {
@@ -154,7 +154,12 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
 pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
     columns
-        .read(campaign, export, &text.into(), &mut statement("export", export.file.get_ref(), &Stamp::default()))
+        .read(
+            campaign,
+            export,
+            &text.into(),
+            &mut statement(SourceKind::Export, export.file.get_ref(), &Stamp::default()),
+        )
         .check()?;
     Ok(columns.points)
 }
@@ -165,7 +170,7 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Jo
         campaign.stated(),
         stated,
         text,
-        &mut statement("log", stated.file.get_ref(), &Stamp::default()),
+        &mut statement(SourceKind::Log, stated.file.get_ref(), &Stamp::default()),
     )
     .map(|(table, _)| table)
 }
@@ -180,13 +185,16 @@ fn other_spelling(points: &[Point], logs: &[JointLog]) -> Option<Message> {
     Some(message.at(place.or_else(|| logged().nth(at - points.len()).map(of_log)).unwrap_or_default()))
 }
 
-fn statement(kind: &str, file: &str, stamp: &Stamp) -> Source {
+fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
     Source {
         file: file.to_owned(),
         sha256: stamp.sha256.clone(),
         bytes: stamp.size,
-        kind: kind.to_owned(),
-        dialect: if kind == "export" || kind == "log" { String::new() } else { "TOML".to_owned() },
+        kind,
+        dialect: match kind {
+            SourceKind::Export | SourceKind::Log => String::new(),
+            _ => "TOML".to_owned(),
+        },
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),

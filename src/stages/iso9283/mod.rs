@@ -3,6 +3,7 @@
 pub mod load;
 pub mod pose;
 pub mod repeatability;
+pub mod stated;
 mod streams;
 
 use crate::stages::gather::Gathered;
@@ -177,15 +178,10 @@ fn judged(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
 /// Limits of the largest values: what the decision rule says of every pose.
 pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
     let rule = limits.decision_rule.unwrap_or_default();
-    let accuracy = Judged { value: |p| p.ap_mm, interval: |p| p.ap_interval, conformity: |p| p.ap_conformity };
-    let repeatability = Judged { value: |p| p.rp_mm, interval: |p| p.rp_interval, conformity: |p| p.rp_conformity };
-    let stated = [
-        ("accuracy_max_mm", limits.accuracy_max_mm, accuracy),
-        ("repeatability_max_mm", limits.repeatability_max_mm, repeatability),
-    ];
     let mut all = Vec::new();
-    for (name, limit, of) in stated {
-        let Some(limit) = limit else { continue };
+    for of in PoseCharacteristic::ALL {
+        let name = of.limit;
+        let Some(limit) = limits.of(name) else { continue };
         if let Some(without) = poses.iter().find(|p| (of.value)(p).is_none()) {
             let pose = without.pose;
             let message = Message::error(format!("the limit `{name}` cannot be judged: pose {pose} has no such value"));
@@ -199,11 +195,4 @@ pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
         all.push(LimitVerdict::of(name, "mm", limit, value, expanded, rule).with(conformity));
     }
     Ok(all)
-}
-
-/// What a limit of ISO 9283 is of.
-struct Judged {
-    value: fn(&Iso9283Pose) -> Option<f64>,
-    interval: fn(&Iso9283Pose) -> Option<Iso9283Interval>,
-    conformity: fn(&Iso9283Pose) -> Option<Conformity>,
 }

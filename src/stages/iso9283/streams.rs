@@ -1,12 +1,13 @@
 //! Recorded motions of a campaign: files become characteristics of ISO 9283.
 
+use super::stated::Stated;
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::{Campaign, StreamDefinition};
-use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument};
+use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
+use etalon_standards::iso9283::motion::Settings;
 use etalon_standards::iso9283::motion::stream::Recording;
-use etalon_standards::iso9283::motion::{Settings, Stated};
 use std::collections::BTreeSet;
 use toml::Spanned;
 
@@ -70,7 +71,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
             (Some(format), Some(unit)) if recorded => etalon_formats::recorded_points(file, text, format, unit),
             _ => etalon_formats::observations(file, text),
         };
-        files.read_with(file, "stream", what, read)
+        files.read_with(file, SourceKind::Stream, what, read)
     };
     let recorded = file(&stream.file, "recorded motion", true)?;
     let recording = recording(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;

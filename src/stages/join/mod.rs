@@ -19,7 +19,7 @@ use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
-use etalon_documents::{FramesDocument, Unmatched};
+use etalon_documents::{FramesDocument, SourceKind, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
 use etalon_identify::{Covariance, directions, turned};
 use etalon_robots::{Quantity, Robot};
@@ -318,7 +318,9 @@ fn equal_counts<'a>(
 ) -> Result<()> {
     let exports: BTreeSet<&str> = points.map(|p| &*p.export).collect();
     let mut problems = Problems::default();
-    for source in imported.document.sources.iter().filter(|s| s.kind == "export" && exports.contains(s.file.as_str())) {
+    for source in
+        imported.document.sources.iter().filter(|s| s.kind == SourceKind::Export && exports.contains(s.file.as_str()))
+    {
         if source.rows_read != log.rows.len() {
             let (file, name) = (&source.file, &log.name);
             let what = format!("`{file}` has {} rows, log `{name}` has {}", source.rows_read, log.rows.len());

@@ -26,7 +26,7 @@ fn run(hold: &str) -> Option<(Outcome, ImportDocument)> {
 /// (mean, rms) of position errors on the test poses, before and after.
 fn test_errors(outcome: &Outcome) -> [(f64, f64); 2] {
     let set = &outcome.identified.as_ref().unwrap().accuracy.sets[1];
-    assert_eq!((set.name.as_str(), set.poses, set.count), ("validation", 294, 882));
+    assert_eq!((set.name.name(), set.poses, set.count), ("validation", 294, 882));
     let position = &set.errors[0];
     [(position.before.mean, position.before.rms), (position.after.mean, position.after.rms)]
 }

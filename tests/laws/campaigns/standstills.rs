@@ -5,7 +5,7 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
-use etalon::documents::ImportDocument;
+use etalon::documents::{ImportDocument, SourceKind};
 use etalon::formats::standstill::{Watched, standing};
 use etalon::run::pipeline::Outcome;
 
@@ -183,7 +183,7 @@ fn a_log_recorded_while_moving_calibrates_by_the_means_of_its_standstills() {
         outcome.identified.as_ref().unwrap().accuracy.sets
     );
     let document = document(&scratch);
-    let log = document.sources.iter().find(|s| s.kind == "log").unwrap();
+    let log = document.sources.iter().find(|s| s.kind == SourceKind::Log).unwrap();
     assert_eq!((log.rows_read, log.standstills.len()), (rows.len(), 59));
     for (found, (from, to)) in log.standstills.iter().zip(&stands) {
         assert!((found.from_s - from).abs() < 1e-9 && (found.to_s - to).abs() < 1e-9, "{found:?}");
@@ -207,7 +207,7 @@ fn the_spread_of_a_standstill_is_told_and_its_mean_counts() {
         outcome.identified.as_ref().unwrap().accuracy.sets
     );
     let document = document(&scratch);
-    let log = document.sources.iter().find(|s| s.kind == "log").unwrap();
+    let log = document.sources.iter().find(|s| s.kind == SourceKind::Log).unwrap();
     assert_eq!(log.standstills.len(), 59);
     let all: Vec<f64> = log.standstills.iter().flat_map(|s| &s.joints).map(|j| j.standard_deviation).collect();
     let mean = all.iter().sum::<f64>() / all.len() as f64;

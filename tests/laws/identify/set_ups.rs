@@ -32,7 +32,7 @@ fn messages(robot: &dyn Robot, observations: &[Observation], u_mm: f64) -> Vec<M
         let sets = Sets { calibration: observations.to_vec(), ..Sets::default() };
         let mut solved = Solved::new(robot, &sets, &settings, &Systematic::default())?;
         solved.judge(robot, &sets, &settings, Vec::new());
-        Ok(solved.found.warnings)
+        Ok(solved.found.warnings.into_iter().map(|warning| warning.message).collect())
     };
     found().unwrap_or_else(|problems: etalon::base::message::Problems| problems.0)
 }

@@ -198,7 +198,7 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
         assert!(page.replace("&#39;", "'").replace("&#x27;", "'").contains(said), "{said}");
     }
     let at_c = accuracy.tool.unwrap();
-    assert_eq!((at_c.set.as_str(), at_c.poses, at_c.model_mm, at_c.place_mm), ("validation", 51, 0.0, 0.0));
+    assert_eq!((at_c.set.name(), at_c.poses, at_c.model_mm, at_c.place_mm), ("validation", 51, 0.0, 0.0));
     // a place that is known to 50 µm adds the root of two coordinates of them
     let stated = |u_um: f64, frame: &str| {
         format!(

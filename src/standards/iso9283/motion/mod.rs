@@ -5,7 +5,6 @@ pub mod overshoot;
 pub mod posing_time;
 pub mod stabilisation;
 pub mod standstill;
-mod stated;
 pub mod stream;
 
 use crate::iso9283::motion::overshoot::overshoot_mm;
@@ -20,7 +19,6 @@ use crate::iso9283::statistics::sample::coordinates;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-pub use stated::Stated;
 use std::collections::BTreeMap;
 use std::ops::Range;
 

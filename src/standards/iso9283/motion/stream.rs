@@ -33,6 +33,8 @@ pub struct Unusable {
     pub sample: usize,
     /// What is wrong.
     pub message: Message,
+    /// `true` if its time stamp is not later than the one before: stamps may be coarser than the sampling rate.
+    pub is_late: bool,
 }
 
 impl From<Unusable> for Problems {
@@ -50,7 +52,8 @@ impl Stream {
     /// At least two samples; as many in each list of angles as there are positions.
     pub fn new(time_s: Vec<f64>, positions_mm: Vec<Vector>, angles_rad: &[Vec<f64>]) -> Result<Self, Unusable> {
         let n = positions_mm.len();
-        let wrong = |sample: usize, what: String| Err(Unusable { sample, message: Message::error(what) });
+        let wrong =
+            |sample: usize, what: String| Err(Unusable { sample, message: Message::error(what), is_late: false });
         if n < 2 || time_s.len() != n || angles_rad.iter().any(|a| a.len() != n) {
             return wrong(n, "a recorded path needs two samples or more, all with the same columns".to_owned());
         }
@@ -62,10 +65,7 @@ impl Stream {
             }
             if i > 0 && time_s[i] <= time_s[i - 1] {
                 let what = format!("time does not go on: {} s after {} s", time_s[i], time_s[i - 1]);
-                let message = Message::error(what).hint(
-                    "stamps that are coarser than the sampling rate give no times: state the rate (--rate-hz) instead",
-                );
-                return Err(Unusable { sample: i, message });
+                return Err(Unusable { sample: i, message: Message::error(what), is_late: true });
             }
         }
         Ok(Self { time_s, positions_mm, angles_rad: angles_rad.iter().map(|a| followed(a)).collect() })

@@ -47,7 +47,7 @@ pub fn path_accuracy_on_reorientation(
 ) -> Result<PathAccuracy> {
     if !path.turned_rad().iter().any(|turned| *turned > 0.0) {
         let message = Message::error("path accuracy on reorientation: no commanded angle changes along the path");
-        return Err(message.hint("state the commanded angles: columns a_deg, b_deg, c_deg of the path").into());
+        return Err(message.hint("state the commanded angles of the path").into());
     }
     path_accuracy(passes, points)
 }

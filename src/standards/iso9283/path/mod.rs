@@ -22,7 +22,7 @@ use crate::iso9283::path::velocity::{PathVelocity, central, path_velocity};
 use crate::iso9283::path::weaving::{Weave, WeaveCharacteristics, weaving};
 use crate::iso9283::statistics::interval::Interval;
 use crate::iso9283::statistics::sample::coordinates;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, minus};
 
 /// A commanded path and how it is compared.
@@ -100,6 +100,24 @@ pub struct PathPoint {
     pub rt_mm: Option<f64>,
 }
 
+/// Why a motion has no passes to evaluate.
+#[derive(Clone, Debug)]
+pub enum PassError {
+    /// No motion goes through the planes of all command points.
+    NoPass {
+        /// Number of the planes.
+        planes: usize,
+    },
+    /// The path cannot be evaluated.
+    Other(Problems),
+}
+
+impl From<Problems> for PassError {
+    fn from(problems: Problems) -> Self {
+        Self::Other(problems)
+    }
+}
+
 /// Passes of a path, at least one, at its command points.
 #[derive(Clone, Debug)]
 pub struct Driven<'a> {
@@ -113,14 +131,15 @@ pub struct Driven<'a> {
 
 impl<'a> Driven<'a> {
     /// Finds the passes, each point within `near_mm` of the path.
-    pub fn new(recording: &'a Recording, settings: &'a PathSettings, near_mm: f64) -> Result<Self> {
+    pub fn new(
+        recording: &'a Recording,
+        settings: &'a PathSettings,
+        near_mm: f64,
+    ) -> std::result::Result<Self, PassError> {
         let points = settings.path.command_points_beside(settings.points, CORNER_RAD, near_mm);
         let passes = passes(&recording.stream, &points, near_mm)?;
         if passes.complete.is_empty() {
-            let message = Message::error("no pass of the commanded path was found");
-            let through = format!("a motion through {} planes, each within {near_mm} mm of the path", points.len());
-            let hint = "are recording and path in the same frame, and driven the same way? --near-mm allows more";
-            return Err(message.expected(through).hint(hint).into());
+            return Err(PassError::NoPass { planes: points.len() });
         }
         Ok(Self { recording, settings, points, passes })
     }

@@ -4,10 +4,10 @@ pub mod layout;
 pub mod programme;
 mod reach;
 
-pub use reach::{Reach, Unreached, reach};
+pub use reach::{Reach, UnknownReach, Unreached, reach};
 
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Vector;
 
 /// What the user states.
@@ -59,8 +59,23 @@ const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 /// Chords of a circle.
 const CHORDS: usize = 72;
 
+/// Why a test cannot be laid out.
+#[derive(Clone, Debug)]
+pub enum PlanError {
+    /// Angles change along the path from an orientation that is not stated.
+    ReorientationAlone,
+    /// The request cannot be met.
+    Other(Problems),
+}
+
+impl From<Problems> for PlanError {
+    fn from(problems: Problems) -> Self {
+        Self::Other(problems)
+    }
+}
+
 /// Lays out the test.
-pub fn plan(request: &Request) -> Result<Plan> {
+pub fn plan(request: &Request) -> std::result::Result<Plan, PlanError> {
     let [low, high] = request.workspace_mm;
     let planar = low[2] == high[2];
     let number = plane(request.plane.as_deref(), planar)?;
@@ -68,12 +83,11 @@ pub fn plan(request: &Request) -> Result<Plan> {
     for (option, given) in [("orientation", &request.orientation_deg), ("reorientation", &request.reorientation_deg)] {
         if !(given.is_empty() || given.len() == angles.len()) || given.iter().any(|v| !v.is_finite()) {
             let message = Message::error(format!("the {option} has {} angles", given.len()));
-            return Err(message.expected(angles.join(", ")).into());
+            return Err(Problems::from(message.expected(angles.join(", "))).into());
         }
     }
     if request.orientation_deg.is_empty() && !request.reorientation_deg.is_empty() {
-        let message = Message::error("a reorientation without an orientation to begin with");
-        return Err(message.hint("state --orientation-deg as well").into());
+        return Err(PlanError::ReorientationAlone);
     }
     let test = layout(low, high, number)?;
     let place = |p: Vector, turned: f64| {

@@ -1,7 +1,6 @@
 //! Whether a robot reaches the places of a test, within what its file states, and with which joint values.
 
 use crate::iso9283::plan::{Place, Places, Plan};
-use etalon_base::message::{Message, Result};
 use etalon_robots::{PlanarPose, Quantity, Robot};
 use std::f64::consts::{PI, TAU};
 
@@ -28,14 +27,16 @@ pub struct Unreached {
     pub reason: String,
 }
 
+/// The model of a robot does not tell what the robot reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownReach;
+
 /// Joint values of every place, and which places are out of reach and why. Models without an
 /// inverse that holds everywhere are refused. Of several working modes one is kept along a list,
 /// the one that reaches most of it.
-pub fn reach(plan: &Plan, robot: &dyn Robot) -> Result<Reach> {
+pub fn reach(plan: &Plan, robot: &dyn Robot) -> Result<Reach, UnknownReach> {
     if robot.platform().is_none() && robot.inverse_all(&robot.nominal(), [0.0; 3]).is_none() {
-        let message =
-            Message::error(format!("what a robot of model `{}` reaches its file does not state", robot.model()));
-        return Err(message.hint("leave --robot out, and try the places on the robot at low speed").into());
+        return Err(UnknownReach);
     }
     let joints: Vec<_> = plan.places.iter().map(|places| way(robot, places)).collect();
     let mut unreached = Vec::new();

@@ -1,12 +1,12 @@
 //! What a command or a campaign states of a recorded motion, checked the same for both.
 
-use super::Settings;
-use crate::iso9283::motion::standstill::Stillness;
-use crate::iso9283::path::PathSettings;
-use crate::iso9283::path::commanded::CommandedPath;
-use crate::iso9283::path::weaving::Weave;
-use crate::iso9283::pose::test::CommandedPose;
 use etalon_base::message::{Message, Problems, Result};
+use etalon_standards::iso9283::motion::Settings;
+use etalon_standards::iso9283::motion::standstill::Stillness;
+use etalon_standards::iso9283::path::PathSettings;
+use etalon_standards::iso9283::path::commanded::CommandedPath;
+use etalon_standards::iso9283::path::weaving::Weave;
+use etalon_standards::iso9283::pose::test::CommandedPose;
 
 /// Statements under the names that they have in `campaign.toml`; options of the command are named alike.
 #[derive(Clone, Debug)]

@@ -1,0 +1,82 @@
+//! Warnings of an identification.
+
+use crate::model::rigid_part::Contradicted;
+use etalon_base::message::Message;
+use std::ops::Deref;
+
+/// A warning, and its subject for who knows what a reader stated where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warning {
+    /// The warning.
+    pub message: Message,
+    /// Its subject.
+    pub subject: Subject,
+}
+
+/// Subject of a warning.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Subject {
+    /// Parameters that the choice of base and targets fixes are held: others could be.
+    HeldByFrames,
+    /// The measurements contradict the stated shape of a part.
+    Shape(Contradicted),
+    /// A change of the set-up explains the measurements.
+    SetUp(SetUpError),
+    /// Anything that the message says completely.
+    Other,
+}
+
+impl From<Message> for Warning {
+    fn from(message: Message) -> Self {
+        Self { message, subject: Subject::Other }
+    }
+}
+
+impl Deref for Warning {
+    type Target = Message;
+
+    fn deref(&self) -> &Message {
+        &self.message
+    }
+}
+
+/// What states the part of a set-up that is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The unit of the measured points.
+    Unit,
+    /// The points that define the world frame.
+    WorldFrame,
+    /// The change itself names it.
+    Named,
+}
+
+/// The change of a set-up with which the nominal robot explains the measurements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetUpError {
+    /// The change, and others that explain the data as well: "`q7` reversed".
+    pub changes: Vec<(String, Origin)>,
+    /// Root mean square of the distances that the nominal robot misses the measurements by as the set-up is stated, mm; infinite
+    /// where it cannot be where the joints put it.
+    pub stated_mm: f64,
+    /// The same with the change, mm.
+    pub changed_mm: f64,
+}
+
+impl SetUpError {
+    /// What to look for; `statement` follows a change with where its origin is stated.
+    pub fn hint(&self, statement: impl Fn(Origin) -> &'static str) -> String {
+        let named: Vec<String> =
+            self.changes.iter().map(|(what, origin)| format!("with {what}{}", statement(*origin))).collect();
+        let [first, others @ ..] = &named[..] else { return String::new() };
+        let others = match others {
+            [] => String::new(),
+            others => format!(" (as well {})", others.join(", ")),
+        };
+        let stated = match self.stated_mm.is_finite() {
+            true => format!("falls from {:.3} to {:.3} mm", self.stated_mm, self.changed_mm),
+            false => format!("is {:.3} mm; without that its poses are out of reach", self.changed_mm),
+        };
+        format!("{first}{others}, the root mean square error of the nominal robot {stated}: check that first")
+    }
+}
