@@ -1,15 +1,18 @@
 //! `etalon export`
 
-use super::{Verdict, print_written, progress, remark};
+use super::{Verdict, print, print_text, progress, remark};
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
 use crate::stages::given::other_nominal;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Severity};
+use etalon_base::message::{Message, Problems, Severity, printable};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given};
-use etalon_documents::{CampaignSummary, ParametersDocument, Presentation};
+use etalon_documents::{
+    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, Presentation, WrittenController,
+    WrittenDocument, to_json,
+};
 use etalon_robots::Robot;
 use std::path::{Path, PathBuf};
 
@@ -32,10 +35,13 @@ pub struct Export {
     /// Folder to write to; the one of parameters.json by default
     #[arg(long, value_name = "FOLDER", required_if_eq("parameters", "recommended"))]
     to: Option<PathBuf>,
-    /// Write parameters of an identification that failed its own checks too: the files say so
+    /// Hash that the robot itself states (`calib_...`), for the format universal-robots: that of etalon by default
+    #[arg(long, value_name = "HASH", value_parser = controller_hash)]
+    controller_hash: Option<String>,
+    /// Write parameters of an identification that failed its own checks, and files that are worse than nominal: they say so
     #[arg(long)]
     force: bool,
-    /// Print the names of the files written as JSON
+    /// Print the names of the files written, and the errors with them, as JSON
     #[arg(long)]
     json: bool,
 }
@@ -67,16 +73,50 @@ impl Export {
                 .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
-        let given = exported.given(self.force);
-        let file = |e: &dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
-        let files = exporters.into_iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
+        let hash = self.controller_hash.as_deref();
+        if hash.is_some() && !wanted.iter().any(|name| name == "universal-robots") {
+            let message = Message::error("`--controller-hash` is for the format universal-robots");
+            return Err(Problems::from(message.hint("name it: --format universal-robots")).into());
+        }
+        let given = Given { controller_hash: hash, ..exported.given(self.force) };
+        let file = |e: &&dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
+        let files = exporters.iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
+        let of_format = |(name, e): (&String, &&dyn Exporter)| {
+            let statement = given.statement(*e)?;
+            Ok(WrittenController { format: name.clone(), left_out: statement.left_out, errors: statement.errors })
+        };
+        let controllers = wanted.iter().zip(&exporters).map(of_format).collect::<Result<Vec<_>, Problems>>()?;
         let written = match run {
             Some(run) => run.write(files)?,
             None => beside_no_run(&to, &files)?,
         };
-        print_written(written, self.json)?;
+        remark(&controllers.iter().filter_map(not_measured).collect::<Vec<_>>());
+        if self.json {
+            print(to_json(&WrittenDocument { controllers, ..WrittenDocument::new(written) })?)?;
+        } else {
+            print_text(&written.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())?;
+        }
         Ok(Verdict::Met)
     }
+}
+
+/// A warning of a file that was made from the covariance alone.
+fn not_measured(file: &WrittenController) -> Option<Message> {
+    let what = format!(
+        "format `{}` does not hold {}: its file has the estimate conditioned on their nominal values, and its error was not measured",
+        file.format,
+        file.left_out.join(", ")
+    );
+    let hint =
+        format!("run the campaign with \"{}\" among its `controllers`, and export from its output folder", file.format);
+    (file.errors.is_none() && !file.left_out.is_empty()).then(|| Message::warning(what).hint(hint))
+}
+
+/// The hash of a calibration as a robot of Universal Robots states it.
+fn controller_hash(text: &str) -> Result<String, String> {
+    let digits = text.strip_prefix("calib_").unwrap_or_default();
+    let is_hash = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_alphanumeric());
+    if is_hash { Ok(text.to_owned()) } else { Err("expected `calib_` and digits".to_owned()) }
 }
 
 /// Writes files into a folder that held no run when the parameters were read.
@@ -99,6 +139,8 @@ pub(super) struct Exported {
     file: Option<RobotFile>,
     robot: Option<Box<dyn Robot>>,
     summary: Option<CampaignSummary>,
+    accuracy: Option<AccuracyDocument>,
+    controllers: Option<ControllersDocument>,
 }
 
 impl Exported {
@@ -106,8 +148,15 @@ impl Exported {
     pub fn read(parameters: &Path, robot: Option<&Path>) -> Result<Self, Problems> {
         let (document, run) = read_parameters_and_run(parameters)?;
         let file = robot.map(read_robot).transpose()?;
-        let summary = run.and_then(|documents| documents.optional("campaign.json").transpose()).transpose()?;
-        Self::new(document, file, summary)
+        let mut exported = Self::new(document, file, None)?;
+        if let Some(run) = run {
+            exported.summary = run.optional("campaign.json")?;
+            if parameters.ends_with("parameters.json") {
+                exported.accuracy = run.optional("accuracy.json")?;
+                exported.controllers = run.optional("controllers.json")?;
+            }
+        }
+        Ok(exported)
     }
 
     /// What a campaign recommends to load.
@@ -130,18 +179,20 @@ impl Exported {
             let hint = "run the campaign again, or name the robot.toml that it was run with";
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
         }
-        Ok(Self { parameters, file, robot, summary })
+        Ok(Self { parameters, file, robot, summary, accuracy: None, controllers: None })
     }
 
     pub fn given(&self, force: bool) -> Given<'_> {
         let description = self.file.as_ref().and_then(|robot| robot.description());
         Given {
-            parameters: &self.parameters,
             summary: self.summary.as_ref(),
             name: self.file.as_ref().and_then(|robot| robot.name.as_deref()),
             robot: self.robot.as_deref(),
             description: description.map(|(file, text)| Description { file, text }),
+            accuracy: self.accuracy.as_ref(),
+            controllers: self.controllers.as_ref(),
             force,
+            ..Given::parameters(&self.parameters)
         }
     }
 }

@@ -82,8 +82,6 @@ impl Towers {
             return Err(message.hint(format!("number them so, `{format}` has them in this order")).into());
         }
         let heights_mm = [0, 1, 2].map(|i| offsets[i] - (rods_mm[i].powi(2) - radius_mm.powi(2)).sqrt());
-        // the only angles of a leg are the tilts of its tower
-        let is_tilt = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Angle;
         let tilts = robot.parameters().iter().zip(&values).filter(|(p, v)| is_tilt(p) && **v != 0.0);
         let lost = tilts.map(|(p, v)| format!("{} = {:.6} deg", p.name, v.to_degrees())).collect();
         let angles_deg = [0, 1, 2].map(|i| TOWERS_DEG[i] + corrections_deg[i]);
@@ -105,6 +103,11 @@ impl Towers {
     }
 }
 
+/// `true` of the angle by which a tower leans.
+fn is_tilt(p: &Parameter) -> bool {
+    p.role == Role::Robot && p.quantity == Quantity::Angle
+}
+
 /// An angle brought to (−180, 180] deg.
 fn wrap_deg(angle: f64) -> f64 {
     angle - (angle / 360.0).round() * 360.0
@@ -123,6 +126,11 @@ impl Exporter for Klipper {
         "klipper_delta.cfg"
     }
 
+    /// Towers are upright: the only angles of a leg are the tilts of its tower.
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        !is_tilt(parameter)
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let towers = Towers::new(given, "klipper")?;
         let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
@@ -133,6 +141,11 @@ impl Exporter for Klipper {
 impl Exporter for RepRapDelta {
     fn file_name(&self) -> &'static str {
         "reprap_delta.g"
+    }
+
+    /// Towers are upright: the only angles of a leg are the tilts of its tower.
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        !is_tilt(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
@@ -149,29 +162,31 @@ impl Exporter for DeltaHal {
         "deltakins.hal"
     }
 
+    /// What three equal legs have.
+    fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
+        given.robot.is_some_and(|robot| has_pin(pins(robot.model()), stem(&parameter.name)))
+    }
+
+    fn written(&self, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        let pins = pins(robot.model());
+        let own = |(p, &value): (&Parameter, &f64)| match stem(&p.name) {
+            stem if p.role == Role::Robot && has_pin(pins, stem) => mean(robot, values, stem).unwrap_or(value),
+            _ => value,
+        };
+        robot.parameters().iter().zip(values).map(own).collect()
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
-        let pins: &[(&str, &[&str])] = match robot.model() {
-            "delta" => &[
-                ("rotarydeltakins.platformradius", &["base_radius"]),
-                ("rotarydeltakins.thighlength", &["upper_arm"]),
-                ("rotarydeltakins.shinlength", &["rod"]),
-                ("rotarydeltakins.footradius", &["platform_radius"]),
-            ],
-            "delta_linear" => {
-                &[("lineardeltakins.R", &["base_radius", "platform_radius"]), ("lineardeltakins.L", &["rod"])]
-            }
-            other => {
-                let message = Message::error(format!("`{other}` is not a delta"));
-                return Err(message
-                    .hint("`rotarydeltakins` and `lineardeltakins` of LinuxCNC compute deltas only")
-                    .into());
-            }
-        };
+        let pins = pins(robot.model());
+        if pins.is_empty() {
+            let message = Message::error(format!("`{}` is not a delta", robot.model()));
+            return Err(message.hint("`rotarydeltakins` and `lineardeltakins` of LinuxCNC compute deltas only").into());
+        }
         // as their sources place the legs: rotarydeltakins-common.h, lineardeltakins-common.h
         let (first, order) = if robot.model() == "delta" { ("-y", "clockwise") } else { ("y", "counterclockwise") };
         let lost = lost(robot, &values, pins);
-        let pin = |(pin, names): &(&'static str, &[&str])| {
+        let pin = |(pin, names): &Pin| {
             let means = names.iter().map(|name| mean(robot, &values, name)).collect::<Result<Vec<f64>>>()?;
             Ok((*pin, means.into_iter().reduce(|a, b| a - b).unwrap_or_default()))
         };
@@ -179,6 +194,34 @@ impl Exporter for DeltaHal {
         let values = context! { header => given.header("mm, deg")?, first, order, lost, pins };
         render(include_str!("templates/deltakins.hal.j2"), values).map(String::into_bytes)
     }
+}
+
+/// A pin of LinuxCNC, and the parameters of which it is the mean, or the difference of their means.
+type Pin = (&'static str, &'static [&'static str]);
+
+/// Pins of a model; none of models that are no delta.
+fn pins(model: &str) -> &'static [Pin] {
+    match model {
+        "delta" => &[
+            ("rotarydeltakins.platformradius", &["base_radius"]),
+            ("rotarydeltakins.thighlength", &["upper_arm"]),
+            ("rotarydeltakins.shinlength", &["rod"]),
+            ("rotarydeltakins.footradius", &["platform_radius"]),
+        ],
+        "delta_linear" => {
+            &[("lineardeltakins.R", &["base_radius", "platform_radius"]), ("lineardeltakins.L", &["rod"])]
+        }
+        _ => &[],
+    }
+}
+
+/// Name of a parameter without the number of its leg.
+fn stem(name: &str) -> &str {
+    name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_')
+}
+
+fn has_pin(pins: &[Pin], stem: &str) -> bool {
+    pins.iter().any(|(_, names)| names.contains(&stem))
 }
 
 /// Mean of a parameter of all legs.
@@ -191,12 +234,11 @@ fn mean(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
 }
 
 /// By how much parameters differ from what the legs have in common.
-fn lost(robot: &dyn Robot, values: &[f64], pins: &[(&str, &[&str])]) -> Vec<String> {
+fn lost(robot: &dyn Robot, values: &[f64], pins: &[Pin]) -> Vec<String> {
     let legs = robot.parameters().iter().zip(values).filter(|(p, _)| p.role == Role::Robot);
     let off = legs.filter_map(|(p, &v)| {
-        let stem = p.name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
-        let has_pin = pins.iter().any(|(_, names)| names.contains(&stem));
-        let rest = v - if has_pin { mean(robot, values, stem).ok()? } else { 0.0 };
+        let stem = stem(&p.name);
+        let rest = v - if has_pin(pins, stem) { mean(robot, values, stem).ok()? } else { 0.0 };
         (rest.abs() > 1e-9).then(|| format!("{} {:+.6} {}", p.name, p.quantity.outward(rest), p.quantity.unit()))
     });
     off.collect()

@@ -22,6 +22,7 @@ mod plc;
 mod python;
 mod qif;
 mod reprap_five_bar;
+mod statement;
 mod targets;
 mod template;
 #[cfg(test)]
@@ -30,6 +31,7 @@ mod universal_robots;
 mod urdf;
 mod xml;
 
+pub use statement::Statement;
 pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
@@ -37,8 +39,11 @@ pub use dcc::FILE as CERTIFICATE;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
-use etalon_documents::{CampaignSummary, ParameterEntry, ParameterStatus, ParametersDocument, to_json};
-use etalon_robots::{Effect, Robot, Role};
+use etalon_documents::{
+    AccuracyDocument, CampaignSummary, ControllersDocument, ParameterEntry, ParameterStatus, ParametersDocument,
+    to_json,
+};
+use etalon_robots::{Effect, Parameter, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use template::comment;
 
@@ -50,13 +55,32 @@ pub trait Exporter {
     /// The bytes of the file, of parameters that may be written.
     fn bytes(&self, given: &Given) -> Result<Vec<u8>>;
 
-    /// The bytes of the file.
+    /// `true` if the format holds this parameter of the robot.
+    fn holds(&self, _parameter: &Parameter, _given: &Given) -> bool {
+        true
+    }
+
+    /// The values (mm, rad, 1) of the robot that the file describes, of these values of its parameters: others where the format ties
+    /// parameters to each other.
+    fn written(&self, _robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        values.to_vec()
+    }
+
+    /// The bytes of the file. It holds what was identified without the parameters that the format leaves out.
     ///
     /// # Errors
-    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold.
+    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold; unless forced a file with which the
+    /// robot is less accurate than with nominal parameters.
     fn write(&self, given: &Given) -> Result<Vec<u8>> {
         given.check()?;
-        self.bytes(given)
+        let statement = given.statement(self)?;
+        match statement.refusal(name_of(self)) {
+            Some(refusal) if !given.force => Err(refusal.into()),
+            _ => {
+                let parameters = statement.parameters.as_ref().unwrap_or(given.parameters);
+                self.bytes(&Given { parameters, file: Some((&statement, given.parameters)), ..*given })
+            }
+        }
     }
 }
 
@@ -95,6 +119,7 @@ pub trait Exporter {
 /// assert!(row.starts_with("d,mm,275.0,274.8051,0.001,identified,"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Clone, Copy)]
 pub struct Given<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
@@ -106,8 +131,16 @@ pub struct Given<'a> {
     pub robot: Option<&'a dyn Robot>,
     /// The file that describes it, where there is one.
     pub description: Option<Description<'a>>,
+    /// Errors before and after the identification, for the header.
+    pub accuracy: Option<&'a AccuracyDocument>,
+    /// What a run identified again for formats that leave parameters out.
+    pub controllers: Option<&'a ControllersDocument>,
+    /// Hash of the calibration in the controller, for formats that state it.
+    pub controller_hash: Option<&'a str>,
     /// Write what failed its own checks too: the file then says so.
     pub force: bool,
+    /// What the file states beside `parameters`, and all identified parameters; [`Exporter::write`] sets it.
+    pub file: Option<(&'a Statement, &'a ParametersDocument)>,
 }
 
 /// A file that describes a robot.
@@ -122,7 +155,18 @@ pub struct Description<'a> {
 impl<'a> Given<'a> {
     /// Parameters alone.
     pub fn parameters(parameters: &'a ParametersDocument) -> Self {
-        Self { parameters, summary: None, name: None, robot: None, description: None, force: false }
+        Self {
+            parameters,
+            summary: None,
+            name: None,
+            robot: None,
+            description: None,
+            accuracy: None,
+            controllers: None,
+            controller_hash: None,
+            force: false,
+            file: None,
+        }
     }
 
     /// What the identification failed of its own checks.
@@ -138,7 +182,8 @@ impl<'a> Given<'a> {
 
     /// What a file says of parameters that failed their checks: nothing of others.
     fn warning(&self) -> Option<String> {
-        let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).collect();
+        let worse = self.file.and_then(|(statement, _)| statement.worse_than_nominal());
+        let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).chain(worse).collect();
         (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
     }
 
@@ -175,7 +220,7 @@ impl<'a> Given<'a> {
 
     /// sha256 of parameters.json.
     fn sha256(&self) -> Result<String> {
-        Ok(files::sha256(&to_json(self.parameters)?))
+        Ok(files::sha256(&to_json(self.file.map_or(self.parameters, |(_, identified)| identified))?))
     }
 
     /// The first 128 bits of that hash as a UUID is written: the same parameters have the same identifier.
@@ -185,7 +230,8 @@ impl<'a> Given<'a> {
         Ok([part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-"))
     }
 
-    /// Lines that begin a file: version, campaign, robot, units and the hash of `parameters.json`, in characters that end no comment.
+    /// Lines that begin a file: version, campaign, robot, units, the hash of `parameters.json`, errors and parameters left out, in
+    /// characters that end no comment.
     ///
     /// # Errors
     /// Parameters that cannot be written as JSON.
@@ -196,6 +242,7 @@ impl<'a> Given<'a> {
         lines.push(format!("robot: {}", self.robot_name()));
         lines.push(format!("units: {units}"));
         lines.push(format!("sha256 of parameters.json: {}", self.sha256()?));
+        lines.extend(self.file.iter().flat_map(|(statement, _)| statement.lines()));
         Ok(lines.iter().map(|line| comment(line)).collect())
     }
 
@@ -304,6 +351,22 @@ pub fn usual() -> impl Iterator<Item = &'static str> {
 /// The format of this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
     EXPORTERS.iter().find(|(known, _)| *known == name).map(|(_, exporter)| *exporter)
+}
+
+/// The name of a format.
+pub fn name_of<E: Exporter + ?Sized>(exporter: &E) -> &'static str {
+    let known = EXPORTERS.iter().find(|(_, known)| known.file_name() == exporter.file_name());
+    known.map_or_else(|| exporter.file_name(), |(name, _)| name)
+}
+
+/// `true` if a parameter is a zero, a length or an angle.
+fn is_geometry(parameter: &Parameter) -> bool {
+    matches!(parameter.effect, Effect::Zeros | Effect::Geometry)
+}
+
+/// `true` if code that computes from joint values alone holds a parameter.
+fn is_in_code(parameter: &Parameter) -> bool {
+    parameter.effect != Effect::Backlash
 }
 
 /// Names of the files of all formats.

@@ -4,10 +4,10 @@
 //! axes have their exact, distant common normal. What is before the first joint and behind the last is a frame of its own.
 
 use super::template::render;
-use super::{Exporter, Given, roll_pitch_yaw};
+use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon_robots::JointChain;
+use etalon_robots::{JointChain, Parameter};
 use minijinja::context;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -34,6 +34,10 @@ struct Row {
 impl Exporter for LinuxCnc {
     fn file_name(&self) -> &'static str {
         "genserkins.hal"
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_geometry(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

@@ -5,11 +5,11 @@
 
 use super::code::{formulas, functions};
 use super::template::render;
-use super::{Exporter, Given, value};
+use super::{Exporter, Given, is_in_code, value};
 use etalon_base::expression::Formula;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
-use etalon_robots::{Joint, Quantity, Robot};
+use etalon_robots::{Joint, Parameter, Quantity, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -22,6 +22,10 @@ const MOST_JOINTS: usize = 9;
 impl Exporter for LinuxCncComponent {
     fn file_name(&self) -> &'static str {
         "etalonkins.comp"
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_in_code(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

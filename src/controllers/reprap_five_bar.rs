@@ -4,16 +4,34 @@ use super::template::render;
 use super::{Exporter, Given, value};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
-use etalon_robots::Role;
+use etalon_robots::{Parameter, Robot, Role};
 use minijinja::context;
 use minijinja::value::Serde;
 
 /// G-code.
 pub(super) struct RepRapFiveBar;
 
+/// Angle of the tool beside its link.
+const GAMMA: &str = "gamma";
+
 impl Exporter for RepRapFiveBar {
     fn file_name(&self) -> &'static str {
         "reprap_five_bar.g"
+    }
+
+    /// The tool is on the line of its link.
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        parameter.name != GAMMA
+    }
+
+    /// The tool is not before the joint of the distal links either.
+    fn written(&self, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        let mut written = values.to_vec();
+        if let [Some(gamma), Some(l22), Some(l23)] = [GAMMA, "l22", "l23"].map(|name| robot.index(name)) {
+            written[l23] = (values[l23] * values[gamma].cos()).max(values[l22]);
+            written[gamma] = 0.0;
+        }
+        written
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
@@ -31,7 +49,7 @@ impl Exporter for RepRapFiveBar {
         let half = 0.5 * of("d")?;
         let motors = |i: usize| Serde([-half, half].map(|side| [x, y][i] + side * along[i]));
         let phi_deg = along[1].atan2(along[0]).to_degrees();
-        let (gamma, l22, l23) = (of("gamma")?, of("l22")?, of("l23")?);
+        let (gamma, l22, l23) = (of(GAMMA)?, of("l22")?, of("l23")?);
         let beyond = l23 * gamma.cos() - l22;
         let values = context! {
             header => given.header("mm, deg")?,

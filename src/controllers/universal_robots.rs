@@ -2,9 +2,9 @@
 //! ur_calibration).
 
 use super::template::render;
-use super::{Exporter, Given, roll_pitch_yaw};
+use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
 use etalon_base::message::{Message, Result};
-use etalon_robots::ChainJoint;
+use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
@@ -16,6 +16,10 @@ const LINKS: [&str; 6] = ["shoulder", "upper_arm", "forearm", "wrist_1", "wrist_
 impl Exporter for UniversalRobots {
     fn file_name(&self) -> &'static str {
         "universal_robots_calibration.yaml"
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_geometry(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
@@ -30,10 +34,20 @@ impl Exporter for UniversalRobots {
             context! { link => link.to_string(), xyz => Serde(xyz), rpy => Serde(rpy), gain => joint.gain }
         };
         let joints: Vec<Value> = LINKS.iter().zip(&chain.joints).map(joint).collect();
-        // the driver compares it with that of the controller's own calibration
-        let sha256 = given.sha256()?;
-        let hash = u64::from_str_radix(sha256.get(..16).unwrap_or_default(), 16).unwrap_or_default();
-        let values = context! { header => given.header_of_geometry("m, rad")?, joints, hash };
+        let mut header = given.header_of_geometry("m, rad")?;
+        header
+            .push("ur_description reads this file (kinematics_params_file); the controller itself does not".to_owned());
+        let hash = match given.controller_hash {
+            Some(hash) => hash.to_owned(),
+            None => {
+                header.push(
+                    "the hash is that of etalon, not of the robot: ur_robot_driver reports a mismatch".to_owned(),
+                );
+                let sha256 = given.sha256()?;
+                format!("calib_{}", u64::from_str_radix(sha256.get(..16).unwrap_or_default(), 16).unwrap_or_default())
+            }
+        };
+        let values = context! { header, joints, hash };
         render(include_str!("templates/universal_robots.yaml.j2"), values).map(String::into_bytes)
     }
 }

@@ -1,8 +1,9 @@
 //! The URDF that the robot was read from, with calibrated origins: all else, comments too, is as it was.
 
-use super::{Exporter, Given, roll_pitch_yaw};
+use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
+use etalon_robots::{Effect, Parameter};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::fmt::Write;
@@ -32,6 +33,15 @@ struct Joint {
 impl Exporter for Urdf {
     fn file_name(&self) -> &'static str {
         "calibrated.urdf"
+    }
+
+    /// Gains of joints that another joint moves are in the multiplier of `mimic`.
+    fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
+        let own = || {
+            let joint = given.robot?.joints().get(parameter.joint?)?;
+            Some(parameter.name == format!("gain_{}", joint.name))
+        };
+        is_geometry(parameter) || parameter.effect == Effect::Gains && own() == Some(false)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

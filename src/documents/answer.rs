@@ -1,6 +1,6 @@
 //! What commands answer that make no document of a campaign: `--json` of check, formats, report, export, simulate, init.
 
-use super::Source;
+use super::{ControllerErrors, Source};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -120,11 +120,26 @@ pub struct WrittenDocument {
     pub schema: String,
     /// Files in the order in which they were written.
     pub files: Vec<String>,
+    /// Position errors with the controller files that `etalon export` wrote, as far as the run measured them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controllers: Vec<WrittenController>,
+}
+
+/// A controller file that was written.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrittenController {
+    /// Name of the format.
+    pub format: String,
+    /// Identified parameters that the format does not hold.
+    pub left_out: Vec<String>,
+    /// Errors at validation poses, or at calibration poses where there are no others; null where they were not measured.
+    pub errors: Option<ControllerErrors>,
 }
 
 impl WrittenDocument {
     /// These files.
     pub fn new(files: Vec<String>) -> Self {
-        Self { schema: "etalon/written/1".to_owned(), files }
+        Self { schema: "etalon/written/1".to_owned(), files, controllers: Vec::new() }
     }
 }

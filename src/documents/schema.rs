@@ -12,6 +12,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("check", schema::<CheckDocument>()),
         ("compare", schema::<CompareDocument>()),
         ("compensation", schema::<CompensationDocument>()),
+        ("controllers", schema::<ControllersDocument>()),
         ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
         ("formats", schema::<FormatsDocument>()),

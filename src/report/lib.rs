@@ -23,9 +23,9 @@ mod workbook;
 
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, FeaturesDocument, FramesDocument,
-    GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation, Provenance,
-    RecommendationDocument, UncertaintyDocument, VerificationDocument, VerificationPlanDocument,
+    AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, FeaturesDocument,
+    FramesDocument, GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation,
+    Provenance, RecommendationDocument, UncertaintyDocument, VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -48,6 +48,8 @@ pub struct Report<'a> {
     pub identified: Option<Identified<'a>>,
     /// What geometry alone found, where the campaign asks for it.
     pub geometric: Option<&'a GeometricDocument>,
+    /// Controller files of formats that leave identified parameters out.
+    pub controllers: Option<&'a ControllersDocument>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: &'a Characteristics,
 }
@@ -64,16 +66,23 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Whether every limit is met, and the result can be that of a robot; without making the report.
+    /// Whether every limit is met, the result can be that of a robot, and every controller file is written; without making the report.
     pub fn is_met(&self) -> bool {
         sections::verdict::met(self.identified.as_ref(), self.tested)
+            && self.controllers.is_none_or(ControllersDocument::is_complete)
     }
 
     /// Every warning and error of its documents.
     fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
         let geometric = self.geometric.iter().flat_map(|g| &g.messages);
-        identified.chain(&self.import.messages).chain(geometric).chain(self.tested.messages()).collect()
+        let controllers = self.controllers.iter().flat_map(|c| &c.messages);
+        identified
+            .chain(controllers)
+            .chain(&self.import.messages)
+            .chain(geometric)
+            .chain(self.tested.messages())
+            .collect()
     }
 
     /// What the numbers come from.
@@ -101,7 +110,7 @@ impl<'a> Report<'a> {
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
             version: self.provenance().version,
-            verdict: sections::verdict::verdict(self.identified.as_ref(), self.tested, words),
+            verdict: self.verdict(words),
             sections: sections::all(self, words),
             signed: true,
             compact: false,
@@ -109,6 +118,16 @@ impl<'a> Report<'a> {
             statement: words.say("These results relate only to the item tested."),
             brief: true,
         }
+    }
+
+    /// What the first box says.
+    fn verdict(&self, words: &Words) -> Verdict {
+        let mut verdict = sections::verdict::verdict(self.identified.as_ref(), self.tested, words);
+        if self.controllers.is_some_and(|c| !c.is_complete()) {
+            (verdict.class, verdict.met) = (model::Grade::Bad, false);
+            verdict.sentences.push(words.say("A controller file is not written: see the messages."));
+        }
+        verdict
     }
 
     /// The documents that go along with the PDF.
@@ -120,6 +139,7 @@ impl<'a> Report<'a> {
             all.push(Attachment::of("accuracy.json", "data", "Errors before and after", i.accuracy));
         }
         all.extend(self.geometric.map(|d| Attachment::of("geometric.json", "data", "Geometric calibration", d)));
+        all.extend(self.controllers.map(|d| Attachment::of("controllers.json", "data", "Controller files", d)));
         let Characteristics { poses, streams, compliance } = self.tested;
         all.extend(poses.as_ref().map(|d| Attachment::of("iso9283.json", "data", "Characteristics of ISO 9283", d)));
         all.extend(streams.as_ref().map(|d| Attachment::of("iso9283-streams.json", "data", "Recorded motions", d)));

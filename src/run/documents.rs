@@ -7,8 +7,8 @@ use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument,
-    ImportDocument, ManifestDocument, ParametersDocument, PointError,
+    AccuracyDocument, CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument,
+    GeometricDocument, ImportDocument, ManifestDocument, ParametersDocument, PointError,
 };
 use etalon_formats::table;
 use etalon_report::Report;
@@ -143,6 +143,7 @@ pub struct Run {
     features: FeaturesDocument,
     frames: FramesDocument,
     geometric: Option<GeometricDocument>,
+    controllers: Option<ControllersDocument>,
 }
 
 /// The documents of an identification.
@@ -177,6 +178,7 @@ impl Run {
             // a campaign that only tests has none
             identified: documents.parameters()?.map(identified).transpose()?,
             geometric: documents.optional("geometric.json")?,
+            controllers: documents.optional("controllers.json")?,
             tested: Characteristics {
                 poses: documents.optional("iso9283.json")?,
                 streams: documents.optional("iso9283-streams.json")?,
@@ -198,6 +200,7 @@ impl Run {
                 errors: &i.errors,
             }),
             geometric: self.geometric.as_ref(),
+            controllers: self.controllers.as_ref(),
             tested: &self.tested,
         }
     }

@@ -3,6 +3,7 @@
 use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::run::walk::{Mode, Walk};
+use crate::stages::controller_files;
 use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
@@ -10,8 +11,12 @@ use crate::stages::kinds;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
-use etalon_documents::{CampaignSummary, Characteristics, FeaturesDocument, FramesDocument, GeometricDocument};
+use etalon_controllers::{Description, Exporter, Given};
+use etalon_documents::{
+    CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
+};
 use etalon_report::{Faces, Report};
+use etalon_robots::Robot;
 
 /// What a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +53,7 @@ pub struct Evaluated {
     frames: FramesDocument,
     joined: Option<Joined>,
     geometric: Option<GeometricDocument>,
+    controllers: Option<ControllersDocument>,
     summary: CampaignSummary,
     /// Parameters and errors, where the campaign identifies any.
     pub identified: Option<Identified>,
@@ -74,12 +80,19 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
         let first = walk.gathered.document.messages.iter().filter(|m| !problems.0.contains(m));
         Problems(first.chain(&problems.0).cloned().collect())
     })?;
-    let (Some(features), Some(frames), Some(presentation)) = (walk.features, walk.frames, walk.presentation) else {
+    let (Some(features), Some(frames), Some(presentation), Some(robot)) =
+        (walk.features, walk.frames, walk.presentation, walk.robot)
+    else {
         return Err(walk.problems);
     };
     let Walk { gathered, joined, geometric, identified, tested, .. } = walk;
+    // formats that leave parameters out hold what is identified without them
     let summary = summary(campaign, presentation);
-    Ok(Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested })
+    let controllers = identified.as_ref().filter(|found| found.parameters.is_plausible()).and_then(|found| {
+        let given = given(campaign, robot.as_ref(), found, &summary);
+        controller_files::identify_again(&given, robot.as_ref(), found, &formats(campaign))
+    });
+    Ok(Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested })
 }
 
 impl Evaluated {
@@ -96,6 +109,7 @@ impl Evaluated {
                 errors: &found.errors,
             }),
             geometric: self.geometric.as_ref(),
+            controllers: self.controllers.as_ref(),
             tested: &self.tested,
         }
     }
@@ -105,6 +119,7 @@ impl Evaluated {
         let messages = self.gathered.document.messages.iter();
         let messages = messages.chain(self.identified.iter().flat_map(|found| &found.parameters.messages));
         let messages = messages.chain(self.geometric.iter().flat_map(|g| &g.messages));
+        let messages = messages.chain(self.controllers.iter().flat_map(|c| &c.messages));
         messages.chain(self.tested.messages())
     }
 }
@@ -120,7 +135,7 @@ fn write(
     let messages = found.messages().cloned().collect();
     let met = found.report().is_met();
     let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
-    let Evaluated { gathered, features, frames, joined, geometric, summary, identified, tested } = found;
+    let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
     if tables {
         out.gathered(campaign, &gathered)?;
@@ -132,24 +147,17 @@ fn write(
     out.observations(campaign, joined.filter(|_| tables))?;
     out.identified(identified.as_ref())?;
     out.optional("geometric.json", geometric.as_ref())?;
+    out.optional("controllers.json", controllers.as_ref())?;
     out.optional("iso9283.json", tested.poses.as_ref())?;
     out.optional("iso9283-streams.json", tested.streams.as_ref())?;
     out.optional("iso9283-compliance.json", tested.compliance.as_ref())?;
     if let Some(found) = identified.as_ref().filter(|found| found.parameters.is_plausible()) {
         let targets = gathered.observations.as_ref().map(|table| kinds::targets(&table.table)).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
-        let given = etalon_controllers::Given {
-            parameters: &found.parameters,
-            summary: Some(&summary),
-            name: summary.robot.as_deref(),
-            robot: Some(robot.as_ref()),
-            description: campaign
-                .robot
-                .description()
-                .map(|(file, text)| etalon_controllers::Description { file, text }),
-            force: false,
-        };
-        for exporter in exporters(campaign) {
+        let given = Given { controllers: controllers.as_ref(), ..given(campaign, robot.as_ref(), found, &summary) };
+        // refused files are among the messages
+        let is_written = |name: &str, e: &dyn Exporter| given.statement(e).is_ok_and(|s| s.refusal(name).is_none());
+        for (_, exporter) in formats(campaign).into_iter().filter(|(name, e)| is_written(name, *e)) {
             out.bytes(exporter.file_name(), exporter.write(&given)?);
         }
     }
@@ -163,12 +171,30 @@ fn write(
     Ok(Outcome { written, identified, tested, met, faces, summary, messages })
 }
 
-/// The controller formats that the campaign names, or the usual ones.
-fn exporters(campaign: &Campaign) -> Vec<&'static dyn etalon_controllers::Exporter> {
-    match &campaign.file.controllers {
-        Some(names) => names.iter().filter_map(|name| etalon_controllers::by_name(name.get_ref())).collect(),
-        None => etalon_controllers::usual().filter_map(etalon_controllers::by_name).collect(),
+/// What controller files are made of, before anything is identified again for them.
+fn given<'a>(
+    campaign: &'a Campaign,
+    robot: &'a dyn Robot,
+    found: &'a Identified,
+    summary: &'a CampaignSummary,
+) -> Given<'a> {
+    Given {
+        summary: Some(summary),
+        name: summary.robot.as_deref(),
+        robot: Some(robot),
+        description: campaign.robot.description().map(|(file, text)| Description { file, text }),
+        accuracy: Some(&found.accuracy),
+        ..Given::parameters(&found.parameters)
     }
+}
+
+/// The controller formats that the campaign names, or the usual ones.
+fn formats(campaign: &Campaign) -> Vec<(&str, &'static dyn Exporter)> {
+    let names: Vec<&str> = match &campaign.file.controllers {
+        Some(names) => names.iter().map(|name| name.get_ref().as_str()).collect(),
+        None => etalon_controllers::usual().collect(),
+    };
+    names.into_iter().filter_map(|name| Some((name, etalon_controllers::by_name(name)?))).collect()
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use etalon_documents::parameters_document;
 use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use etalon_formats::table;
 use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings, Systematic};
-use etalon_robots::Robot;
+use etalon_robots::{Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -37,6 +37,43 @@ pub struct Identified {
     pub settings: Settings,
     /// What the solver found.
     pub found: Identification,
+    /// What it takes to identify again.
+    pub again: Again,
+}
+
+/// What it takes to identify the same observations again.
+#[derive(Clone, Debug)]
+pub struct Again {
+    systematic: Systematic,
+    /// Nominal parameters with base and targets fitted.
+    pub before: Vec<f64>,
+}
+
+impl Identified {
+    /// Identifies again with these parameters held at their nominal values.
+    ///
+    /// # Errors
+    /// If the solver fails.
+    pub fn without(&self, robot: &dyn Robot, held: &[String]) -> Result<Identification> {
+        self.again_from(robot, held, &self.again.before)
+    }
+
+    /// Fits base and targets again to a robot with these parameters.
+    ///
+    /// # Errors
+    /// If the solver fails.
+    pub fn with_frames(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<f64>> {
+        let of_robot = robot.parameters().iter().filter(|p| p.role == Role::Robot);
+        let held: Vec<String> = of_robot.map(|p| p.name.clone()).collect();
+        Ok(self.again_from(robot, &held, values)?.values)
+    }
+
+    fn again_from(&self, robot: &dyn Robot, held: &[String], start: &[f64]) -> Result<Identification> {
+        let hold = self.settings.hold.iter().chain(held).cloned().collect();
+        let settings = Settings { hold, ..self.settings.clone() };
+        etalon_identify::identify_with(robot, &self.sets.calibration, &settings, start, &self.again.systematic)
+            .map_err(remedied)
+    }
 }
 
 /// Identifies the robot from the observations of the first log; other logs are compared with it. `inputs` are the files and
@@ -107,7 +144,8 @@ pub fn identify(
     }
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
-    Ok(Identified { parameters, accuracy, errors, sets, settings, found })
+    let again = Again { systematic, before };
+    Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
 }
 
 /// Parameters of the nominal robot with base and targets fitted, and what the solver finds from there.

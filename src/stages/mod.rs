@@ -2,6 +2,7 @@
 
 pub mod candidates;
 mod checks;
+pub mod controller_files;
 pub mod distance;
 pub mod evaluate;
 pub mod exclusions;

@@ -2,9 +2,10 @@
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
-use crate::{Exporter, Given};
+use crate::{Exporter, Given, is_in_code};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
+use etalon_robots::Parameter;
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -29,6 +30,10 @@ impl Notation for C {
 impl Exporter for C99 {
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.c"
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_in_code(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

@@ -2,8 +2,9 @@
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
-use crate::{Exporter, Given};
+use crate::{Exporter, Given, is_in_code};
 use etalon_base::message::Result;
+use etalon_robots::Parameter;
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -27,6 +28,10 @@ impl Notation for Python {
 impl Exporter for PythonCode {
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.py"
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_in_code(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

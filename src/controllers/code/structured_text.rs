@@ -3,9 +3,10 @@
 
 use super::{Notation, formulas, interface, kept, statements};
 use crate::template::real_literal;
-use crate::{Exporter, Given};
+use crate::{Exporter, Given, is_in_code};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
+use etalon_robots::Parameter;
 use std::fmt::Write;
 
 /// Function blocks.
@@ -264,6 +265,10 @@ fn declarations(unit: &Unit, siemens: bool) -> String {
 impl Exporter for StructuredText {
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.st"
+    }
+
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_in_code(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

@@ -7,6 +7,7 @@ pub(super) mod changes;
 mod checks;
 mod compliance;
 pub(super) mod conditions;
+mod controllers;
 pub(super) mod distributions;
 pub(super) mod drift;
 pub(super) mod errors;
@@ -35,8 +36,9 @@ type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// What comes before the characteristics of ISO 9283, and after them, in the order of reading.
 const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
-const AFTER: [Make; 8] = [
+const AFTER: [Make; 9] = [
     parameters::section,
+    controllers::section,
     budget::section,
     checks::section,
     geometric::section,

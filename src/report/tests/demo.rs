@@ -47,6 +47,7 @@ impl Documents {
             frames: &self.frames,
             identified: Some(self.identified()),
             geometric: None,
+            controllers: None,
             tested: &self.tested,
         }
     }

@@ -1,0 +1,134 @@
+//! What a file holds and how accurate the robot is with it: parameters that its format leaves out, the values that it has instead, the
+//! position errors with them, and the lines of its header that say so.
+
+use super::{Exporter, Given, name_of};
+use etalon_base::message::{Message, Result};
+use etalon_documents::{
+    ControllerErrors, ErrorQuantity, ErrorStatistics, ParameterStatus, ParametersDocument, PoseSet, PositionErrors,
+    Statistics,
+};
+use etalon_robots::{Parameter, Role};
+
+/// Largest difference of a value that counts as rounding, relative.
+const ROUNDING: f64 = 1e-12;
+
+/// What a file holds.
+#[derive(Clone, Debug, Default)]
+pub struct Statement {
+    /// Identified parameters that the format does not hold.
+    pub left_out: Vec<String>,
+    /// Position errors that decide whether the file is written; `None` where they were not measured.
+    pub errors: Option<ControllerErrors>,
+    /// What the file holds in place of the identified parameters.
+    pub(crate) parameters: Option<ParametersDocument>,
+    /// `true` if these were identified again, and not conditioned by the covariance.
+    again: bool,
+}
+
+impl Statement {
+    /// Why the file is not written: the robot is less accurate with it than with nominal parameters.
+    pub fn refusal(&self, format: &str) -> Option<Message> {
+        let what = format!("format `{format}` is not written: {}", self.worse_than_nominal()?);
+        let hint = "use a format that holds these parameters; `etalon export --force` writes the file";
+        Some(Message::error(what).hint(hint))
+    }
+
+    /// Both errors, where those of the file are larger than with nominal parameters.
+    pub(crate) fn worse_than_nominal(&self) -> Option<String> {
+        let errors = self.errors.as_ref().filter(|e| self.parameters.is_some() && e.is_worse_than_nominal())?;
+        let names = self.left_out.join(", ");
+        let without = if names.is_empty() { names } else { format!(" without {names}") };
+        let [nominal, _, written] = millimetres(errors);
+        let set = &errors.set;
+        Some(format!("the error at {set} poses{without} is {written} mm (rms), with nominal parameters {nominal} mm"))
+    }
+
+    /// Lines of the header.
+    pub(crate) fn lines(&self) -> Vec<String> {
+        let names = self.left_out.join(", ");
+        let errors = self.errors.as_ref().map(|errors| {
+            let [nominal, identified, written] = millimetres(errors);
+            let none = if errors.set == PoseSet::Validation { "" } else { "; no poses to validate" };
+            format!(
+                "{} poses: nominal {nominal} mm, identified {identified} mm, this file {written} mm (rms{none})",
+                errors.set
+            )
+        });
+        let without = match (&self.parameters, self.again) {
+            (None, _) => None,
+            (_, true) if names.is_empty() => None,
+            (_, true) => Some(format!("identified again without: {names}")),
+            (_, false) => {
+                Some(format!("conditioned on nominal values of: {names}; the error of this file was not measured"))
+            }
+        };
+        errors.into_iter().chain(without).collect()
+    }
+}
+
+/// Root mean squares with nominal, identified and written values, three digits of the least.
+fn millimetres(errors: &ControllerErrors) -> [String; 3] {
+    let all = [errors.nominal, errors.identified, errors.written].map(|e| e.rms_mm);
+    let least = all.into_iter().filter(|v| *v > 0.0).fold(f64::INFINITY, f64::min);
+    let decimals = (2.0 - least.log10().floor()).clamp(3.0, 6.0) as usize;
+    all.map(|v| format!("{v:.decimals$}"))
+}
+
+impl Given<'_> {
+    /// Identified parameters that a format does not hold; empty where the robot is not given.
+    pub fn left_out<E: Exporter + ?Sized>(&self, exporter: &E) -> Vec<String> {
+        let identified = |p: &&Parameter| self.entry(&p.name).is_ok_and(|e| e.status == ParameterStatus::Identified);
+        let robot = self.robot.iter().flat_map(|robot| robot.parameters()).filter(|p| p.role == Role::Robot);
+        robot.filter(|p| !exporter.holds(p, self)).filter(identified).map(|p| p.name.clone()).collect()
+    }
+
+    /// What the file of a format holds.
+    ///
+    /// # Errors
+    /// Parameters that the covariance does not contain, where they were not identified again.
+    pub fn statement<E: Exporter + ?Sized>(&self, exporter: &E) -> Result<Statement> {
+        let left_out = self.left_out(exporter);
+        if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
+            return Ok(Statement { left_out, errors, parameters: Some(parameters), again: true });
+        }
+        let names: Vec<&str> = left_out.iter().map(String::as_str).collect();
+        if names.is_empty() {
+            let errors = self.accuracy.and_then(|accuracy| accuracy.sets.last()).and_then(|set| {
+                let ErrorStatistics { before, after, .. } = set.of(ErrorQuantity::Position)?;
+                let of = |s: &Statistics| PositionErrors { rms_mm: s.rms, max_mm: s.max };
+                let (set, nominal, identified) = (set.name, of(before), of(after));
+                Some(ControllerErrors { set, nominal, identified, written: identified })
+            });
+            return Ok(Statement { errors: errors.filter(|_| self.is_whole(exporter)), ..Statement::default() });
+        }
+        let conditioned = self.parameters.conditioned(&names).ok_or_else(|| {
+            let what = format!("the covariance of {} is not in parameters.json", left_out.join(", "));
+            let format = name_of(exporter);
+            let hint =
+                format!("run the campaign with `controllers = [\"{format}\"]`: it identifies again without them");
+            Message::error(format!("format `{format}` does not hold all identified parameters, and {what}")).hint(hint)
+        })?;
+        Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
+    }
+
+    /// Parameters that a run identified again without those that are left out, as the format writes them, and the errors with them.
+    fn identified_again<E: Exporter + ?Sized>(
+        &self,
+        exporter: &E,
+        left_out: &[String],
+    ) -> Option<(ParametersDocument, Option<ControllerErrors>)> {
+        self.controllers?.files.iter().filter(|files| files.left_out == left_out).find_map(|files| {
+            let parameters = files.applied_to(self.parameters);
+            let applied = Given { parameters: &parameters, ..*self };
+            let is_whole = applied.is_whole(exporter);
+            is_whole.then(|| (parameters, files.deciding().cloned()))
+        })
+    }
+
+    /// `true` if the format writes the values of these parameters unchanged.
+    fn is_whole<E: Exporter + ?Sized>(&self, exporter: &E) -> bool {
+        let Ok((robot, values)) = self.robot() else { return true };
+        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= ROUNDING * a.abs().max(1.0);
+        exporter.written(robot, &values).iter().zip(&values).all(same)
+    }
+}

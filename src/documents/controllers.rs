@@ -1,0 +1,116 @@
+//! `controllers.json`: what controller files hold whose format leaves identified parameters out, and how accurate the robot is with them.
+
+use super::{ParametersDocument, PoseSet};
+use etalon_base::message::{Message, Severity};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Controller files of formats that leave identified parameters out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControllersDocument {
+    /// `etalon/controllers/1`
+    pub schema: String,
+    /// One entry for each distinct set of values that is written.
+    pub files: Vec<ControllerFiles>,
+    /// Files that were not written, and parameters that could not be identified again.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub messages: Vec<Message>,
+}
+
+/// Values that files of one or more formats hold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControllerFiles {
+    /// Names of the formats.
+    pub formats: Vec<String>,
+    /// Identified parameters that the formats do not hold; the others were identified again with these at their nominal values.
+    pub left_out: Vec<String>,
+    /// All parameters as the files hold them.
+    pub values: Vec<WrittenParameter>,
+    /// Position errors, one entry for each set of poses: `calibration`, `validation`.
+    pub errors: Vec<ControllerErrors>,
+}
+
+/// A parameter as a file holds it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrittenParameter {
+    /// Name.
+    pub name: String,
+    /// `mm`, `deg` or `1`.
+    pub unit: String,
+    /// Value.
+    pub value: f64,
+    /// Standard uncertainty (k = 1); absent where the value was not identified, or where the format changes it.
+    pub standard_uncertainty: Option<f64>,
+}
+
+/// Position errors at one set of poses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControllerErrors {
+    /// `calibration` or `validation`.
+    #[schemars(with = "String")]
+    pub set: PoseSet,
+    /// With nominal parameters of the robot.
+    pub nominal: PositionErrors,
+    /// With all identified parameters.
+    pub identified: PositionErrors,
+    /// With the values that are written.
+    pub written: PositionErrors,
+}
+
+/// Root mean square and maximum of position errors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PositionErrors {
+    /// Root mean square, mm.
+    pub rms_mm: f64,
+    /// Maximum, mm.
+    pub max_mm: f64,
+}
+
+impl ControllersDocument {
+    /// What `schema` states.
+    pub const SCHEMA: &str = "etalon/controllers/1";
+
+    /// The document; `None` if no format leaves anything out.
+    pub fn new(files: Vec<ControllerFiles>, messages: Vec<Message>) -> Option<Self> {
+        let any = !files.is_empty() || !messages.is_empty();
+        any.then(|| Self { schema: Self::SCHEMA.to_owned(), files, messages })
+    }
+
+    /// `true` if every file was written.
+    pub fn is_complete(&self) -> bool {
+        self.messages.iter().all(|m| m.severity != Severity::Error)
+    }
+}
+
+impl ControllerFiles {
+    /// The errors that decide: at validation poses, or at calibration poses where there are no others.
+    pub fn deciding(&self) -> Option<&ControllerErrors> {
+        self.errors.last()
+    }
+
+    /// The identified parameters with the values that are written.
+    pub fn applied_to(&self, identified: &ParametersDocument) -> ParametersDocument {
+        let left_out: Vec<&str> = self.left_out.iter().map(String::as_str).collect();
+        let mut document = identified.holding(&left_out);
+        let by_name: std::collections::BTreeMap<&str, &WrittenParameter> =
+            self.values.iter().map(|v| (v.name.as_str(), v)).collect();
+        for p in &mut document.parameters {
+            if let Some(written) = by_name.get(p.name.as_str()) {
+                (p.value, p.standard_uncertainty, p.determined) = (written.value, written.standard_uncertainty, None);
+            }
+        }
+        document
+    }
+}
+
+impl ControllerErrors {
+    /// `true` if the root mean square is larger than with nominal parameters.
+    pub fn is_worse_than_nominal(&self) -> bool {
+        self.written.rms_mm > self.nominal.rms_mm
+    }
+}

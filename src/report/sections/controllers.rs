@@ -1,0 +1,36 @@
+//! Controller files whose format leaves identified parameters out: the values that they hold, and the errors with them.
+
+use crate::Report;
+use crate::model::{Block, Columns, Section, Table, Text, significant};
+use crate::words::Words;
+use etalon_documents::{ControllerErrors, ControllerFiles, WrittenParameter};
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    let document = report.controllers?;
+    let mut section = Section::new("controllers", words.say("Controller files"));
+    section.push(Block::note(words.say("These formats do not hold all identified parameters. Their files hold what was identified again with the parameters left out at nominal. Position errors are root mean squares and maxima.")));
+    let rows: Vec<(&ControllerFiles, &ControllerErrors)> =
+        document.files.iter().flat_map(|files| files.errors.iter().map(move |errors| (files, errors))).collect();
+    let columns = Columns::<(&ControllerFiles, &ControllerErrors)>::new()
+        .both("formats", "", |(f, _)| Text::name(&f.formats.join(", ")))
+        .both("parameters left out", "", |(f, _)| Text::name(&f.left_out.join(", ")))
+        .page("poses", "", |(_, e)| Text::name(&words.say(e.set.name())))
+        .sheet("poses", "", |(_, e)| e.set.name())
+        .both("nominal, RMS", "mm", |(_, e)| significant(e.nominal.rms_mm, 3))
+        .both("nominal, max", "mm", |(_, e)| significant(e.nominal.max_mm, 3))
+        .both("identified, RMS", "mm", |(_, e)| significant(e.identified.rms_mm, 3))
+        .both("identified, max", "mm", |(_, e)| significant(e.identified.max_mm, 3))
+        .both("this file, RMS", "mm", |(_, e)| significant(e.written.rms_mm, 3))
+        .both("this file, max", "mm", |(_, e)| significant(e.written.max_mm, 3));
+    section.push(Block::Table(Table::of(words, &rows, columns).on("Controller files")));
+    let values: Vec<(&ControllerFiles, &WrittenParameter)> =
+        document.files.iter().flat_map(|files| files.values.iter().map(move |value| (files, value))).collect();
+    let columns = Columns::<(&ControllerFiles, &WrittenParameter)>::new()
+        .sheet("formats", "", |(f, _)| f.formats.join(", "))
+        .sheet("name", "", |(_, v)| v.name.as_str())
+        .sheet("unit", "", |(_, v)| v.unit.as_str())
+        .sheet("value", "", |(_, v)| v.value)
+        .sheet("u (k = 1)", "", |(_, v)| v.standard_uncertainty);
+    section.push(Block::Table(Table::of(words, &values, columns).on("Controller values")));
+    section.whole()
+}
