@@ -167,7 +167,7 @@ impl Exporter for DeltaHal {
         given.robot.is_some_and(|robot| has_pin(pins(robot.model()), stem(&parameter.name)))
     }
 
-    fn written(&self, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let pins = pins(robot.model());
         let own = |(p, &value): (&Parameter, &f64)| match stem(&p.name) {
             stem if p.role == Role::Robot && has_pin(pins, stem) => mean(robot, values, stem).unwrap_or(value),

@@ -60,10 +60,15 @@ pub trait Exporter {
         true
     }
 
-    /// The values (mm, rad, 1) of the robot that the file describes, of these values of its parameters: others where the format ties
-    /// parameters to each other.
-    fn written(&self, _robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
-        values.to_vec()
+    /// Values (mm, rad, 1) of the robot that a file with these values describes: effects that the format does not hold are zero, and some
+    /// formats tie parameters to each other.
+    fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        let own = |(p, &value): (&Parameter, &f64)| match p.effect {
+            Effect::Zeros | Effect::Geometry | Effect::Gains => value,
+            _ if self.holds(p, given) => value,
+            _ => 0.0,
+        };
+        robot.parameters().iter().zip(values).map(own).collect()
     }
 
     /// The bytes of the file. It holds what was identified without the parameters that the format leaves out.
@@ -262,8 +267,12 @@ impl<'a> Given<'a> {
     fn header_without(&self, effects: &[Effect], why: &str, units: &str) -> Result<Vec<String>> {
         let effect = |name: &str| self.robot.and_then(|robot| Some(robot.parameters()[robot.index(name)?].effect));
         let is_left_out = |p: &&ParameterEntry| p.value != 0.0 && effect(&p.name).is_some_and(|e| effects.contains(&e));
-        let left_out: Vec<&str> =
-            self.parameters.parameters.iter().filter(is_left_out).map(|entry| entry.name.as_str()).collect();
+        let (named, parameters): (&[String], _) = match self.file {
+            Some((statement, identified)) => (&statement.left_out, identified),
+            None => (&[], self.parameters),
+        };
+        let left_out = parameters.parameters.iter().filter(is_left_out).map(|entry| entry.name.as_str());
+        let left_out: Vec<&str> = left_out.filter(|name| !named.iter().any(|n| n == name)).collect();
         let mut lines = self.header(units)?;
         if !left_out.is_empty() {
             lines.push(comment(&format!("{why}: {}", left_out.join(", "))));

@@ -25,7 +25,7 @@ impl Exporter for RepRapFiveBar {
     }
 
     /// The tool is not before the joint of the distal links either.
-    fn written(&self, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let mut written = values.to_vec();
         if let [Some(gamma), Some(l22), Some(l23)] = [GAMMA, "l22", "l23"].map(|name| robot.index(name)) {
             written[l23] = (values[l23] * values[gamma].cos()).max(values[l22]);

@@ -48,7 +48,7 @@ impl Statement {
         let names = self.left_out.join(", ");
         let errors = self.errors.as_ref().map(|errors| {
             let [nominal, identified, written] = millimetres(errors);
-            let none = if errors.set == PoseSet::Validation { "" } else { "; no poses to validate" };
+            let none = if errors.set == PoseSet::Validation { "" } else { ", no validation poses" };
             format!(
                 "{} poses: nominal {nominal} mm, identified {identified} mm, this file {written} mm (rms{none})",
                 errors.set
@@ -59,7 +59,7 @@ impl Statement {
             (_, true) if names.is_empty() => None,
             (_, true) => Some(format!("identified again without: {names}")),
             (_, false) => {
-                Some(format!("conditioned on nominal values of: {names}; the error of this file was not measured"))
+                Some(format!("conditioned on nominal values of: {names}, the error of this file was not measured"))
             }
         };
         errors.into_iter().chain(without).collect()
@@ -129,6 +129,6 @@ impl Given<'_> {
     fn is_whole<E: Exporter + ?Sized>(&self, exporter: &E) -> bool {
         let Ok((robot, values)) = self.robot() else { return true };
         let same = |(a, b): (&f64, &f64)| (a - b).abs() <= ROUNDING * a.abs().max(1.0);
-        exporter.written(robot, &values).iter().zip(&values).all(same)
+        exporter.written(self, robot, &values).iter().zip(&values).all(same)
     }
 }

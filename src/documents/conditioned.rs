@@ -9,15 +9,15 @@ const DETERMINED: f64 = 1e-12;
 impl ParametersDocument {
     /// The estimate conditioned on nominal values of the identified parameters B that are named: values
     /// p_A − C_AB C_BB⁻¹ (p_B − p_B0) and covariance C_AA − C_AB C_BB⁻¹ C_BA of the others (Mardia, Kent & Bibby 1979, 3.2.4),
-    /// one parameter of B after the other. `None` if the covariance does not contain them.
+    /// one parameter of B after the other. `None` if the covariance does not contain them, unless all are at their nominal values.
     pub fn conditioned(&self, left_out: &[&str]) -> Option<Self> {
         let names: Vec<String> = self.identified().map(|p| p.name.clone()).collect();
-        let places: Vec<usize> =
-            left_out.iter().map(|name| names.iter().position(|n| n == name)).collect::<Option<_>>()?;
+        let place = |name: &&str| names.iter().position(|n| n == name).filter(|_| self.covariance.len() == names.len());
+        let Some(places) = left_out.iter().map(place).collect::<Option<Vec<usize>>>() else {
+            let is_nominal = |name: &&str| self.parameters.iter().any(|p| p.name == **name && p.value == p.nominal);
+            return left_out.iter().all(is_nominal).then(|| self.holding(left_out));
+        };
         let mut covariance = self.covariance.clone();
-        if covariance.len() != names.len() {
-            return None;
-        }
         let mut values: Vec<f64> = self.identified().map(|p| p.value).collect();
         let nominal: Vec<f64> = self.identified().map(|p| p.nominal).collect();
         for &b in &places {
@@ -60,5 +60,54 @@ impl ParametersDocument {
         document.budget.clear();
         (document.reliability, document.robust, document.observability) = (None, None, None);
         document
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn document() -> ParametersDocument {
+        let parameter = |name: &str, value: f64, u: Option<f64>| {
+            serde_json::json!({
+                "name": name, "unit": "1", "nominal": 1.0, "before": 1.0, "value": value, "standard_uncertainty": u,
+                "degrees_of_freedom": null, "status": if u.is_some() { "identified" } else { "fixed" }, "confounded_with": []
+            })
+        };
+        serde_json::from_value(serde_json::json!({
+            "schema": "etalon/parameters/2", "robot": "serial",
+            "parameters": [parameter("a", 3.0, Some(2.0)), parameter("held", 1.0, None), parameter("b", 5.0, Some(4.0))],
+            "covariance": [[4.0, 6.0], [6.0, 16.0]],
+            "residuals": {
+                "kind": "targets", "count": 0, "rms": 0.0, "max": 0.0, "degrees_of_freedom": 0,
+                "stated_standard_uncertainty_mm": null, "common_standard_uncertainty_mm": null, "chi_square": null,
+                "uncertainties_from": "instrument", "uncertainties_enlarged_by": 1.0
+            },
+            "observability": null,
+            "solver": { "method": "lm", "iterations": 1, "termination": "step_vanished", "meaning": "" },
+            "messages": [], "provenance": { "version": "0.1.0", "inputs": {}, "seed": null }
+        }))
+        .unwrap()
+    }
+
+    #[test]
+    fn two_correlated_parameters_by_hand() {
+        // 3 - 6/16 (5 - 1) = 1.5; 4 - 6²/16 = 1.75
+        let conditioned = document().conditioned(&["b"]).unwrap();
+        let [a, held, b] = &conditioned.parameters[..] else { panic!() };
+        assert_eq!((a.value, a.standard_uncertainty), (1.5, Some(1.75f64.sqrt())));
+        assert_eq!((held.value, b.value, b.standard_uncertainty, b.status), (1.0, 1.0, None, ParameterStatus::Fixed));
+        assert_eq!(conditioned.covariance, [[1.75]]);
+        assert_eq!(conditioned.check(), Ok(()));
+    }
+
+    #[test]
+    fn what_the_covariance_does_not_contain_cannot_be_left_out() {
+        assert!(document().conditioned(&["c"]).is_none());
+        // at its nominal value it tells nothing of the others
+        assert_eq!(document().conditioned(&["held"]).unwrap().parameters[0].value, 3.0);
+        let mut without = document();
+        without.covariance.clear();
+        assert!(without.conditioned(&["a"]).is_none());
     }
 }

@@ -19,8 +19,7 @@ pub fn identify_again(
 ) -> Option<ControllersDocument> {
     let (mut files, mut messages) = (Vec::<ControllerFiles>::new(), Vec::new());
     for &(name, exporter) in formats {
-        let left_out = given.left_out(exporter);
-        match of_format(robot, found, exporter, left_out) {
+        match of_format(given, robot, found, exporter) {
             Ok(None) => {}
             Ok(Some(file)) => match files.iter_mut().find(|f| f.left_out == file.left_out && f.values == file.values) {
                 Some(same) => same.formats.push(name.to_owned()),
@@ -43,16 +42,17 @@ pub fn identify_again(
     Some(document)
 }
 
-/// What a format holds that leaves these parameters out, or ties others; `None` if it holds what was identified.
+/// What a format holds that leaves parameters out, or ties others; `None` if it holds what was identified.
 fn of_format(
+    given: &Given,
     robot: &dyn Robot,
     found: &Identified,
     exporter: &dyn Exporter,
-    left_out: Vec<String>,
 ) -> Result<Option<ControllerFiles>> {
+    let left_out = given.left_out(exporter);
     let again = if left_out.is_empty() { None } else { Some(found.without(robot, &left_out)?) };
     let identified = again.as_ref().unwrap_or(&found.found);
-    let tied = exporter.written(robot, &identified.values);
+    let tied = exporter.written(given, robot, &identified.values);
     let values = if tied == identified.values { tied } else { found.with_frames(robot, &tied)? };
     if again.is_none() && values == identified.values {
         return Ok(None);

@@ -4,6 +4,7 @@ mod axis_table;
 mod checklist;
 mod compare;
 mod compensate;
+mod controller_files;
 mod fit;
 mod five_bar;
 mod given;

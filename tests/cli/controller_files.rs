@@ -1,0 +1,233 @@
+//! Controller files of formats that leave identified parameters out: what they hold is as accurate as they say.
+
+use super::{etalon, text};
+use crate::support::arms::{SIX_AXES, serial};
+use crate::support::scratch::Scratch;
+use etalon::base::noise::Noise;
+use etalon::base::pose::{Pose, Vector, minus, norm};
+use etalon::robots::{Kinematics, Robot, Role, Serial};
+use serde_json::Value;
+use std::fmt::Write;
+use std::path::Path;
+
+const FORMATS: [&str; 6] = ["json", "csv", "c-header", "universal-robots", "linuxcnc", "c-kinematics"];
+const CALIBRATION: usize = 60;
+const VALIDATION: usize = 30;
+/// Standard uncertainty of a coordinate, mm.
+const U_MM: f64 = 0.01;
+const SAMPLE_OF_FILE: &str = "universal_robots_calibration.yaml";
+
+/// Measured positions by their joint values (deg).
+struct Twin {
+    folder: Scratch,
+    poses: Vec<(Vec<f64>, Vector)>,
+}
+
+/// A six-axis arm.
+struct Arm {
+    /// What is added to the gains.
+    gains: [f64; 6],
+    /// Joint value (deg) at which zeros are right.
+    homed_at: f64,
+    /// Middle of all joints and how far they reach (deg), at calibration and validation poses.
+    poses: [[f64; 2]; 2],
+}
+
+/// Simulated measurements of the arm.
+fn twin(arm: &Arm) -> Twin {
+    let robot = serial(&SIX_AXES, &["tool"], &[]);
+    let mut noise = Noise::new(5, 0);
+    let mut truth = robot.nominal();
+    for (i, p) in robot.parameters().iter().enumerate() {
+        truth[i] = match (p.role, p.name.strip_prefix("gain_"), p.quantity.unit()) {
+            (Role::Base, _, "mm") => 800.0 + noise.uniform(100.0),
+            (Role::Base, ..) => noise.uniform(0.3),
+            (Role::Target, ..) => 60.0 + noise.uniform(40.0),
+            (_, Some(joint), _) => 1.0 + arm.gains[joint.parse::<usize>().unwrap() - 1],
+            (_, None, "mm") => p.nominal + noise.uniform(0.05),
+            _ => p.nominal,
+        };
+    }
+    for joint in 1..=6 {
+        let place = |name: &str| robot.index(&format!("{name}_{joint}")).unwrap();
+        truth[place("theta")] -= (truth[place("gain")] - 1.0) * arm.homed_at.to_radians();
+    }
+    let mut table = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+    let mut poses = Vec::new();
+    for pose in 0..CALIBRATION + VALIDATION {
+        let [middle, reach] = arm.poses[usize::from(pose >= CALIBRATION)];
+        let q: Vec<f64> = (0..6).map(|_| middle + noise.uniform(reach)).collect();
+        let q_rad: Vec<f64> = q.iter().map(|q| q.to_radians()).collect();
+        let at = robot.position(&truth, &q_rad, 0).map(|v| v + noise.gaussian(U_MM));
+        let row: Vec<String> = q.iter().chain(&at).map(f64::to_string).collect();
+        let _ = writeln!(table, "{},tool,{}", pose + 1, row.join(","));
+        poses.push((q, at));
+    }
+    let mut drawing = "name = \"arm\"\nmodel = \"serial\"\n".to_owned();
+    for [alpha, a, theta, d] in SIX_AXES {
+        let _ =
+            writeln!(drawing, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}");
+    }
+    let campaign = format!(
+        "name = \"arm\"\nrobot = \"robot.toml\"\ncontrollers = {FORMATS:?}\nsynthetic = \"drawn for a test\"\n\
+         [instrument]\nname = \"tracker\"\nexpanded_uncertainty_um = {}\ncoverage_factor = 2\n\
+         [observations]\nfile = \"observations.csv\"\n\
+         [identify]\neffects = \"all\"\ncalibration = \"1-{CALIBRATION}\"\nvalidation = \"rest\"\n",
+        2000.0 * U_MM
+    );
+    let files = [("campaign.toml", campaign.as_str()), ("robot.toml", &drawing), ("observations.csv", &table)];
+    Twin { folder: Scratch::with(&files), poses }
+}
+
+fn json(folder: &Path, name: &str) -> Value {
+    serde_json::from_slice(&std::fs::read(folder.join("out").join(name)).unwrap()).unwrap()
+}
+
+/// Values of the robot's parameters (mm, rad, 1) in a list of a document.
+fn values(robot: &dyn Robot, list: &Value) -> Vec<f64> {
+    let value = |name: &str| list.as_array().unwrap().iter().find(|v| v["name"] == name).unwrap()["value"].as_f64();
+    robot.parameters().iter().map(|p| p.quantity.inward(value(&p.name).unwrap())).collect()
+}
+
+/// The number before "mm" behind these words.
+fn stated(text: &str, words: &str) -> f64 {
+    let line = text.lines().find(|line| line.contains("validation poses: nominal ")).expect("a line of errors");
+    line.split_once(words).unwrap().1.trim().split(' ').next().unwrap().parse().unwrap()
+}
+
+fn rms(twin: &Twin, position: impl Fn(&[f64]) -> Vector) -> f64 {
+    let squares = twin.poses[CALIBRATION..].iter().map(|(q, at)| {
+        let q: Vec<f64> = q.iter().map(|q| q.to_radians()).collect();
+        norm(minus(*at, position(&q))).powi(2)
+    });
+    (squares.sum::<f64>() / VALIDATION as f64).sqrt()
+}
+
+/// Position of the target with the six joints of a calibration of Universal Robots, and these base and target.
+fn position_by_file(robot: &Serial, yaml: &str, values: &[f64], q: &[f64]) -> Vector {
+    let numbers: Vec<f64> =
+        yaml.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok()).collect();
+    let base = robot.base_in_world(values).unwrap();
+    let joint = |pose: Pose, (f, q): (&[f64], &f64)| {
+        pose.then(&Pose::from_xyz_rpy([f[0], f[1], f[2]].map(|m| 1000.0 * m), [f[3], f[4], f[5]])).turn_z(*q)
+    };
+    let flange = robot.joint_chain(&robot.nominal()).unwrap().flange;
+    let target = robot.parameters().iter().zip(values).filter(|(p, _)| p.role == Role::Target).map(|(_, v)| *v);
+    let target: Vec<f64> = target.collect();
+    numbers.chunks_exact(6).zip(q).fold(base, joint).then(&flange).apply([target[0], target[1], target[2]])
+}
+
+#[test]
+fn a_file_without_gains_is_as_accurate_as_it_says_and_better_than_nominal() {
+    let gains = [1e-3, -1e-3, 1e-3, 1e-3, -1e-3, 1e-3];
+    let twin = twin(&Arm { gains, homed_at: 60.0, poses: [[60.0, 60.0]; 2] });
+    let (folder, robot) = (twin.folder.path(), serial(&SIX_AXES, &["tool"], &[]));
+    let ran = etalon(&folder, &["run", "."]);
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    let yaml = std::fs::read_to_string(folder.join("out").join(SAMPLE_OF_FILE)).unwrap();
+    assert!(yaml.contains("# identified again without: gain_1, gain_2, gain_3, gain_4, gain_5"), "{yaml}");
+    assert!(yaml.contains("ur_robot_driver reports a mismatch") && yaml.contains("ur_description reads"), "{yaml}");
+    let [nominal, identified, file] = ["nominal ", "identified ", "this file "].map(|words| stated(&yaml, words));
+    // the file read back, by an evaluation that shares nothing with it but base and target
+    let document = json(&folder, "controllers.json");
+    let entry = &document["files"][0];
+    assert_eq!(entry["formats"], serde_json::json!(["universal-robots", "linuxcnc"]));
+    let written = values(&robot, &entry["values"]);
+    let read_back = rms(&twin, |q| position_by_file(&robot, &yaml, &written, q));
+    assert!((read_back / file - 1.0).abs() < 0.02, "{read_back} {file}");
+    assert!(identified < file && file < nominal, "{identified} {file} {nominal}");
+    assert_eq!(format!("{file:.3}"), format!("{:.3}", entry["errors"][1]["written"]["rms_mm"].as_f64().unwrap()));
+    // gains dropped without identifying again: worse than nominal
+    let parameters = json(&folder, "parameters.json");
+    let mut dropped = values(&robot, &parameters["parameters"]);
+    for (value, p) in dropped.iter_mut().zip(robot.parameters()) {
+        *value = if p.name.starts_with("gain_") { 1.0 } else { *value };
+    }
+    assert!(rms(&twin, |q| robot.position(&dropped, q, 0)) > nominal);
+    // formats that hold gains have them
+    let controller = json(&folder, "controller.json");
+    for p in parameters["parameters"].as_array().unwrap() {
+        assert_eq!(controller["parameters"][p["name"].as_str().unwrap()]["value"], p["value"]);
+    }
+    let code = std::fs::read_to_string(folder.join("out/etalon_kinematics.c")).unwrap();
+    assert_eq!([stated(&code, "this file "), stated(&code, "nominal ")], [identified, nominal]);
+    the_same_files_by_export(&folder);
+    without_the_run(&folder, &robot, &entry["values"]);
+}
+
+/// `export` writes what `run` wrote.
+fn the_same_files_by_export(folder: &Path) {
+    let mut arguments = vec!["export", "out/parameters.json", "--robot", "robot.toml", "--to", "again", "--json"];
+    arguments.extend(FORMATS.iter().flat_map(|format| ["--format", format]));
+    let exported = etalon(folder, &arguments);
+    assert_eq!(exported.status.code(), Some(0), "{}", text(&exported.stderr));
+    let names: Vec<_> = std::fs::read_dir(folder.join("again")).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert_eq!(names.len(), FORMATS.len());
+    for name in names {
+        let [run, export] = ["out", "again"].map(|of| std::fs::read(folder.join(of).join(&name)).unwrap());
+        assert!(run == export, "{}", name.display());
+    }
+    let said: Value = serde_json::from_slice(&exported.stdout).unwrap();
+    let document = json(folder, "controllers.json");
+    let of = |format: &str| said["controllers"].as_array().unwrap().iter().find(|c| c["format"] == format).unwrap();
+    assert_eq!(of("universal-robots")["errors"], document["files"][0]["errors"][1]);
+    assert_eq!(of("json")["errors"]["written"], of("json")["errors"]["identified"]);
+    let arguments = ["export", "out/parameters.json", "--robot", "robot.toml", "--to", "again", "--format"];
+    let hash = ["universal-robots", "--controller-hash", "calib_123"];
+    assert_eq!(etalon(folder, &[&arguments[..], &hash].concat()).status.code(), Some(0));
+    let yaml = std::fs::read_to_string(folder.join("again").join(SAMPLE_OF_FILE)).unwrap();
+    assert!(yaml.ends_with("  hash: calib_123\n") && !yaml.contains("mismatch"), "{yaml}");
+    let other = etalon(folder, &[&arguments[..], &["json", "--controller-hash", "calib_123"]].concat());
+    assert!(other.status.code() == Some(2) && text(&other.stderr).contains("universal-robots"));
+}
+
+/// Parameters alone are conditioned by their covariance: near what was identified again.
+fn without_the_run(folder: &Path, robot: &Serial, again: &Value) {
+    std::fs::create_dir(folder.join("alone")).unwrap();
+    std::fs::copy(folder.join("out/parameters.json"), folder.join("alone/parameters.json")).unwrap();
+    let arguments = ["export", "alone/parameters.json", "--robot", "robot.toml", "--format", "universal-robots"];
+    let exported = etalon(folder, &arguments);
+    assert!(exported.status.success() && text(&exported.stderr).contains("its error was not measured"));
+    let yaml = std::fs::read_to_string(folder.join("alone").join(SAMPLE_OF_FILE)).unwrap();
+    assert!(yaml.contains("# conditioned on nominal values of: gain_1"), "{yaml}");
+    let document = std::fs::read(folder.join("alone/parameters.json")).unwrap();
+    let document: etalon::documents::ParametersDocument = serde_json::from_slice(&document).unwrap();
+    let gains: Vec<&str> =
+        robot.parameters().iter().map(|p| p.name.as_str()).filter(|n| n.starts_with("gain_")).collect();
+    let identified: Vec<&str> = document.identified().map(|p| p.name.as_str()).collect();
+    let gains: Vec<&str> = gains.into_iter().filter(|name| identified.contains(name)).collect();
+    let conditioned = document.conditioned(&gains).unwrap();
+    let again: Vec<etalon::documents::WrittenParameter> = serde_json::from_value(again.clone()).unwrap();
+    let (mut moved, mut off) = (0.0f64, 0.0f64);
+    for ((before, p), again) in document.parameters.iter().zip(&conditioned.parameters).zip(&again) {
+        let Some(u) = before.standard_uncertainty.filter(|_| before.name != "gain_1") else { continue };
+        moved = moved.max((again.value - before.value).abs() / u);
+        off = off.max((again.value - p.value).abs() / u);
+    }
+    assert!(off < 0.1 * moved, "{off} {moved}");
+}
+
+#[test]
+fn a_file_that_is_worse_than_nominal_is_refused() {
+    // gains matter at the calibration poses; zeros that take their place are wrong at the validation poses
+    let gains = [0.0, 0.0, 0.0, 3e-3, 3e-3, 3e-3];
+    let twin = twin(&Arm { gains, homed_at: 0.0, poses: [[60.0, 60.0], [0.0, 5.0]] });
+    let folder = twin.folder.path();
+    let ran = etalon(&folder, &["run", "."]);
+    let said = text(&ran.stderr);
+    assert_eq!(ran.status.code(), Some(1), "{said}");
+    for words in ["format `universal-robots` is not written", "gain_4", "with nominal parameters", "--force"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert!(!folder.join("out").join(SAMPLE_OF_FILE).exists() && folder.join("out/controller.json").exists());
+    let page = std::fs::read_to_string(folder.join("out/report.html")).unwrap();
+    assert!(page.contains("A controller file is not written") && page.contains("Controller files"));
+    let arguments =
+        ["export", "out/parameters.json", "--robot", "robot.toml", "--format", "universal-robots", "--force"];
+    let refused = etalon(&folder, &arguments[..6]);
+    assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("is not written"));
+    assert_eq!(etalon(&folder, &arguments).status.code(), Some(0));
+    let yaml = std::fs::read_to_string(folder.join("out").join(SAMPLE_OF_FILE)).unwrap();
+    assert!(yaml.contains("NOT FIT FOR A CONTROLLER, written by force: the error at validation poses"), "{yaml}");
+    assert!(stated(&yaml, "this file ") > stated(&yaml, "nominal "));
+}
