@@ -9,7 +9,7 @@ use etalon_base::message::{Message, Problems};
   campaign.toml, robot.toml
 
 Documents of the output folder, by the name of the file without `.json`:
-  accuracy, campaign (what the campaign states about itself), features, frames, geometric, import,
+  accuracy, campaign (what the campaign states about itself), controllers, features, frames, geometric, import,
   iso9283, iso9283-compliance, iso9283-streams, manifest, parameters
 
 Answers to `--json` of commands:
