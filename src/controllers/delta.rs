@@ -108,6 +108,11 @@ fn is_tilt(p: &Parameter) -> bool {
     p.role == Role::Robot && p.quantity == Quantity::Angle
 }
 
+/// These values with upright towers.
+fn upright(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    robot.parameters().iter().zip(values).map(|(p, &value)| if is_tilt(p) { 0.0 } else { value }).collect()
+}
+
 /// An angle brought to (−180, 180] deg.
 fn wrap_deg(angle: f64) -> f64 {
     angle - (angle / 360.0).round() * 360.0
@@ -131,6 +136,10 @@ impl Exporter for Klipper {
         !is_tilt(parameter)
     }
 
+    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        upright(robot, values)
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let towers = Towers::new(given, "klipper")?;
         let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
@@ -146,6 +155,10 @@ impl Exporter for RepRapDelta {
     /// Towers are upright: the only angles of a leg are the tilts of its tower.
     fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
         !is_tilt(parameter)
+    }
+
+    fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+        upright(robot, values)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
@@ -170,8 +183,9 @@ impl Exporter for DeltaHal {
     fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let pins = pins(robot.model());
         let own = |(p, &value): (&Parameter, &f64)| match stem(&p.name) {
-            stem if p.role == Role::Robot && has_pin(pins, stem) => mean(robot, values, stem).unwrap_or(value),
-            _ => value,
+            _ if p.role != Role::Robot => value,
+            stem if has_pin(pins, stem) => mean(robot, values, stem).unwrap_or(value),
+            _ => 0.0,
         };
         robot.parameters().iter().zip(values).map(own).collect()
     }

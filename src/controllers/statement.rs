@@ -77,9 +77,14 @@ fn millimetres(errors: &ControllerErrors) -> [String; 3] {
 impl Given<'_> {
     /// Identified parameters that a format does not hold; empty where the robot is not given.
     pub fn left_out<E: Exporter + ?Sized>(&self, exporter: &E) -> Vec<String> {
-        let identified = |p: &&Parameter| self.entry(&p.name).is_ok_and(|e| e.status == ParameterStatus::Identified);
+        let identified = |name: &String| self.entry(name).is_ok_and(|e| e.status == ParameterStatus::Identified);
+        self.not_held(exporter).filter(identified).collect()
+    }
+
+    /// Parameters of the robot itself that a format does not hold, identified or not.
+    pub fn not_held<'e, E: Exporter + ?Sized>(&'e self, exporter: &'e E) -> impl Iterator<Item = String> + 'e {
         let robot = self.robot.iter().flat_map(|robot| robot.parameters()).filter(|p| p.role == Role::Robot);
-        robot.filter(|p| !exporter.holds(p, self)).filter(identified).map(|p| p.name.clone()).collect()
+        robot.filter(|p| !exporter.holds(p, self)).map(|p| p.name.clone())
     }
 
     /// What the file of a format holds.

@@ -50,7 +50,9 @@ fn of_format(
     exporter: &dyn Exporter,
 ) -> Result<Option<ControllerFiles>> {
     let left_out = given.left_out(exporter);
-    let again = if left_out.is_empty() { None } else { Some(found.without(robot, &left_out)?) };
+    // others that the data did not determine beside these may be determined without them
+    let held: Vec<String> = given.not_held(exporter).collect();
+    let again = if left_out.is_empty() { None } else { Some(found.without(robot, &held)?) };
     let identified = again.as_ref().unwrap_or(&found.found);
     let tied = exporter.written(given, robot, &identified.values);
     let values = if tied == identified.values { tied } else { found.with_frames(robot, &tied)? };

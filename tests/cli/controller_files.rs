@@ -231,3 +231,27 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
     assert!(yaml.contains("NOT FIT FOR A CONTROLLER, written by force: the error at validation poses"), "{yaml}");
     assert!(stated(&yaml, "this file ") > stated(&yaml, "nominal "));
 }
+
+/// Parameters that only the format's own model would determine are held too: towers are upright, and legs equal.
+#[test]
+fn files_of_deltas_are_better_than_nominal_and_the_same_by_export() {
+    let scratch = crate::support::scratch::copy_sample("linear-delta");
+    let formats = ["linuxcnc-delta", "klipper-delta", "reprap-delta"];
+    scratch.replace("campaign.toml", "[\"json\"]", &format!("{formats:?}"));
+    let folder = scratch.path();
+    let ran = etalon(&folder, &["run", "."]);
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    let mut arguments = vec!["export", "out/parameters.json", "--robot", "robot.toml", "--to", "again"];
+    arguments.extend(formats.iter().flat_map(|format| ["--format", format]));
+    assert_eq!(etalon(&folder, &arguments).status.code(), Some(0));
+    for name in ["deltakins.hal", "klipper_delta.cfg", "reprap_delta.g"] {
+        let [run, export] = ["out", "again"].map(|of| std::fs::read_to_string(folder.join(of).join(name)).unwrap());
+        assert_eq!(run, export);
+        assert!(stated(&run, "identified ") < stated(&run, "this file "), "{run}");
+        assert!(stated(&run, "this file ") < stated(&run, "nominal "), "{run}");
+        let lost = run.lines().filter(|line| line.contains("tower_") && !line.contains("again without"));
+        assert_eq!(lost.count(), 0, "{run}");
+    }
+    // towers alone, and equal legs
+    assert_eq!(json(&folder, "controllers.json")["files"].as_array().unwrap().len(), 2);
+}
