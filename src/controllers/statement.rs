@@ -7,7 +7,7 @@ use etalon_documents::{
     ControllerErrors, ErrorQuantity, ErrorStatistics, ParameterStatus, ParametersDocument, PoseSet, PositionErrors,
     Statistics,
 };
-use etalon_robots::{Parameter, Role};
+use etalon_robots::Role;
 
 /// Largest difference of a value that counts as rounding, relative.
 const ROUNDING: f64 = 1e-12;

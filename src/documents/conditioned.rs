@@ -22,7 +22,7 @@ impl ParametersDocument {
         let nominal: Vec<f64> = self.identified().map(|p| p.nominal).collect();
         for &b in &places {
             let variance = covariance[b][b];
-            if !(variance > DETERMINED * self.covariance[b][b]) {
+            if variance <= DETERMINED * self.covariance[b][b] || variance.is_nan() {
                 return None;
             }
             let shares: Vec<f64> = covariance.iter().map(|row| row[b] / variance).collect();
