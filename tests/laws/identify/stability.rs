@@ -3,7 +3,7 @@
 use crate::identify::prediction::{U_MM, drawn, sample};
 use etalon::base::noise::Noise;
 use etalon::base::pose_name::PoseName;
-use etalon::identify::{Observation, Prior, Settings, Stability, effects, halves, identify_from, stability};
+use etalon::identify::{Observation, Settings, Stability, effects, halves, identify_from, stability};
 use etalon::robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -59,9 +59,8 @@ fn a_parameter_that_changes_half_way_is_the_least_stable() {
     let by_data = |i: usize| effects[i].is_some() && found.found.determined(robot, i).is_some_and(|share| share > 0.9);
     let of_robot: Vec<usize> = found.found.free.iter().copied().filter(|&i| by_data(i)).collect();
     let (mut caught, mut first, mut count) = (0, 0, 0);
-    for (trial, &i) in of_robot.iter().step_by(3).enumerate() {
-        let settings =
-            Settings { standard_uncertainty_mm: Some(U_MM), prior: Prior::TOLERANCES, ..Settings::default() };
+    for (trial, &i) in of_robot.iter().enumerate() {
+        let settings = Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
         let mut observations = drawn(robot, &found, 900 + trial as u64);
         let plain = identify_from(robot, &observations, &settings, &found.found.values).unwrap();
         let second = halves(&observations)[1].clone();
