@@ -18,7 +18,7 @@ def run(*arguments, **options):
     return subprocess.run(arguments, check=True, capture_output=True, text=True, **options).stdout
 
 
-def kinematics(way, sample, columns, rows):
+def kinematics(way, sample, columns, rows, parameters="out/parameters.json"):
     """The table that `etalon kinematics` answers, without the pose's name."""
     table = os.path.join(work, "table.csv")
     with open(table, "w") as file:
@@ -26,7 +26,7 @@ def kinematics(way, sample, columns, rows):
         for i, row in enumerate(rows):
             print(i + 1, *map(repr, row), sep=",", file=file)
     folder = os.path.join(work, sample)
-    answer = run(etalon, "kinematics", way, "--robot", f"{folder}/robot.toml", "--parameters", f"{folder}/out/parameters.json", table)
+    answer = run(etalon, "kinematics", way, "--robot", f"{folder}/robot.toml", "--parameters", f"{folder}/{parameters}", table)
     return [[float(v) for v in row[1:]] for row in list(csv.reader(io.StringIO(answer)))[1:]]
 
 
@@ -34,6 +34,19 @@ def exported(sample, form, name):
     folder = os.path.join(work, sample)
     run(etalon, "export", f"{folder}/out/parameters.json", "--robot", f"{folder}/robot.toml", "--format", form, "--to", folder)
     return open(os.path.join(folder, name)).read()
+
+
+def written(sample, form):
+    """Parameters with the values that a file of this format holds: it leaves some out, and the others make up for them."""
+    folder = os.path.join(work, sample)
+    files = json.load(open(f"{folder}/out/controllers.json"))["files"]
+    values = {v["name"]: v["value"] for v in next(f for f in files if form in f["formats"])["values"]}
+    document = json.load(open(f"{folder}/out/parameters.json"))
+    for p in document["parameters"]:
+        p["value"] = values[p["name"]]
+    with open(f"{folder}/written.json", "w") as file:
+        json.dump(document, file)
+    return "written.json"
 
 
 def product(*matrices):
@@ -175,7 +188,8 @@ def turn(abc):
 def arm():
     """The same joint positions by genserkins, which has first frame and flange apart, and by a component."""
     q = around([20, 30, -20, 40, 50, 30], 12)
-    poses = [matrix(p[:3], quaternion(*p[3:])) for p in kinematics("direct", "contacts", [f"q{i}_deg" for i in range(1, 7)], q)]
+    columns = [f"q{i}_deg" for i in range(1, 7)]
+    placed = lambda *parameters: [matrix(p[:3], quaternion(*p[3:])) for p in kinematics("direct", "contacts", columns, q, *parameters)]
     hal = exported("contacts", "linuxcnc", "genserkins.hal")
 
     def framed(name):
@@ -185,9 +199,9 @@ def arm():
     base, flange = inverted(framed("first frame in the base")), inverted(framed("flange in the last frame"))
     rows = re.findall(r"# joint \d: at its zero genserkins has ([-\d.e]+) deg; it moves ([-\d.e]+) times", hal)
     theta = [[float(zero) + float(gain) * v for v, (zero, gain) in zip(row, rows)] for row in q]
-    inner = [world(product(base, p, flange)) for p in poses]
+    inner = [world(product(base, p, flange)) for p in placed(written("contacts", "linuxcnc"))]
     ok = moved("arm, genserkins", "genserkins", hal, inner[1:], theta[1:], [True] * 6, (inner[0], theta[0]), 1e-5)
-    outer = [world(p) for p in poses]
+    outer = [world(p) for p in placed()]
     module = component("contacts")
     return moved("arm, component", module, "", outer[1:], q[1:], [True] * 6, (outer[0], q[0]), 1e-9) and ok
 
