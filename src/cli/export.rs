@@ -8,7 +8,7 @@ use crate::stages::given::other_nominal;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Severity, printable};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
-use etalon_controllers::{Description, Exporter, Given};
+use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, Presentation, WrittenController,
     WrittenDocument, to_json,
@@ -38,7 +38,8 @@ pub struct Export {
     /// Hash that the robot itself states (`calib_...`), for the format universal-robots: that of etalon by default
     #[arg(long, value_name = "HASH", value_parser = controller_hash)]
     controller_hash: Option<String>,
-    /// Write parameters of an identification that failed its own checks, and files that are worse than nominal: they say so
+    /// Write parameters that failed the checks of their identification, and files that are worse than nominal:
+    /// their headers say so
     #[arg(long)]
     force: bool,
     /// Print the names of the files written, and the errors with them, as JSON
@@ -79,13 +80,15 @@ impl Export {
             return Err(Problems::from(message.hint("name it: --format universal-robots")).into());
         }
         let given = Given { controller_hash: hash, ..exported.given(self.force) };
-        let file = |e: &&dyn Exporter| Ok((e.file_name().to_owned(), e.write(&given)?));
-        let files = exporters.iter().map(file).collect::<Result<Vec<_>, Problems>>()?;
+        given.check()?;
         let of_format = |(name, e): (&String, &&dyn Exporter)| {
             let statement = given.statement(*e)?;
-            Ok(WrittenController { format: name.clone(), left_out: statement.left_out, errors: statement.errors })
+            let file = (e.file_name().to_owned(), e.write_stated(&given, &statement)?);
+            let Statement { left_out, errors, .. } = statement;
+            Ok((file, WrittenController { format: name.clone(), left_out, errors }))
         };
-        let controllers = wanted.iter().zip(&exporters).map(of_format).collect::<Result<Vec<_>, Problems>>()?;
+        let written = wanted.iter().zip(&exporters).map(of_format).collect::<Result<Vec<_>, Problems>>()?;
+        let (files, controllers): (Vec<_>, Vec<_>) = written.into_iter().unzip();
         let written = match run {
             Some(run) => run.write(files)?,
             None => beside_no_run(&to, &files)?,

@@ -175,7 +175,7 @@ impl Exporter for DeltaHal {
         "deltakins.hal"
     }
 
-    /// What three equal legs have.
+    /// Holds the parameters of three equal legs.
     fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
         given.robot.is_some_and(|robot| has_pin(pins(robot.model()), stem(&parameter.name)))
     }
@@ -210,10 +210,11 @@ impl Exporter for DeltaHal {
     }
 }
 
-/// A pin of LinuxCNC, and the parameters of which it is the mean, or the difference of their means.
+/// A pin of LinuxCNC and the names of its parameters: its value is the mean over
+/// the legs, or the difference of two such means.
 type Pin = (&'static str, &'static [&'static str]);
 
-/// Pins of a model; none of models that are no delta.
+/// Pins of a model; empty for models other than deltas.
 fn pins(model: &str) -> &'static [Pin] {
     match model {
         "delta" => &[

@@ -60,8 +60,8 @@ pub trait Exporter {
         true
     }
 
-    /// Values (mm, rad, 1) of the robot that a file with these values describes: effects that the format does not hold are zero, and some
-    /// formats tie parameters to each other.
+    /// Values (mm, rad, 1) of the robot that the file describes. Effects that the format does not hold are zero;
+    /// some formats tie parameters to each other.
     fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let own = |(p, &value): (&Parameter, &f64)| match p.effect {
             Effect::Zeros | Effect::Geometry | Effect::Gains => value,
@@ -74,16 +74,23 @@ pub trait Exporter {
     /// The bytes of the file. It holds what was identified without the parameters that the format leaves out.
     ///
     /// # Errors
-    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold; unless forced a file with which the
-    /// robot is less accurate than with nominal parameters.
+    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold. Unless forced:
+    /// a file with which the robot is less accurate than with nominal parameters.
     fn write(&self, given: &Given) -> Result<Vec<u8>> {
         given.check()?;
-        let statement = given.statement(self)?;
+        self.write_stated(given, &given.statement(self)?)
+    }
+
+    /// The bytes of the file with this statement, of parameters that [`Given::check`] accepts.
+    ///
+    /// # Errors
+    /// Parameters that the format cannot hold; unless forced a file that is worse than nominal.
+    fn write_stated(&self, given: &Given, statement: &Statement) -> Result<Vec<u8>> {
         match statement.refusal(name_of(self)) {
             Some(refusal) if !given.force => Err(refusal.into()),
             _ => {
                 let parameters = statement.parameters.as_ref().unwrap_or(given.parameters);
-                self.bytes(&Given { parameters, file: Some((&statement, given.parameters)), ..*given })
+                self.bytes(&Given { parameters, file: Some((statement, given.parameters)), ..*given })
             }
         }
     }
@@ -138,13 +145,13 @@ pub struct Given<'a> {
     pub description: Option<Description<'a>>,
     /// Errors before and after the identification, for the header.
     pub accuracy: Option<&'a AccuracyDocument>,
-    /// What a run identified again for formats that leave parameters out.
+    /// Values that the run identified again for formats that leave parameters out.
     pub controllers: Option<&'a ControllersDocument>,
     /// Hash of the calibration in the controller, for formats that state it.
     pub controller_hash: Option<&'a str>,
     /// Write what failed its own checks too: the file then says so.
     pub force: bool,
-    /// What the file states beside `parameters`, and all identified parameters; [`Exporter::write`] sets it.
+    /// Statement of the file, and all identified parameters; set by [`Exporter::write_stated`].
     pub file: Option<(&'a Statement, &'a ParametersDocument)>,
 }
 
@@ -235,8 +242,8 @@ impl<'a> Given<'a> {
         Ok([part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-"))
     }
 
-    /// Lines that begin a file: version, campaign, robot, units, the hash of `parameters.json`, errors and parameters left out, in
-    /// characters that end no comment.
+    /// First lines of a file: version, campaign, robot, units, the hash of `parameters.json`, errors, parameters left
+    /// out. No character ends a comment.
     ///
     /// # Errors
     /// Parameters that cannot be written as JSON.

@@ -24,7 +24,7 @@ impl Exporter for RepRapFiveBar {
         parameter.name != GAMMA
     }
 
-    /// The tool is not before the joint of the distal links either.
+    /// A tool short of the joint of the distal links is put at that joint.
     fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let mut written = values.to_vec();
         if let [Some(gamma), Some(l22), Some(l23)] = [GAMMA, "l22", "l23"].map(|name| robot.index(name)) {

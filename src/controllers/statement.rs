@@ -1,27 +1,24 @@
-//! What a file holds and how accurate the robot is with it: parameters that its format leaves out, the values that it has instead, the
-//! position errors with them, and the lines of its header that say so.
+//! Statement of a controller file: parameters that the format leaves out, values that the file holds instead, position
+//! errors with these values, and header lines.
 
 use super::{Exporter, Given, name_of};
 use etalon_base::message::{Message, Result};
-use etalon_documents::{
-    ControllerErrors, ErrorQuantity, ErrorStatistics, ParameterStatus, ParametersDocument, PoseSet, PositionErrors,
-    Statistics,
-};
+use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 
 /// Largest difference of a value that counts as rounding, relative.
 const ROUNDING: f64 = 1e-12;
 
-/// What a file holds.
+/// Statement of a controller file.
 #[derive(Clone, Debug, Default)]
 pub struct Statement {
     /// Identified parameters that the format does not hold.
     pub left_out: Vec<String>,
     /// Position errors that decide whether the file is written; `None` where they were not measured.
     pub errors: Option<ControllerErrors>,
-    /// What the file holds in place of the identified parameters.
+    /// Parameters that the file holds in place of the identified ones.
     pub(crate) parameters: Option<ParametersDocument>,
-    /// `true` if these were identified again, and not conditioned by the covariance.
+    /// `true` if `parameters` were identified again, `false` if they were conditioned by the covariance.
     again: bool,
 }
 
@@ -87,7 +84,7 @@ impl Given<'_> {
         robot.filter(|p| !exporter.holds(p, self)).map(|p| p.name.clone())
     }
 
-    /// What the file of a format holds.
+    /// Statement of the file of a format.
     ///
     /// # Errors
     /// Parameters that the covariance does not contain, where they were not identified again.
@@ -98,13 +95,9 @@ impl Given<'_> {
         }
         let names: Vec<&str> = left_out.iter().map(String::as_str).collect();
         if names.is_empty() {
-            let errors = self.accuracy.and_then(|accuracy| accuracy.sets.last()).and_then(|set| {
-                let ErrorStatistics { before, after, .. } = set.of(ErrorQuantity::Position)?;
-                let of = |s: &Statistics| PositionErrors { rms_mm: s.rms, max_mm: s.max };
-                let (set, nominal, identified) = (set.name, of(before), of(after));
-                Some(ControllerErrors { set, nominal, identified, written: identified })
-            });
-            return Ok(Statement { errors: errors.filter(|_| self.is_whole(exporter)), ..Statement::default() });
+            let set = self.accuracy.and_then(|accuracy| accuracy.sets.last()).filter(|_| self.is_whole(exporter));
+            let errors = set.and_then(|set| ControllerErrors::of(set, None));
+            return Ok(Statement { errors, ..Statement::default() });
         }
         let conditioned = self.parameters.conditioned(&names).ok_or_else(|| {
             let what = format!("the covariance of {} is not in parameters.json", left_out.join(", "));
@@ -116,7 +109,8 @@ impl Given<'_> {
         Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
     }
 
-    /// Parameters that a run identified again without those that are left out, as the format writes them, and the errors with them.
+    /// Parameters that the run identified again without `left_out`, as the format writes them, and position errors
+    /// with these parameters.
     fn identified_again<E: Exporter + ?Sized>(
         &self,
         exporter: &E,

@@ -133,7 +133,7 @@ pub struct WrittenController {
     pub format: String,
     /// Identified parameters that the format does not hold.
     pub left_out: Vec<String>,
-    /// Errors at validation poses, or at calibration poses where there are no others; null where they were not measured.
+    /// Errors at validation poses, otherwise at calibration poses; null if they were not measured.
     pub errors: Option<ControllerErrors>,
 }
 

@@ -1,4 +1,4 @@
-//! Parameters of a format that holds only some of them: the estimate conditioned on the others at their nominal values.
+//! The estimate of some parameters, conditioned on nominal values of the others.
 
 use super::{ParameterStatus, ParametersDocument};
 use std::collections::BTreeSet;
@@ -7,9 +7,10 @@ use std::collections::BTreeSet;
 const DETERMINED: f64 = 1e-12;
 
 impl ParametersDocument {
-    /// The estimate conditioned on nominal values of the identified parameters B that are named: values
-    /// p_A − C_AB C_BB⁻¹ (p_B − p_B0) and covariance C_AA − C_AB C_BB⁻¹ C_BA of the others (Mardia, Kent & Bibby 1979, 3.2.4),
-    /// one parameter of B after the other. `None` if the covariance does not contain them, unless all are at their nominal values.
+    /// The estimate conditioned on nominal values of the named parameters B, one after the other.
+    ///
+    /// Values of the others are p_A − C_AB C_BB⁻¹ (p_B − p_B0); their covariance is C_AA − C_AB C_BB⁻¹ C_BA (Mardia,
+    /// Kent & Bibby 1979, 3.2.4). `None` if the covariance does not contain B, unless all of B are at their nominal values.
     pub fn conditioned(&self, left_out: &[&str]) -> Option<Self> {
         let names: Vec<String> = self.identified().map(|p| p.name.clone()).collect();
         let place = |name: &&str| names.iter().position(|n| n == name).filter(|_| self.covariance.len() == names.len());
@@ -48,7 +49,8 @@ impl ParametersDocument {
         Some(document)
     }
 
-    /// The same parameters with these fixed at their nominal values, and without what describes all of them together.
+    /// Copy with the named parameters fixed at their nominal values, without covariance, budget and checks of the
+    /// whole result.
     pub(crate) fn holding(&self, names: &[&str]) -> Self {
         let names: BTreeSet<&str> = names.iter().copied().collect();
         let mut document = self.clone();

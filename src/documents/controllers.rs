@@ -1,6 +1,7 @@
-//! `controllers.json`: what controller files hold whose format leaves identified parameters out, and how accurate the robot is with them.
+//! `controllers.json`: values of controller files whose format leaves identified parameters out, and position errors
+//! with these values.
 
-use super::{ParametersDocument, PoseSet};
+use super::{AccuracySet, ErrorQuantity, ErrorStatistics, ParametersDocument, PoseSet, Statistics};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -24,7 +25,7 @@ pub struct ControllersDocument {
 pub struct ControllerFiles {
     /// Names of the formats.
     pub formats: Vec<String>,
-    /// Identified parameters that the formats do not hold; the others were identified again with these at their nominal values.
+    /// Identified parameters that the formats do not hold; they were at nominal when the others were identified again.
     pub left_out: Vec<String>,
     /// All parameters as the files hold them.
     pub values: Vec<WrittenParameter>,
@@ -108,7 +109,20 @@ impl ControllerFiles {
     }
 }
 
+impl From<&Statistics> for PositionErrors {
+    fn from(statistics: &Statistics) -> Self {
+        Self { rms_mm: statistics.rms, max_mm: statistics.max }
+    }
+}
+
 impl ControllerErrors {
+    /// Errors at a set of poses; `written` is `None` where the file holds what was identified.
+    pub fn of(set: &AccuracySet, written: Option<&Statistics>) -> Option<Self> {
+        let ErrorStatistics { before, after, .. } = set.of(ErrorQuantity::Position)?;
+        let written = written.unwrap_or(after).into();
+        Some(Self { set: set.name, nominal: before.into(), identified: after.into(), written })
+    }
+
     /// `true` if the root mean square is larger than with nominal parameters.
     pub fn is_worse_than_nominal(&self) -> bool {
         self.written.rms_mm > self.nominal.rms_mm

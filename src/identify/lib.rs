@@ -390,8 +390,7 @@ impl<'a> Repeated<'a> {
 /// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a
 /// calibration, and where the identification starts.
 pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
-    let wanted = wanted_parameters(robot, observations, settings)?;
-    let frames: Vec<usize> = wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
+    let frames = wanted_frames(robot, observations, settings)?;
     if frames.is_empty() {
         return Ok(robot.nominal());
     }
@@ -407,6 +406,26 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
         Ok(again) if again.solution.cost < found.solution.cost => Ok(again.values),
         _ => Ok(found.values),
     }
+}
+
+/// These parameters with only base and targets fitted, from where they are.
+pub fn refit_frames(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    values: &[f64],
+) -> Result<Vec<f64>> {
+    let frames = wanted_frames(robot, observations, settings)?;
+    if frames.is_empty() {
+        return Ok(values.to_vec());
+    }
+    Ok(solve_identifiable(robot, observations, settings, &frames, values)?.values)
+}
+
+/// Indices of the parameters of base, targets and fixtures that are wanted.
+fn wanted_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    Ok(wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect())
 }
 
 fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {

@@ -4,7 +4,7 @@ use crate::model::rigid_part::Contradicted;
 use etalon_base::message::Message;
 use std::ops::Deref;
 
-/// A warning, and its subject for who knows what a reader stated where.
+/// A warning and its subject. The layer that knows the keys of a campaign adds the remedy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warning {
     /// The warning.
@@ -56,10 +56,9 @@ pub enum Origin {
 pub struct SetUpError {
     /// The change, and others that explain the data as well: "`q7` reversed".
     pub changes: Vec<(String, Origin)>,
-    /// Root mean square of the distances that the nominal robot misses the measurements by as the set-up is stated, mm; infinite
-    /// where it cannot be where the joints put it.
+    /// Root mean square error (mm) of the nominal robot with the set-up as stated; infinite if a pose is out of reach.
     pub stated_mm: f64,
-    /// The same with the change, mm.
+    /// Root mean square error (mm) with the change.
     pub changed_mm: f64,
 }
 

@@ -66,7 +66,7 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Whether every limit is met, the result can be that of a robot, and every controller file is written; without making the report.
+    /// `true` if every limit is met, the result is plausible, and every controller file is written. Makes no report.
     pub fn is_met(&self) -> bool {
         sections::verdict::met(self.identified.as_ref(), self.tested)
             && self.controllers.is_none_or(ControllersDocument::is_complete)
@@ -120,7 +120,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// What the first box says.
+    /// Verdict of the first box.
     fn verdict(&self, words: &Words) -> Verdict {
         let mut verdict = sections::verdict::verdict(self.identified.as_ref(), self.tested, words);
         if self.controllers.is_some_and(|c| !c.is_complete()) {

@@ -155,10 +155,13 @@ fn write(
         let targets = gathered.observations.as_ref().map(|table| kinds::targets(&table.table)).transpose()?;
         let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
         let given = Given { controllers: controllers.as_ref(), ..given(campaign, robot.as_ref(), found, &summary) };
-        // refused files are among the messages
-        let is_written = |name: &str, e: &dyn Exporter| given.statement(e).is_ok_and(|s| s.refusal(name).is_none());
-        for (_, exporter) in formats(campaign).into_iter().filter(|(name, e)| is_written(name, *e)) {
-            out.bytes(exporter.file_name(), exporter.write(&given)?);
+        for (name, exporter) in formats(campaign) {
+            // refused files are among the messages
+            let Ok(statement) = given.statement(exporter) else { continue };
+            if statement.refusal(name).is_none() {
+                given.check()?;
+                out.bytes(exporter.file_name(), exporter.write_stated(&given, &statement)?);
+            }
         }
     }
     let faces = faces.map(|faces| {

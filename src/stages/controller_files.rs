@@ -1,13 +1,11 @@
-//! Controller files: what formats hold that leave identified parameters out, and the errors with it at the measured poses.
+//! Controller files of formats that leave identified parameters out: their values, and errors at the measured poses.
 
 use super::evaluate::{self, summarise};
 use super::identification::Identified;
 use etalon_base::message::{Message, Result, Severity};
-use etalon_base::pose::{Vector, norm};
+use etalon_base::pose::norm;
 use etalon_controllers::{Exporter, Given};
-use etalon_documents::{
-    ControllerErrors, ControllerFiles, ControllersDocument, PointError, PoseSet, PositionErrors, WrittenParameter,
-};
+use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
 use etalon_robots::Robot;
 
 /// Identifies again for each of these formats that leaves identified parameters out; `None` if none does.
@@ -42,7 +40,7 @@ pub fn identify_again(
     Some(document)
 }
 
-/// What a format holds that leaves parameters out, or ties others; `None` if it holds what was identified.
+/// Values of a format that leaves parameters out or ties them; `None` if the format holds the identified values.
 fn of_format(
     given: &Given,
     robot: &dyn Robot,
@@ -74,19 +72,9 @@ fn of_format(
 /// Errors with nominal, identified and these values, at calibration and validation poses.
 fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Vec<ControllerErrors> {
     let written = evaluate::errors(robot, &found.sets, &found.again.before, values);
-    let of_set = |set: PoseSet| {
-        let of = |errors: &[PointError], size: fn(&PointError) -> Vector| {
-            let of_set = errors.iter().filter(|e| e.set == set);
-            let statistics = summarise(of_set.map(|e| norm(size(e))).collect());
-            PositionErrors { rms_mm: statistics.rms, max_mm: statistics.max }
-        };
-        ControllerErrors {
-            set,
-            nominal: of(&found.errors, |e| e.before_mm),
-            identified: of(&found.errors, |e| e.after_mm),
-            written: of(&written, |e| e.after_mm),
-        }
+    let of_set = |set: &AccuracySet| {
+        let of_set = written.iter().filter(|e| e.set == set.name);
+        ControllerErrors::of(set, Some(&summarise(of_set.map(|e| norm(e.after_mm)).collect())))
     };
-    let measured = |set: &PoseSet| found.errors.iter().any(|e| e.set == *set);
-    PoseSet::ALL.into_iter().filter(measured).map(of_set).collect()
+    found.accuracy.sets.iter().filter_map(of_set).collect()
 }

@@ -18,7 +18,7 @@ use etalon_documents::parameters_document;
 use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
 use etalon_formats::table;
 use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings, Systematic};
-use etalon_robots::{Robot, Role};
+use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -55,7 +55,10 @@ impl Identified {
     /// # Errors
     /// If the solver fails.
     pub fn without(&self, robot: &dyn Robot, held: &[String]) -> Result<Identification> {
-        self.again_from(robot, held, &self.again.before)
+        let hold = self.settings.hold.iter().chain(held).cloned().collect();
+        let settings = Settings { hold, ..self.settings.clone() };
+        let Again { systematic, before } = &self.again;
+        etalon_identify::identify_with(robot, &self.sets.calibration, &settings, before, systematic).map_err(remedied)
     }
 
     /// Fits base and targets again to a robot with these parameters.
@@ -63,16 +66,7 @@ impl Identified {
     /// # Errors
     /// If the solver fails.
     pub fn with_frames(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<f64>> {
-        let of_robot = robot.parameters().iter().filter(|p| p.role == Role::Robot);
-        let held: Vec<String> = of_robot.map(|p| p.name.clone()).collect();
-        Ok(self.again_from(robot, &held, values)?.values)
-    }
-
-    fn again_from(&self, robot: &dyn Robot, held: &[String], start: &[f64]) -> Result<Identification> {
-        let hold = self.settings.hold.iter().chain(held).cloned().collect();
-        let settings = Settings { hold, ..self.settings.clone() };
-        etalon_identify::identify_with(robot, &self.sets.calibration, &settings, start, &self.again.systematic)
-            .map_err(remedied)
+        etalon_identify::refit_frames(robot, &self.sets.calibration, &self.settings, values).map_err(remedied)
     }
 }
 
