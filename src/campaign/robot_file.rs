@@ -333,6 +333,11 @@ impl RobotFile {
         Problems(odd)
     }
 
+    /// `true` if the file states the nominal value of a parameter.
+    pub fn states_nominal(&self, parameter: &str) -> bool {
+        self.nominal.contains_key(parameter)
+    }
+
     /// Writes the nominal values of the file over those of `robot`.
     fn nominal(&self, robot: &dyn Robot, geometry_is_stated: bool, values: &mut [f64]) -> Result<()> {
         let mut problems = Problems::default();

@@ -6,7 +6,7 @@ use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pattern::matches_pattern;
 use etalon_documents::{self as documents, ParameterStatus, ParametersDocument, PointError};
-use etalon_identify::{Condition, Identification, Kind, Known, Observation, PlacedApart, RigidPart, Settings, place_apart};
+use etalon_identify::{Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart};
 use etalon_robots::{FreeBase, Quantity, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -82,7 +82,7 @@ impl Apart {
     pub fn placed(&self, robot: &dyn Robot, before: &mut [f64], after: &mut [f64]) -> Result<Placed> {
         let Some(arm) = robot.free_base().filter(|_| !self.groups.is_empty()) else { return Ok(Placed::default()) };
         let places = self.groups.concat();
-        let place = |values: &mut [f64]| -> Result<PlacedApart> {
+        let place = |values: &mut [f64]| -> Result<Placement> {
             let placed = place_apart(robot, &self.observations, &self.settings, values, &places).map_err(remedied)?;
             values.copy_from_slice(&placed.values);
             Ok(placed)

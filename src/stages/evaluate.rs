@@ -81,6 +81,7 @@ pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> 
                         after_deg: Some(a[2].to_degrees()),
                         joints: logged(robot, &o.joints),
                         reliability: None,
+                        own_redundancy: None,
                     });
                 }
                 None => all.extend(target_errors(robot, o, set, before, after)),
@@ -155,6 +156,7 @@ fn condition_error(
         after_deg: None,
         joints: logged(robot, &condition.joints),
         reliability: None,
+        own_redundancy: None,
     });
 }
 
@@ -183,6 +185,7 @@ fn target_errors(robot: &dyn Robot, o: &Observation, set: PoseSet, before: &[f64
         after_deg: after_deg.filter(|_| i == 0),
         joints: logged(robot, &o.joints),
         reliability: None,
+        own_redundancy: None,
     };
     (0..seen.len()).map(error).collect()
 }
@@ -254,7 +257,7 @@ pub fn evaluate(
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
     for name in PoseSet::ALL {
-        let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name).collect();
+        let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name && e.own_share().is_some()).collect();
         if !of.is_empty() {
             sets.push(accuracy_of(name, &of, planar, uncertainty));
         }
@@ -294,6 +297,8 @@ pub fn evaluate(
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
+        placed_apart: Vec::new(),
+        effects: Vec::new(),
         budget: Vec::new(),
         trends: Vec::new(),
         limits: verdicts,
@@ -336,7 +341,9 @@ pub fn budgets(figures: Vec<(identify::Figure, Contributions)>) -> Vec<FigureBud
 type Size<'a> = &'a dyn Fn(Vector, Option<f64>) -> Option<f64>;
 
 fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size: Size) -> ErrorStatistics {
-    let of = |pick: &dyn Fn(&PointError) -> Option<f64>| summarise(errors.iter().filter_map(|e| pick(e)).collect());
+    let of = |pick: &dyn Fn(&PointError) -> Option<f64>| {
+        summarise(errors.iter().filter_map(|e| Some(pick(e)? / e.own_share()?)).collect())
+    };
     ErrorStatistics {
         quantity,
         unit: unit.to_owned(),
@@ -353,7 +360,7 @@ pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
 }
 
-/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, and `redundancy w detectable_mm`.
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
 pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let text =
         |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
@@ -377,11 +384,16 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
         let values: Vec<f64> = errors.iter().map(|e| e.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
         columns.push(Column::new(name.as_str().into(), values));
     }
+    let own: Vec<Option<f64>> = errors.iter().map(|e| e.own_redundancy).collect();
+    columns.push(Column::new(OWN_REDUNDANCY.into(), own));
     for (name, of) in RELIABILITY {
         columns.push(Column::new(name.into(), errors.iter().map(|e| e.reliability.map(of)).collect::<Vec<_>>()));
     }
     table::frame(errors.len(), columns)
 }
+
+/// Column of the redundancy of readings that place their own target.
+const OWN_REDUNDANCY: &str = "own_redundancy";
 
 /// Name of a column, and the number in it.
 type ReliabilityColumn = (&'static str, fn(ReadingReliability) -> f64);
@@ -411,12 +423,13 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
     let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
     let known = ["set", "pose", "cycle", "target", "before_deg", "after_deg"];
-    let of_reading = |name: &str| RELIABILITY.iter().any(|column| column.0 == name);
+    let of_reading = |name: &str| name == OWN_REDUNDANCY || RELIABILITY.iter().any(|column| column.0 == name);
     let is_joint =
         |name: &str| !known.contains(&name) && !of_reading(name) && !XYZ.iter().any(|axis| name.ends_with(axis));
     let names = frame.get_column_names().into_iter().map(|name| name.as_str()).filter(|name| is_joint(name));
     let joints = names.map(|name| table::numbers(frame, name)).collect::<Result<Vec<_>>>()?;
     let [redundancy, w, detectable] = RELIABILITY.map(|(name, _)| table::numbers(frame, name).unwrap_or_default());
+    let own = table::numbers(frame, OWN_REDUNDANCY).unwrap_or_default();
     let reliability = |i: usize| {
         let redundancy = *redundancy.get(i).filter(|r| r.is_finite())?;
         Some(ReadingReliability { redundancy, w: *w.get(i)?, detectable_mm: *detectable.get(i)? })
@@ -433,6 +446,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
         joints: joints.iter().map(|values| values[i]).collect(),
         reliability: reliability(i),
+        own_redundancy: own.get(i).copied().filter(|r| r.is_finite()),
     };
     Ok((0..frame.height()).map(error).collect())
 }
@@ -470,6 +484,7 @@ mod tests {
             after_deg: None,
             joints: vec![7.0],
             reliability: None,
+            own_redundancy: None,
         };
         let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
         assert!(with_times(&mut errors, &times));

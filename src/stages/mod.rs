@@ -1,8 +1,11 @@
 //! The stages of a run, each from documents to the next document.
 
+pub mod apart;
 pub mod candidates;
 mod checks;
+pub mod controlled;
 pub mod controller_files;
+mod cross_validation;
 pub mod distance;
 pub mod evaluate;
 pub mod exclusions;
@@ -24,6 +27,7 @@ pub mod qif_fit;
 pub mod recommendation;
 pub mod remedies;
 pub mod repeats;
+mod resolution;
 pub(crate) mod table_file;
 pub mod tool;
 pub mod validation;

@@ -15,7 +15,7 @@ const ITERATIONS: usize = 200;
 
 /// Targets and fixtures that were placed with everything else held.
 #[derive(Clone, Debug)]
-pub struct PlacedApart {
+pub struct Placement {
     /// All parameters (mm, rad, 1).
     pub values: Vec<f64>,
     /// Standard uncertainty (mm, rad) of each parameter that the readings determine, for residuals of 1 mm, or of the stated standard
@@ -79,9 +79,9 @@ pub fn place_apart(
     settings: &Settings,
     values: &[f64],
     places: &[usize],
-) -> Result<PlacedApart> {
+) -> Result<Placement> {
     let mut values = values.to_vec();
-    let mut placed = PlacedApart {
+    let mut placed = Placement {
         uncertainties: BTreeMap::new(),
         observations: observations.iter().map(|o| o.targets.iter().map(|at| at.map(|_| 0.0)).collect()).collect(),
         conditions: vec![0.0; settings.conditions.len()],

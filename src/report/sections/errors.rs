@@ -9,7 +9,8 @@ use crate::{Identified, Report};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PointError, PoseSet,
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PlacedApart, PointError,
+    PoseSet,
     Statistics,
 };
 use std::collections::BTreeMap;
@@ -37,6 +38,17 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         };
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, set.name.name(), ["before", "after"], words).on("Errors")));
+    }
+    if !accuracy.placed_apart.is_empty() {
+        let of = |p: &PlacedApart| {
+            let numbers: [&dyn std::fmt::Display; 3] = [&p.name, &p.readings, &number::fixed(p.redundancy, 2)];
+            match p.is_assessed {
+                true => words.fill("{0} ({1} readings, redundancy {2})", &numbers),
+                false => words.fill("{0} ({1} readings, redundancy {2}: not judged)", &numbers),
+            }
+        };
+        let all: Vec<String> = accuracy.placed_apart.iter().map(of).collect();
+        section.push(Block::text(words.fill("No calibration pose shows {0}: placed by their own readings at validation poses, with the identified robot held. Each of these errors counts over √r, r its redundancy.", &[&all.join(", ")])));
     }
     if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
         let p = number::p_value(p);
@@ -277,6 +289,8 @@ mod tests {
             point: String::new(),
             definition: String::new(),
             sets: vec![set.clone()],
+            placed_apart: Vec::new(),
+            effects: Vec::new(),
             validation_distance: None,
             budget: Vec::new(),
             limits: vec![],

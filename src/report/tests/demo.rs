@@ -23,6 +23,7 @@ pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vecto
         after_deg: None,
         joints: vec![],
         reliability: None,
+        own_redundancy: None,
     }
 }
 
@@ -115,6 +116,8 @@ impl Documents {
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
+                placed_apart: Vec::new(),
+                effects: Vec::new(),
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 budget: Vec::new(),
                 limits: vec![
@@ -151,6 +154,7 @@ fn errors() -> Vec<PointError> {
                 after_deg: Some(draw()),
                 joints: vec![],
                 reliability: None,
+                own_redundancy: None,
             });
         }
     }
@@ -219,6 +223,7 @@ fn frames() -> FramesDocument {
             max_mm: None,
             reference_mm: vec![],
         },
+        not_controlled: vec![],
     }
 }
 

@@ -83,6 +83,8 @@ pub(crate) fn identified(
         definition: String::new(),
         point: String::new(),
         sets: Vec::new(),
+        placed_apart: Vec::new(),
+        effects: Vec::new(),
         validation_distance: None,
         budget: vec![],
         limits: Vec::new(),
