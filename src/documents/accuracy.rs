@@ -77,6 +77,9 @@ pub struct EffectProof {
     pub joints: Vec<String>,
     /// `true` if it is identified; `false` if it would prove itself and is not.
     pub is_identified: bool,
+    /// Line of robot.toml that describes it; absent if robot.toml does so already.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot_key: Option<String>,
     /// Root mean square position error at poses that were left out, without the effect, mm.
     pub without_mm: f64,
     /// The same with the effect, mm.

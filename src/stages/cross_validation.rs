@@ -10,10 +10,13 @@ use etalon_base::noise::Noise;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
+use etalon_campaign::RobotFile;
 use etalon_documents::{EffectProof, EffectStep, PoseSet, Statistics};
-use etalon_identify::{Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, effects};
+use etalon_identify::{
+    Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, chi_square_exceeds, effects,
+};
 use etalon_math::statistics::{mean, variance};
-use etalon_robots::{Effect, Robot};
+use etalon_robots::{Effect, Quantity, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,7 +34,7 @@ const SEED: u64 = 4;
 /// Significance of a parameter's change, corrected for their number, and of an effect.
 pub(super) const SIGNIFICANCE: f64 = 0.05;
 /// Poses on which effects that are not identified are tried.
-const TRIED_POSES: usize = 300;
+const TRIED_POSES: usize = 200;
 
 /// What is tried on which poses.
 pub(super) struct Study<'a> {
@@ -327,6 +330,7 @@ pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Res
             effect,
             joints: joints_of(robot, of_effect),
             is_identified: true,
+            robot_key: None,
             without_mm: pair[0].held_out_rms_mm,
             with_mm: pair[1].held_out_rms_mm,
             gain_over_u: pair[1].gain_over_u,
@@ -345,7 +349,7 @@ fn joints_of(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String> {
 }
 
 /// Effects that `settings` leave out of the identification and that would prove themselves, each beside those that are identified. `found` is
-/// where they start; errors are those of at most 300 poses.
+/// where they start; errors are those of at most 200 poses.
 pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
     let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
     let stated = |i: usize| {
@@ -356,20 +360,9 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
     let unused: Vec<usize> = (0..effects.len())
         .filter(|&i| effects[i].is_some() && found.status[i] == Status::Fixed && !stated(i))
         .collect();
-    let all = poses(&sets.calibration, &settings.conditions);
-    if unused.is_empty() || all.len() < FEWEST {
-        return Vec::new();
-    }
-    let names: Vec<PoseName> = all.iter().copied().step_by(all.len().div_ceil(TRIED_POSES)).collect();
-    let kept: BTreeSet<PoseName> = names.iter().copied().collect();
-    let few = Sets {
-        calibration: sets.calibration.iter().filter(|o| kept.contains(&o.pose)).cloned().collect(),
-        ..Sets::default()
-    };
-    let conditions = settings.conditions.iter().filter(|c| kept.contains(&c.pose)).cloned().collect();
-    let settings = Settings { conditions, effects: Effects::All, ..settings.clone() };
-    let parts = FOLDS.min(names.len());
-    let trial = Trial { robot, sets: &few, start: &found.values, folds: &folds(names, parts)[..parts] };
+    let Some((few, settings, folds)) = sampled(sets, settings).filter(|_| !unused.is_empty()) else { return Vec::new() };
+    let settings = Settings { effects: Effects::All, ..settings };
+    let trial = Trial { robot, sets: &few, start: &found.values, folds: &folds };
     let held = |kept: Option<Effect>| {
         let others = unused.iter().filter(|&&i| effects[i] != kept);
         with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
@@ -378,18 +371,89 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
     let candidates = ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
     let proof = |effect: Effect| {
         let (fit, with) = trial.of(&held(Some(effect)))?;
-        let ([gain, u], [_, p]) = (gain(&without, &with), f_test(plain, fit));
-        (gain > u && p < SIGNIFICANCE).then(|| EffectProof {
-            effect: effect.into(),
-            joints: joints_of(robot, |i| unused.contains(&i) && effects[i] == Some(effect)),
-            is_identified: false,
-            without_mm: rms(&without),
-            with_mm: rms(&with),
-            gain_over_u: Some(gain / u).filter(|v| v.is_finite()),
-            p_value: Some(p),
-        })
+        let joints = joints_of(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
+        would_prove((plain, &without), (fit, &with), (effect, joints))
     };
     candidates.filter_map(proof).collect()
+}
+
+/// Joints whose bending is tried where robot.toml states none: so many of the first that carry a moment.
+const BENDING: usize = 2;
+/// Load of a joint, over the largest that it may have, from which it carries a moment.
+const LOADED: f64 = 0.1;
+
+/// The bending of the first joints of an arm that carry a moment, which robot.toml does not describe, if it would prove itself: of
+/// positions that the model does not explain.
+pub(super) fn undescribed_bending(
+    robot_file: &RobotFile,
+    robot: &dyn Robot,
+    sets: &Sets,
+    settings: &Settings,
+    found: &Identification,
+) -> Option<EffectProof> {
+    let explained = found.chi_square.is_some_and(|c| !chi_square_exceeds(c, found.degrees_of_freedom));
+    if explained || !settings.conditions.is_empty() || !settings.known.is_empty() || robot.loads().is_some() {
+        return None;
+    }
+    let carries = |joint: &usize| {
+        let alone = robot_file.build_bending(&[*joint], robot.targets());
+        let loads = alone.as_ref().and_then(|bending| bending.loads());
+        loads.is_some_and(|loads| {
+            sets.calibration.iter().any(|o| loads(&o.joints).iter().any(|load| load.abs() > LOADED))
+        })
+    };
+    let turning = (1..=robot.joints().len()).filter(|&j| robot.joints()[j - 1].quantity == Quantity::Angle);
+    let joints: Vec<usize> = turning.filter(carries).take(BENDING).collect();
+    let bending = robot_file.build_bending(&joints, robot.targets()).filter(|_| !joints.is_empty())?;
+    let (few, settings, folds) = sampled(sets, settings)?;
+    let (plain, without) = Trial { robot, sets: &few, start: &found.values, folds: &folds }.of(&settings)?;
+    let value = |name: &str| Some(found.values[robot.index(name)?]);
+    let start: Vec<f64> = bending.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect();
+    let mut settings = settings;
+    if let Effects::These(chosen) = &mut settings.effects {
+        chosen.push(Effect::Bending);
+    }
+    let trial = Trial { robot: bending.as_ref(), sets: &few, start: &start, folds: &folds };
+    let (fit, with) = trial.of(&settings)?;
+    let names = joints.iter().map(|j| robot.joints()[j - 1].name.clone()).collect();
+    let proof = would_prove((plain, &without), (fit, &with), (Effect::Bending, names))?;
+    let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
+    Some(EffectProof { robot_key: Some(format!("bending = [{}]", numbers.join(", "))), ..proof })
+}
+
+/// Some calibration poses, settings with their conditions, and folds of them; `None` if they are too few.
+fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTreeSet<PoseName>>)> {
+    let all = poses(&sets.calibration, &settings.conditions);
+    if all.len() < FEWEST {
+        return None;
+    }
+    let names: Vec<PoseName> = all.iter().copied().step_by(all.len().div_ceil(TRIED_POSES)).collect();
+    let kept: BTreeSet<PoseName> = names.iter().copied().collect();
+    let calibration = sets.calibration.iter().filter(|o| kept.contains(&o.pose)).cloned().collect();
+    let conditions = settings.conditions.iter().filter(|c| kept.contains(&c.pose)).cloned().collect();
+    let parts = FOLDS.min(names.len());
+    let mut folds = folds(names, parts);
+    folds.truncate(parts);
+    Some((Sets { calibration, ..Sets::default() }, Settings { conditions, ..settings.clone() }, folds))
+}
+
+/// What an effect is worth that is not identified, if it proves itself: fits and errors without it and with it.
+fn would_prove(
+    (plain, without): ([f64; 3], &Squares),
+    (fit, with): ([f64; 3], &Squares),
+    (effect, joints): (Effect, Vec<String>),
+) -> Option<EffectProof> {
+    let ([gain, u], [_, p]) = (gain(without, with), f_test(plain, fit));
+    (gain > u && p < SIGNIFICANCE).then(|| EffectProof {
+        effect: effect.into(),
+        joints,
+        is_identified: false,
+        robot_key: None,
+        without_mm: rms(without),
+        with_mm: rms(with),
+        gain_over_u: Some(gain / u).filter(|v| v.is_finite()),
+        p_value: Some(p),
+    })
 }
 
 /// Fits near a solution, without their uncertainties.

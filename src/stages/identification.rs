@@ -3,7 +3,7 @@
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::controlled::base_elsewhere;
-use crate::stages::cross_validation::{proven, unused};
+use crate::stages::cross_validation::{proven, undescribed_bending, unused};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
@@ -128,6 +128,7 @@ pub fn identify(
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.placed_apart = placed.documents(robot);
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
+    accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
     found.warnings.extend(accuracy.effects.iter().filter_map(would_prove).map(Into::into));
     found.warnings.extend(base_elsewhere(campaign, robot, &found.values).map(Into::into));
     accuracy.validation_distance = validation_distance(robot, &all);
@@ -182,7 +183,7 @@ fn proven_effects(
 
 /// A remark on an effect that is not identified and would prove itself.
 fn would_prove(proof: &EffectProof) -> Option<Message> {
-    let EffectProof { joints, without_mm, with_mm, is_identified, .. } = proof;
+    let EffectProof { joints, without_mm, with_mm, is_identified, robot_key, .. } = proof;
     if *is_identified {
         return None;
     }
@@ -192,7 +193,10 @@ fn would_prove(proof: &EffectProof) -> Option<Message> {
         "{effect}{of} would prove itself: the error at calibration poses that are left out falls from {without_mm:.3} to {with_mm:.3} mm \
          (position, root mean square)"
     );
-    let hint = format!("add \"{effect}\" to `effects` in [identify], or state `effects = \"proven\"`");
+    let hint = match robot_key {
+        Some(line) => format!("add `{line}` to robot.toml"),
+        None => format!("add \"{effect}\" to `effects` in [identify], or state `effects = \"proven\"`"),
+    };
     Some(Message::warning(what).hint(hint))
 }
 

@@ -6,6 +6,7 @@ mod budget;
 mod code;
 pub mod controllers;
 pub mod dialects;
+mod effects;
 mod gauge;
 mod joins;
 mod meanings;

@@ -12,6 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Iterations of one placement.
 const ITERATIONS: usize = 200;
+/// Changes of what the readings determine after which the search ends.
+const ROUNDS: usize = 6;
 
 /// Targets and fixtures that were placed with everything else held.
 #[derive(Clone, Debug)]
@@ -96,27 +98,20 @@ pub fn place_apart(
     // all others have their places
     let seen = (0..robot.targets().len()).filter(|k| measured.contains(k) || !of_place(k)).collect();
     place_seen(arm, &seen, settings, places, &mut values);
-    placed.values.clone_from(&values);
-    let all = Residuals::new(robot, observations, settings, places, &values)?;
-    let held = Analysis::at(&all, &values, 0.0).held();
-    let free: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
-    if free.is_empty() {
+    let Some((free, values)) = solved(robot, observations, settings, values.clone(), places)? else {
+        placed.values = values;
         return Ok(placed);
-    }
-    let problem = Residuals::new(robot, observations, settings, &free, &values)?;
-    let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-    let solution = solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
-    if !solution.termination.is_success() {
-        return Ok(placed);
-    }
-    placed.values = problem.all(&solution.x);
-    let (factor, scale) = factor_at(&problem, &solution.x);
+    };
+    placed.values = values;
+    let problem = Residuals::new(robot, observations, settings, &free, &placed.values)?;
+    let x: Vec<f64> = free.iter().map(|&i| placed.values[i]).collect();
+    let (factor, scale) = factor_at(&problem, &x);
     let Some(inverse) = covariance(&factor, &scale) else { return Ok(placed) };
     let n = free.len();
     for (k, &i) in free.iter().enumerate() {
         placed.uncertainties.insert(i, inverse[k * n + k].sqrt());
     }
-    let jacobian = problem.rows_of(&problem.jacobian_at(&solution.x)).dense();
+    let jacobian = problem.rows_of(&problem.jacobian_at(&x)).dense();
     let mut redundancy = jacobian.chunks_exact(n).map(|row| 1.0 - leverage(row, &inverse));
     let mut mean = |rows: usize| redundancy.by_ref().take(rows).sum::<f64>() / rows as f64;
     for of_target in placed.observations.iter_mut().flatten().flatten() {
@@ -126,6 +121,38 @@ pub fn place_apart(
         *of_condition = mean(condition.kind.rows()).clamp(0.0, 1.0);
     }
     Ok(placed)
+}
+
+/// Of `places` those that the readings determine, and all values at the solution; `None` where they determine none, or the solver fails.
+/// Where directions to a point are alike at the start they need not be so at the solution: what is held is found anew there.
+fn solved(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    mut values: Vec<f64>,
+    places: &[usize],
+) -> Result<Option<(Vec<usize>, Vec<f64>)>> {
+    let mut free = Vec::new();
+    for _ in 0..ROUNDS {
+        let all = Residuals::new(robot, observations, settings, places, &values)?;
+        let held = Analysis::at(&all, &values, 0.0).held();
+        let now: Vec<usize> = places.iter().copied().filter(|i| !held.contains(i)).collect();
+        if now.is_empty() {
+            return Ok(None);
+        }
+        if now == free {
+            break;
+        }
+        free = now;
+        let problem = Residuals::new(robot, observations, settings, &free, &values)?;
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let solution = solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
+        if !solution.termination.is_success() {
+            return Ok(None);
+        }
+        values = problem.all(&solution.x);
+    }
+    Ok(Some((free, values)))
 }
 
 /// h = j C jᵀ of a row of the Jacobian with few elements.
