@@ -101,6 +101,18 @@ pub(super) struct SmallError {
     pub element: usize,
 }
 
+/// A parameter of an effect at a joint, zero without error.
+fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -> Parameter {
+    let meaning = match effect {
+        Effect::Harmonics => HARMONIC,
+        Effect::Backlash => BACKLASH,
+        Effect::Coupling => COUPLING,
+        _ => BENDING,
+    };
+    let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
+    Parameter { effect, ..own }
+}
+
 /// Collects the motions and parameters of a chain; base and targets come first.
 #[derive(Debug)]
 pub(super) struct ArmBuilder {
@@ -142,18 +154,6 @@ impl ArmBuilder {
     pub fn add(&mut self, parameter: Parameter) -> usize {
         self.parameters.push(parameter);
         self.parameters.len() - 1
-    }
-
-    /// Adds a parameter of an effect that is zero without error.
-    fn error(&mut self, name: String, quantity: Quantity, effect: Effect, joint: usize, by: Option<usize>) -> usize {
-        let meaning = match effect {
-            Effect::Harmonics => HARMONIC,
-            Effect::Backlash => BACKLASH,
-            Effect::Coupling => COUPLING,
-            _ => BENDING,
-        };
-        let own = Parameter::new(name, quantity, Role::Robot, 0.0);
-        self.add(Parameter { effect, joint: Some(joint), by, meaning, ..own })
     }
 
     /// Adds a motion by `constant` + Σ parameters.
@@ -233,7 +233,7 @@ impl ArmBuilder {
                 [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)]
             {
                 let name = format!("harmonic_{label}_{name}");
-                let parameter = self.error(name, Quantity::Angle, Effect::Harmonics, joint, None);
+                let parameter = self.add(joint_error(name, Quantity::Angle, Effect::Harmonics, joint));
                 let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
                 self.moved[k].push(Term { parameter, coefficient });
             }
@@ -248,7 +248,7 @@ impl ArmBuilder {
             let at = joints + known.unwrap_or(self.approached.len());
             self.approached.extend(known.is_none().then_some(joint));
             let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
-            let parameter = self.error(format!("backlash_{label}"), quantity, Effect::Backlash, joint, None);
+            let parameter = self.add(joint_error(format!("backlash_{label}"), quantity, Effect::Backlash, joint));
             let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
             self.moved[k].push(Term { parameter, coefficient });
         }
@@ -294,7 +294,7 @@ impl ArmBuilder {
 
     fn load(&mut self, name: String, load: Load, axis: usize, by: Option<usize>) -> Term {
         let joint = self.axes[axis].drive.joint;
-        let parameter = self.error(name, Quantity::Angle, Effect::Bending, joint, by);
+        let parameter = self.add(Parameter { by, ..joint_error(name, Quantity::Angle, Effect::Bending, joint) });
         self.loads.push(load);
         Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
     }
@@ -304,7 +304,8 @@ impl ArmBuilder {
         for &(axis, by) in pairs {
             let name = format!("coupling_{}_{}", self.axes[axis].drive.label, self.axes[by].drive.label);
             let [moved, joint] = [axis, by].map(|k| self.axes[k].drive.joint);
-            let parameter = self.error(name, Quantity::Ratio, Effect::Coupling, moved, Some(joint));
+            let parameter = joint_error(name, Quantity::Ratio, Effect::Coupling, moved);
+            let parameter = self.add(Parameter { by: Some(joint), ..parameter });
             let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
             let moved = &mut self.moved[axis];
             let before = moved.iter().take_while(|t| !matches!(t.coefficient, Coefficient::Load(_))).count();
