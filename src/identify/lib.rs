@@ -21,7 +21,7 @@ pub use judgement::reliability::{
 pub use judgement::robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
 pub use judgement::significance::{Variance, holm};
 pub use judgement::stability::{Stability, halves, stability};
-pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, held};
+pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, ToolPrediction, held};
 pub use judgement::uncertainty::UncertaintyFrom;
 pub use judgement::verification::{
     Comparison, Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,

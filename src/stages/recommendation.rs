@@ -6,14 +6,12 @@
 //! Friedman, 7.10.2). What is not stable is found once, by all poses, and held in every fold.
 
 use super::evaluate::{self, Sets, summarise};
-use super::identification::{Selected, check_set_up, select};
-use super::join::Joined;
+use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::noise::Noise;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
-use etalon_campaign::{Campaign, Identify};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
 use etalon_identify::{Effects, Identification, Observation, Settings, Stability, Status, Variance, effects};
@@ -36,18 +34,16 @@ const SEED: u64 = 4;
 /// Significance of a parameter's change, corrected for their number, and of an effect.
 const SIGNIFICANCE: f64 = 0.05;
 
-/// Judges what a campaign identifies; `inputs` are the files and their SHA-256, and `report` is called with the choices of parameters that
-/// were tried and the most that may be.
+/// Judges what is identified from the `selected` observations of a campaign; `inputs` are the files
+/// and their SHA-256, and `report` is called with the choices of parameters that were tried and the
+/// most that may be.
 pub fn recommend(
-    campaign: &Campaign,
-    stated: &Identify,
-    robot: &mut dyn Robot,
-    joined: &Joined,
+    robot: &dyn Robot,
+    selected: Selected,
     inputs: &BTreeMap<String, String>,
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<RecommendationDocument> {
-    let Selected { sets, settings, messages, .. } =
-        select(campaign, stated, robot, joined)?.leave_unplaced_out(robot)?;
+    let Selected { sets, settings, messages, .. } = selected.leave_unplaced_out(robot)?;
     if !settings.conditions.is_empty() {
         let message = Message::error("parameters are recommended from measured positions alone");
         return Err(message.hint("leave rows of other kinds out").into());

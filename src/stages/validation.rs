@@ -2,11 +2,10 @@
 
 use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
-use super::identification::{Selected, check_set_up, select};
-use super::join::Joined;
+use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
-use etalon_campaign::{Campaign, Identify};
+use etalon_campaign::Campaign;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
@@ -20,16 +19,15 @@ pub struct Validated {
     pub messages: Vec<Message>,
 }
 
-/// Judges the parameters of a document, or nominal ones, on the observations of a campaign.
+/// Judges the parameters of a document, or nominal ones, on the `selected` observations of a
+/// campaign.
 pub fn validate(
     campaign: &Campaign,
-    stated: &Identify,
+    mut selected: Selected,
     robot: &mut dyn Robot,
-    joined: &Joined,
     document: Option<&ParametersDocument>,
     frames: GivenFrames,
 ) -> Result<Validated> {
-    let mut selected = select(campaign, stated, robot, joined)?;
     if frames != GivenFrames::Given {
         selected = selected.leave_unplaced_out(robot)?;
     }
