@@ -124,7 +124,6 @@ pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
 mod tests {
     use super::*;
     use etalon_base::noise::Noise;
-    use etalon_base::pose::{minus, norm};
     use etalon_robots::Prexyt;
 
     /// Poses of a grid of four by four by four, 10 mm apart, from `first_mm` in each joint.
@@ -168,10 +167,9 @@ mod tests {
         let mut drawn = || (0..300).map(|_| (0..3).map(|_| noise.uniform(1.0)).collect()).collect::<Vec<Vec<f64>>>();
         let (mut divided, others) = (drawn(), drawn());
         divide(&mut divided, 0);
-        let apart = |a: &[f64], b: &[f64]| norm(minus([a[0], a[1], a[2]], [b[0], b[1], b[2]]));
         let space = JointSpace { ranges: vec![(0.0, 1.0); 3] };
         for q in divided.iter().chain(&others) {
-            let each = divided.iter().filter(|p| *p != q).map(|p| apart(q, p)).fold(f64::INFINITY, f64::min);
+            let each = divided.iter().filter(|p| *p != q).map(|p| space.apart(q, p)).fold(f64::INFINITY, f64::min);
             assert_eq!(space.nearest(q, &divided, 0, f64::INFINITY), each);
         }
         let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation, ..Sets::default() };
