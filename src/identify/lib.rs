@@ -21,7 +21,7 @@ pub use judgement::reliability::{
 pub use judgement::robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
 pub use judgement::significance::{Variance, holm};
 pub use judgement::stability::{Stability, halves, stability};
-pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, held};
+pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, ToolPrediction, held};
 pub use judgement::uncertainty::UncertaintyFrom;
 pub use judgement::verification::{
     Comparison, Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,
@@ -357,12 +357,7 @@ impl NestedFit {
     ///
     /// # Errors
     /// Settings and observations that do not go together, or a solver that fails.
-    pub fn new(
-        robot: &dyn Robot,
-        observations: &[Observation],
-        settings: &Settings,
-        start: &[f64],
-    ) -> Result<Self> {
+    pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings, start: &[f64]) -> Result<Self> {
         let wanted = wanted_parameters(robot, observations, settings)?;
         let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
         let as_found = Settings { prior: found.prior, ..settings.with_weight(found.weight) };

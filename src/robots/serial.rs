@@ -4,8 +4,9 @@
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads, OptionalParameter, Parameter,
-    Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
+    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
+    OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
+    pose_outputs,
 };
 use super::{limit_violation, nearest, normal_equations, square};
 use etalon_base::expression::{Formula, Recorded, derivatives};
@@ -122,6 +123,18 @@ pub(super) struct SmallError {
     pub element: usize,
 }
 
+/// A parameter of an effect at a joint, zero without error.
+fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -> Parameter {
+    let meaning = match effect {
+        Effect::Harmonics => HARMONIC,
+        Effect::Backlash => BACKLASH,
+        Effect::Coupling => COUPLING,
+        _ => BENDING,
+    };
+    let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
+    Parameter { effect, ..own }
+}
+
 /// Collects the motions and parameters of a chain; base and targets come first.
 #[derive(Debug)]
 pub(super) struct ArmBuilder {
@@ -163,18 +176,6 @@ impl ArmBuilder {
     pub fn add(&mut self, parameter: Parameter) -> usize {
         self.parameters.push(parameter);
         self.parameters.len() - 1
-    }
-
-    /// Adds a parameter of an effect that is zero without error.
-    fn error(&mut self, name: String, quantity: Quantity, effect: Effect, joint: usize, by: Option<usize>) -> usize {
-        let meaning = match effect {
-            Effect::Harmonics => HARMONIC,
-            Effect::Backlash => BACKLASH,
-            Effect::Coupling => COUPLING,
-            _ => BENDING,
-        };
-        let own = Parameter::new(name, quantity, Role::Robot, 0.0);
-        self.add(Parameter { effect, joint: Some(joint), by, meaning, ..own })
     }
 
     /// Adds a motion by `constant` + Σ parameters.
@@ -252,7 +253,7 @@ impl ArmBuilder {
             let Drive { label, joint, factor, offset, .. } = self.axes[k].drive.clone();
             for (order, part, sine) in ORDERS {
                 let name = harmonic_name(&label, part);
-                let parameter = self.error(name, Quantity::Angle, Effect::Harmonics, joint, None);
+                let parameter = self.add(joint_error(name, Quantity::Angle, Effect::Harmonics, joint));
                 let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
                 self.moved[k].push(Term { parameter, coefficient });
             }
@@ -267,7 +268,7 @@ impl ArmBuilder {
             let at = joints + known.unwrap_or(self.approached.len());
             self.approached.extend(known.is_none().then_some(joint));
             let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
-            let parameter = self.error(backlash_name(&label), quantity, Effect::Backlash, joint, None);
+            let parameter = self.add(joint_error(backlash_name(&label), quantity, Effect::Backlash, joint));
             let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
             self.moved[k].push(Term { parameter, coefficient });
         }
@@ -313,7 +314,7 @@ impl ArmBuilder {
 
     fn load(&mut self, name: String, load: Load, axis: usize, by: Option<usize>) -> Term {
         let joint = self.axes[axis].drive.joint;
-        let parameter = self.error(name, Quantity::Angle, Effect::Bending, joint, by);
+        let parameter = self.add(Parameter { by, ..joint_error(name, Quantity::Angle, Effect::Bending, joint) });
         self.loads.push(load);
         Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
     }
@@ -323,7 +324,8 @@ impl ArmBuilder {
         for &(axis, by) in pairs {
             let name = coupling_name(&self.axes[axis].drive.label, &self.axes[by].drive.label);
             let [moved, joint] = [axis, by].map(|k| self.axes[k].drive.joint);
-            let parameter = self.error(name, Quantity::Ratio, Effect::Coupling, moved, Some(joint));
+            let parameter = joint_error(name, Quantity::Ratio, Effect::Coupling, moved);
+            let parameter = self.add(Parameter { by: Some(joint), ..parameter });
             let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
             let moved = &mut self.moved[axis];
             let before = moved.iter().take_while(|t| !matches!(t.coefficient, Coefficient::Load(_))).count();

@@ -175,8 +175,9 @@ impl Walk {
         // identify: observations become parameters, and errors before and after
         let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };
         if let (Some(stated), Some(joined), Some(frames)) = (&campaign.file.identify, &self.joined, &self.frames) {
-            let inputs = self.gathered.document.inputs();
-            self.identified = Some(identify(campaign, stated, robot.as_mut(), joined, frames, &inputs)?);
+            let mut identified = identify(campaign, stated, robot.as_mut(), joined, frames)?;
+            identified.parameters.provenance.inputs = self.gathered.document.inputs();
+            self.identified = Some(identified);
         }
         // geometry: balls, a shaft and an arm give the same parameters without a model
         let measured = self.measured.take();

@@ -6,7 +6,9 @@ use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
 use etalon_base::pattern::matches_pattern;
 use etalon_documents::{self as documents, ParameterStatus, ParametersDocument, PointError};
-use etalon_identify::{Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart};
+use etalon_identify::{
+    Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart,
+};
 use etalon_robots::{FreeBase, Quantity, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 

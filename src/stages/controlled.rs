@@ -65,7 +65,9 @@ pub fn check_nominal(campaign: &Campaign, points: &[Point], frames: &FramesDocum
         }
         None => {
             let [a, b, measured_mm, nominal_mm] = worst_pair(&known);
-            format!("from {a} to {b} it is {measured_mm} mm measured, and {nominal_mm} mm by their nominal places ({by})")
+            format!(
+                "from {a} to {b} it is {measured_mm} mm measured, and {nominal_mm} mm by their nominal places ({by})"
+            )
         }
     };
     Err(Message::error(what).at(place()).hint(hint).into())
@@ -152,7 +154,11 @@ fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
 }
 
 /// What no reading of a campaign can show of its frames, with the keys that would control it.
-pub fn not_controlled(campaign: &Campaign, robot: Option<&dyn Robot>, features: &FeaturesDocument) -> Vec<Uncontrolled> {
+pub fn not_controlled(
+    campaign: &Campaign,
+    robot: Option<&dyn Robot>,
+    features: &FeaturesDocument,
+) -> Vec<Uncontrolled> {
     let mut all = Vec::new();
     if let Some(world) = campaign.file.world().filter(|world| !world.as_exported) {
         let nominal = |name: &String| world.nominal_mm.contains_key(name);
@@ -246,7 +252,8 @@ pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) ->
         let left = carried.inverse().then(&found);
         left.angle_rad() <= BASE.1 && norm(minus(carried.translation_mm, found.translation_mm)) <= BASE.0
     });
-    let off = format!("the base is {off_mm:.0} mm and {:.1} deg from the place that robot.toml states", off_rad.to_degrees());
+    let off =
+        format!("the base is {off_mm:.0} mm and {:.1} deg from the place that robot.toml states", off_rad.to_degrees());
     let what = match exchanged {
         Some(turn) => {
             let axis = |k: usize| {
@@ -254,11 +261,20 @@ pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) ->
                 let along = (0..3).max_by(|&a, &b| to[a].abs().total_cmp(&to[b].abs())).unwrap_or(0);
                 format!("{}{}", if to[along] < 0.0 { "-" } else { "" }, ["x", "y", "z"][along])
             };
-            format!("{off}: the axes of the world frame are exchanged, x, y, z of robot.toml are its {}, {}, {}", axis(0), axis(1), axis(2))
+            format!(
+                "{off}: the axes of the world frame are exchanged, x, y, z of robot.toml are its {}, {}, {}",
+                axis(0),
+                axis(1),
+                axis(2)
+            )
         }
         None => off,
     };
-    Some(Message::warning(what).to_decide().hint("check axes, unit and points of the world frame, and [nominal] of robot.toml"))
+    Some(
+        Message::warning(what)
+            .to_decide()
+            .hint("check axes, unit and points of the world frame, and [nominal] of robot.toml"),
+    )
 }
 
 /// The rotations that bring a cube to itself, but for none.

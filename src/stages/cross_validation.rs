@@ -74,7 +74,8 @@ impl<'a> Study<'a> {
         let names = poses(&sets.calibration, &settings.conditions);
         let parts = FOLDS.min(names.len());
         if parts < FEWEST {
-            let message = Message::error(format!("{} are too few to leave some out", count(names.len(), "calibration pose")));
+            let message =
+                Message::error(format!("{} are too few to leave some out", count(names.len(), "calibration pose")));
             return Err(message.hint("measure more, or name more in `calibration`").into());
         }
         // which effects are identified is what is asked
@@ -180,7 +181,6 @@ impl<'a> Study<'a> {
             last = Some(best);
         }
     }
-
 }
 
 /// The settings that hold these parameters too.
@@ -360,7 +360,9 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
     let unused: Vec<usize> = (0..effects.len())
         .filter(|&i| effects[i].is_some() && found.status[i] == Status::Fixed && !stated(i))
         .collect();
-    let Some((few, settings, folds)) = sampled(sets, settings).filter(|_| !unused.is_empty()) else { return Vec::new() };
+    let Some((few, settings, folds)) = sampled(sets, settings).filter(|_| !unused.is_empty()) else {
+        return Vec::new();
+    };
     let settings = Settings { effects: Effects::All, ..settings };
     let trial = Trial { robot, sets: &few, start: &found.values, folds: &folds };
     let held = |kept: Option<Effect>| {

@@ -58,40 +58,124 @@ pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selec
 
 /// Errors of every observation of both sets with two sets of parameters.
 pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Vec<PointError> {
-    let mut all = Vec::new();
-    for set in PoseSet::ALL {
-        let (observations, conditions) = sets.of(set);
-        for o in observations {
-            match robot.platform() {
-                Some(platform) => {
-                    let [Some(k), Some(l)] = o.targets[..] else { continue };
-                    let pair = [[k[0], k[1]], [l[0], l[1]]];
-                    let error = |p: &[f64]| platform.pose_error(p, &o.joints, pair).map(|r| -r);
-                    let (b, a) = (error(before), error(after));
-                    let at = platform.measured_pose(after, pair);
-                    all.push(PointError {
-                        set,
-                        pose: o.pose,
-                        cycle: o.cycle,
-                        target: "C".to_owned(),
-                        at_mm: [at.x_mm, at.y_mm, 0.0],
-                        before_mm: [b[0], b[1], 0.0],
-                        after_mm: [a[0], a[1], 0.0],
-                        before_deg: Some(b[2].to_degrees()),
-                        after_deg: Some(a[2].to_degrees()),
-                        joints: logged(robot, &o.joints),
-                        reliability: None,
-                        own_redundancy: None,
-                    });
+    BeforeAfter { robot, before, after }.errors(sets)
+}
+
+/// A robot with all parameters before and after an identification.
+#[derive(Clone, Copy)]
+struct BeforeAfter<'a> {
+    robot: &'a dyn Robot,
+    before: &'a [f64],
+    after: &'a [f64],
+}
+
+impl BeforeAfter<'_> {
+    /// Errors of every observation of both sets.
+    fn errors(&self, sets: &Sets) -> Vec<PointError> {
+        let Self { robot, before, after } = *self;
+        let mut all = Vec::new();
+        for set in PoseSet::ALL {
+            let (observations, conditions) = sets.of(set);
+            for o in observations {
+                match robot.platform() {
+                    Some(platform) => {
+                        let [Some(k), Some(l)] = o.targets[..] else { continue };
+                        let pair = [[k[0], k[1]], [l[0], l[1]]];
+                        let error = |p: &[f64]| platform.pose_error(p, &o.joints, pair).map(|r| -r);
+                        let (b, a) = (error(before), error(after));
+                        let at = platform.measured_pose(after, pair);
+                        all.push(PointError {
+                            set,
+                            pose: o.pose,
+                            cycle: o.cycle,
+                            target: "C".to_owned(),
+                            at_mm: [at.x_mm, at.y_mm, 0.0],
+                            before_mm: [b[0], b[1], 0.0],
+                            after_mm: [a[0], a[1], 0.0],
+                            before_deg: Some(b[2].to_degrees()),
+                            after_deg: Some(a[2].to_degrees()),
+                            joints: logged(robot, &o.joints),
+                            reliability: None,
+                            own_redundancy: None,
+                        });
+                    }
+                    None => all.extend(self.target_errors(o, set)),
                 }
-                None => all.extend(target_errors(robot, o, set, before, after)),
+            }
+            for condition in conditions {
+                self.condition_error(condition, set, &mut all);
             }
         }
-        for condition in conditions {
-            condition_error(robot, condition, set, before, after, &mut all);
-        }
+        all
     }
-    all
+
+    /// Adds the error of a condition: of an orientation the angle, beside the error of the same
+    /// target's position.
+    fn condition_error(&self, condition: &Condition, set: PoseSet, all: &mut Vec<PointError>) {
+        let Self { robot, before, after } = *self;
+        let target = &robot.targets()[condition.target];
+        let (b, a) = (condition.error(robot, before), condition.error(robot, after));
+        if matches!(condition.kind, Kind::Joint(_)) {
+            // the value of a joint is not an error of a target
+            return;
+        }
+        if condition.kind.is_orientation() {
+            let same = |e: &&mut PointError| {
+                e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
+            };
+            if let Some(error) = all.iter_mut().rev().find(same) {
+                error.before_deg = Some(norm(b).to_degrees());
+                error.after_deg = Some(norm(a).to_degrees());
+            }
+            return;
+        }
+        all.push(PointError {
+            set,
+            pose: condition.pose,
+            cycle: condition.cycle,
+            target: target.clone(),
+            at_mm: robot.position(after, &condition.joints, condition.target),
+            before_mm: b,
+            after_mm: a,
+            before_deg: None,
+            after_deg: None,
+            joints: logged(robot, &condition.joints),
+            reliability: None,
+            own_redundancy: None,
+        });
+    }
+
+    /// Errors of each target of a pose in space; with three or more, the rotation that is left
+    /// between them.
+    fn target_errors(&self, o: &Observation, set: PoseSet) -> Vec<PointError> {
+        let Self { robot, before, after } = *self;
+        let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
+        let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
+        let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
+        let (b, a) = (predict(before), predict(after));
+        // a rotation needs three targets that are not on one line
+        let turned = |from: &[Vector]| {
+            let fitted = etalon_fit::rigid(from, &measured).ok()?;
+            Some(fitted.to_T_from.angle_rad().to_degrees())
+        };
+        let (before_deg, after_deg) = (turned(&b), turned(&a));
+        let error = |i: usize| PointError {
+            set: set.to_owned(),
+            pose: o.pose,
+            cycle: o.cycle,
+            target: robot.targets()[seen[i].0].clone(),
+            at_mm: measured[i],
+            before_mm: minus(measured[i], b[i]),
+            after_mm: minus(measured[i], a[i]),
+            // one rotation a pose: with its first target
+            before_deg: before_deg.filter(|_| i == 0),
+            after_deg: after_deg.filter(|_| i == 0),
+            joints: logged(robot, &o.joints),
+            reliability: None,
+            own_redundancy: None,
+        };
+        (0..seen.len()).map(error).collect()
+    }
 }
 
 /// Adds the time of each observation (s) from the first, as the last of what errors are drawn against; `true` if there are times.
@@ -117,77 +201,6 @@ pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool 
 /// Values of the joints in mm or deg.
 fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
-}
-
-/// The error of a condition: of an orientation the angle, beside the error of the same target's position.
-fn condition_error(
-    robot: &dyn Robot,
-    condition: &Condition,
-    set: PoseSet,
-    before: &[f64],
-    after: &[f64],
-    all: &mut Vec<PointError>,
-) {
-    let target = &robot.targets()[condition.target];
-    let (b, a) = (condition.error(robot, before), condition.error(robot, after));
-    if matches!(condition.kind, Kind::Joint(_)) {
-        // the value of a joint is not an error of a target
-        return;
-    }
-    if condition.kind.is_orientation() {
-        let same = |e: &&mut PointError| {
-            e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
-        };
-        if let Some(error) = all.iter_mut().rev().find(same) {
-            error.before_deg = Some(norm(b).to_degrees());
-            error.after_deg = Some(norm(a).to_degrees());
-        }
-        return;
-    }
-    all.push(PointError {
-        set,
-        pose: condition.pose,
-        cycle: condition.cycle,
-        target: target.clone(),
-        at_mm: robot.position(after, &condition.joints, condition.target),
-        before_mm: b,
-        after_mm: a,
-        before_deg: None,
-        after_deg: None,
-        joints: logged(robot, &condition.joints),
-        reliability: None,
-        own_redundancy: None,
-    });
-}
-
-/// Errors of each target of a pose in space; with three or more, the rotation that is left between them.
-fn target_errors(robot: &dyn Robot, o: &Observation, set: PoseSet, before: &[f64], after: &[f64]) -> Vec<PointError> {
-    let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
-    let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
-    let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
-    let (b, a) = (predict(before), predict(after));
-    // a rotation needs three targets that are not on one line
-    let turned = |from: &[Vector]| {
-        let fitted = etalon_fit::rigid(from, &measured).ok()?;
-        Some(fitted.to_T_from.angle_rad().to_degrees())
-    };
-    let (before_deg, after_deg) = (turned(&b), turned(&a));
-    let error = |i: usize| PointError {
-        set: set.to_owned(),
-        pose: o.pose,
-        cycle: o.cycle,
-        target: robot.targets()[seen[i].0].clone(),
-        at_mm: measured[i],
-        before_mm: minus(measured[i], b[i]),
-        after_mm: minus(measured[i], a[i]),
-        // one rotation a pose: with its first target
-        before_deg: before_deg.filter(|_| i == 0),
-        after_deg: after_deg.filter(|_| i == 0),
-        joints: logged(robot, &o.joints),
-        reliability: None,
-        own_redundancy: None,
-    };
-    (0..seen.len()).map(error).collect()
 }
 
 /// Whose errors those of a platform are: parameters that shift balls and tool alike do not show in them.
@@ -272,7 +285,7 @@ pub fn evaluate(
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
         })?;
         let expanded = uncertainty.expanded(quantity);
-        verdicts.push(LimitVerdict::of(name, &errors.unit, limit, pick(&errors.after), expanded, rule));
+        verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
     }
     let (point, error) = if robot.platform().is_some() {
         (

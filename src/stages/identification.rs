@@ -18,9 +18,13 @@ use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
-use etalon_documents::{AccuracyDocument, EffectProof, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
+use etalon_documents::{
+    AccuracyDocument, EffectProof, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame,
+};
 use etalon_formats::table;
-use etalon_identify::{Effects, FrameError, Identification, Observation, RobustFit, Settings, Systematic};
+use etalon_identify::{
+    Effects, FrameError, Identification, Observation, RobustFit, Settings, Systematic, ToolPoint, ToolPrediction,
+};
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
@@ -87,15 +91,14 @@ impl Identified {
     }
 }
 
-/// Identifies the robot from the observations of the first log; other logs are compared with it. `inputs` are the files and
-/// their SHA-256.
+/// Identifies the robot from the observations of the first log; other logs are compared with it.
+/// The parameters state no input files.
 pub fn identify(
     campaign: &Campaign,
     stated: &Identify,
     robot: &mut dyn Robot,
     joined: &Joined,
     frames: &FramesDocument,
-    inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
     let selected = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
@@ -143,14 +146,17 @@ pub fn identify(
     }
     let tool = campaign.file.tool.map(|tool| tool.point());
     let at_tool = |problems: Problems| problems.at(&campaign.place_of(&["tool"]));
-    let expected = Expected::new(robot, tool, &sets, &settings, &before, &found, &accuracy)?;
+    let point = tool.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
+    let held = etalon_identify::held(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
+    let prediction = ToolPrediction { robot, point, before: &before, found: &found, held };
+    let expected = Expected::new(prediction, &settings, &accuracy);
     if tool.is_some() || robot.platform().is_some() {
         accuracy.tool = expected.accuracy(&all, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
     let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
-    let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
+    let mut parameters = parameters_document(robot, &settings, &before, &found, &BTreeMap::new());
     placed.mark(robot, &found, &mut parameters);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) =
@@ -242,11 +248,10 @@ impl Solved {
         settings: &Settings,
         said: Vec<Message>,
     ) -> Vec<PointError> {
-        let Self { before, found } = self;
-        let errors = evaluate::errors(robot, sets, before, &found.values);
-        found.warnings.splice(0..0, said.into_iter().map(Into::into));
-        let messages = plausibility(robot, &sets.calibration, settings, before, found, &errors);
-        found.warnings.splice(0..0, messages.into_iter().map(Into::into));
+        let errors = evaluate::errors(robot, sets, &self.before, &self.found.values);
+        self.found.warnings.splice(0..0, said.into_iter().map(Into::into));
+        let messages = plausibility(robot, &sets.calibration, settings, self, &errors);
+        self.found.warnings.splice(0..0, messages.into_iter().map(Into::into));
         errors
     }
 }

@@ -5,11 +5,9 @@
 //! every fold.
 
 use super::cross_validation::{ALL, SIGNIFICANCE, Study};
-use super::identification::{Selected, check_set_up, select};
-use super::join::Joined;
+use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
-use etalon_campaign::{Campaign, Identify};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
 use etalon_identify::{Identification, Settings, Stability, Status, Variance};
@@ -19,17 +17,16 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use std::collections::BTreeMap;
 
-/// Judges what a campaign identifies; `inputs` are the files and their SHA-256, and `report` is called with the choices of parameters that
-/// were tried and the most that may be.
+/// Judges what is identified from the `selected` observations of a campaign; `inputs` are the files
+/// and their SHA-256, and `report` is called with the choices of parameters that were tried and the
+/// most that may be.
 pub fn recommend(
-    campaign: &Campaign,
-    stated: &Identify,
-    robot: &mut dyn Robot,
-    joined: &Joined,
+    robot: &dyn Robot,
+    selected: Selected,
     inputs: &BTreeMap<String, String>,
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<RecommendationDocument> {
-    let Selected { sets, settings, messages, .. } = select(campaign, stated, robot, joined)?;
+    let Selected { sets, settings, messages, .. } = selected;
     check_set_up(robot, &sets.calibration, &settings)?;
     let study = Study::new(robot, &sets, settings)?;
     Recommendation { study: &study }.document(inputs, messages, report)
@@ -186,8 +183,7 @@ impl Recommendation<'_> {
         let study = self.study;
         let settings = study.holding(study.held(|i| all.status[i] == Status::Identified));
         // of the first cut alone: every pose is left out once
-        let folds =
-            study.first_cut().iter().map(|fold| study.without(fold, &settings)).collect::<Result<Vec<_>>>()?;
+        let folds = study.first_cut().iter().map(|fold| study.without(fold, &settings)).collect::<Result<Vec<_>>>()?;
         let verdict = |c: &Change| {
             let (p, effect) = (&study.robot.parameters()[c.index], study.effects[c.index]?);
             let stability = stability.iter().find(|s| s.parameter == c.index);

@@ -12,9 +12,8 @@ const MOST_DECIMALS: i32 = 9;
 /// Smallest standard uncertainty that a zero is read as, in the unit of its column: 0.02 µm or 0.00002 degrees.
 const LEAST: f64 = 2e-5;
 /// Columns of standard uncertainties and covariances of a table of observations.
-const COLUMNS: [&str; 11] = [
-    "u_mm", "urot_deg", "ux_mm", "uy_mm", "uz_mm", "cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2",
-];
+const COLUMNS: [&str; 11] =
+    ["u_mm", "urot_deg", "ux_mm", "uy_mm", "uz_mm", "cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2"];
 /// Of these the covariances of two coordinates, which may be zero.
 const MIXED: [&str; 3] = ["cxy_mm2", "cxz_mm2", "cyz_mm2"];
 
@@ -56,7 +55,9 @@ impl Zeros {
                      over √3)"
                 )
             }
-            None => format!("`{name}` is 0 in {rows}, and shows no resolution: the uncertainty of the instrument counts there"),
+            None => format!(
+                "`{name}` is 0 in {rows}, and shows no resolution: the uncertainty of the instrument counts there"
+            ),
         };
         Message::warning(what).hint("export uncertainties with more decimals")
     }

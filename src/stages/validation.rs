@@ -2,11 +2,10 @@
 
 use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
-use super::identification::{Selected, check_set_up, select};
-use super::join::Joined;
+use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
-use etalon_campaign::{Campaign, Identify};
+use etalon_campaign::Campaign;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
@@ -20,16 +19,16 @@ pub struct Validated {
     pub messages: Vec<Message>,
 }
 
-/// Judges the parameters of a document, or nominal ones, on the observations of a campaign.
+/// Judges the parameters of a document, or nominal ones, on the `selected` observations of a
+/// campaign.
 pub fn validate(
     campaign: &Campaign,
-    stated: &Identify,
+    selected: Selected,
     robot: &mut dyn Robot,
-    joined: &Joined,
     document: Option<&ParametersDocument>,
     frames: GivenFrames,
 ) -> Result<Validated> {
-    let Selected { mut sets, settings, mut apart, mut messages, .. } = select(campaign, stated, robot, joined)?;
+    let Selected { mut sets, settings, mut apart, mut messages, .. } = selected;
     if frames == GivenFrames::Given {
         // all places are given
         sets = std::mem::take(&mut apart).beside(&sets);

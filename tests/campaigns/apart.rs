@@ -122,7 +122,8 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
 fn anchors_and_sockets_of_validation_poses_are_placed() {
     let scratch = copy_sample("draw-wire");
     let mut arm = Arm::new(&scratch, &["ball".to_owned()]);
-    let head = "kind,pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,other,socket,distance_mm,u_mm\n";
+    let head =
+        "kind,pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,other,socket,distance_mm,u_mm\n";
     let mut table = head.to_owned();
     for pose in 1..=CALIBRATION {
         let joints = arm.joints();

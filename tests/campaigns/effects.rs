@@ -31,7 +31,12 @@ fn campaign(bent_rad: f64) -> Scratch {
 #[test]
 fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
     let scratch = campaign(1e-3);
-    let said = ends(&scratch, "run", 0, &["bending of joints q2, q3 would prove itself", "add `bending = [2, 3]` to robot.toml"]);
+    let said = ends(
+        &scratch,
+        "run",
+        0,
+        &["bending of joints q2, q3 would prove itself", "add `bending = [2, 3]` to robot.toml"],
+    );
     let accuracy = || -> Value {
         serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
     };

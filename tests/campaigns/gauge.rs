@@ -18,7 +18,9 @@ const DH: [[f64; 4]; 6] = [
 const U_MM: f64 = 0.05;
 
 fn dh() -> String {
-    let row = |r: &[f64; 4]| format!("    {{ alpha_deg = {}, a_mm = {}, theta_deg = {}, d_mm = {} }},\n", r[0], r[1], r[2], r[3]);
+    let row = |r: &[f64; 4]| {
+        format!("    {{ alpha_deg = {}, a_mm = {}, theta_deg = {}, d_mm = {} }},\n", r[0], r[1], r[2], r[3])
+    };
     format!("model = \"serial\"\nconvention = \"dh\"\njoint = [\n{}]\n", DH.iter().map(row).collect::<String>())
 }
 
@@ -28,11 +30,8 @@ fn poe() -> String {
     let mut joints = String::new();
     for [alpha, a, theta, d] in DH {
         let text = |v: [f64; 3]| v.map(|v| format!("{:?}", (1e9 * v).round() / 1e9)).join(", ");
-        joints += &format!(
-            "    {{ direction = [{}], point_mm = [{}] }},\n",
-            text(frame.axis(2)),
-            text(frame.translation_mm)
-        );
+        joints +=
+            &format!("    {{ direction = [{}], point_mm = [{}] }},\n", text(frame.axis(2)), text(frame.translation_mm));
         frame = frame.turn_z(theta.to_radians()).shift(2, d).shift(0, a).turn_x(alpha.to_radians());
     }
     let [x, y, z] = frame.translation_mm;
@@ -52,7 +51,9 @@ fn run(robot: &str, table: &str) -> (Option<i32>, String, f64, Vec<Value>) {
     scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.4\n", "");
     let (code, said) = etalon(&scratch, "run");
     let read = |name: &str| -> Value {
-        std::fs::read(scratch.path().join("out").join(name)).ok().map_or(Value::Null, |b| serde_json::from_slice(&b).unwrap())
+        std::fs::read(scratch.path().join("out").join(name))
+            .ok()
+            .map_or(Value::Null, |b| serde_json::from_slice(&b).unwrap())
     };
     let rms = read("accuracy.json")["sets"][1]["errors"][0]["after"]["rms"].as_f64().unwrap_or(f64::NAN);
     let parameters = read("parameters.json")["parameters"].as_array().cloned().unwrap_or_default();

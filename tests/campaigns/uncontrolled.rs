@@ -59,7 +59,8 @@ fn three_points_that_are_off_are_named_by_their_distance() {
     let nominal = "nominal_mm = { floor_1 = [3100, -1200, -900], floor_2 = [1622.4, 691.2, -891.6], floor_3 = [F3] }\ntolerance_mm = 0.5\n";
     let world = std::fs::read_to_string(scratch.path().join("exports/world.txt")).unwrap();
     let third = world.lines().find(|line| line.starts_with("floor_3")).unwrap();
-    let third: Vec<String> = third.split(',').skip(1).map(|v| format!("{:.1}", 1e3 * v.parse::<f64>().unwrap())).collect();
+    let third: Vec<String> =
+        third.split(',').skip(1).map(|v| format!("{:.1}", 1e3 * v.parse::<f64>().unwrap())).collect();
     let nominal = nominal.replace("F3", &third.join(", "));
     scratch.replace("campaign.toml", "[frame.world]\n", &format!("[frame.world]\n{nominal}"));
     ends(&scratch, "check", 0, &[]);
@@ -84,7 +85,8 @@ fn one_rounded_column_of_few_points_is_seen() {
 
 #[test]
 fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
-    let nominal = "\n[nominal]\nbase_x = 0.0\nbase_y = 0.0\nbase_z = 0.0\nbase_rx = 0.0\nbase_ry = 0.0\nbase_rz = 0.0\n";
+    let nominal =
+        "\n[nominal]\nbase_x = 0.0\nbase_y = 0.0\nbase_z = 0.0\nbase_rx = 0.0\nbase_ry = 0.0\nbase_rz = 0.0\n";
     for (order, what) in [([0, 1, 2], None), ([1, 2, 0], Some("the axes of the world frame are exchanged"))] {
         let scratch = copy_sample("draw-wire");
         let mut arm = Arm::new(&scratch, &["ball".to_owned()]);
@@ -93,7 +95,13 @@ fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
             let joints = arm.joints();
             let at = arm.at(&joints, 0);
             let at = arm.measured(at);
-            table += &format!("{pose},ball,{},{:.4},{:.4},{:.4}\n", cells(&joints), at[order[0]], at[order[1]], at[order[2]]);
+            table += &format!(
+                "{pose},ball,{},{:.4},{:.4},{:.4}\n",
+                cells(&joints),
+                at[order[0]],
+                at[order[1]],
+                at[order[2]]
+            );
         }
         std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
         let (_, said) = etalon(&scratch, "run");

@@ -372,7 +372,8 @@ fn keys_that_given_parameters_need_are_required_of_robot_toml() {
         let mut text = robot.clone();
         less.iter().for_each(|name| text = text.replace(key(name), ""));
         std::fs::write(folder.path().join("less.toml"), text).unwrap();
-        let observed = ["verify", "out/observations.csv", "--robot", "less.toml", "--parameters", "out/parameters.json"];
+        let observed =
+            ["verify", "out/observations.csv", "--robot", "less.toml", "--parameters", "out/parameters.json"];
         let exported = ["export", "out/parameters.json", "--robot", "less.toml", "--to", "files", "--format", "json"];
         for command in [&observed[..], &exported] {
             let refused = etalon(&folder.path(), command);
@@ -464,7 +465,11 @@ fn proven_effects_are_identified_and_others_are_named() {
         }
         document(&folder.path(), "accuracy.json")
     };
-    folder.replace("campaign.toml", "calibration = \"1-8\"\nvalidation = \"9-59\"", "calibration = \"1-24\"\nvalidation = \"25-59\"");
+    folder.replace(
+        "campaign.toml",
+        "calibration = \"1-8\"\nvalidation = \"9-59\"",
+        "calibration = \"1-24\"\nvalidation = \"25-59\"",
+    );
     let all = accuracy("effects = \"proven\"", &[]);
     let effects = all["effects"].as_array().unwrap();
     assert!(!effects.is_empty() && effects.iter().all(|e| e["is_identified"] == true), "{effects:?}");
@@ -473,11 +478,13 @@ fn proven_effects_are_identified_and_others_are_named() {
     }
     // as `recommend` has it
     let answer = json(&etalon(&folder.path(), &["recommend", ".", "--json"]));
-    let accepted = answer["steps"].as_array().unwrap().iter().filter(|s| s["accepted"] == true && !s["effect"].is_null());
+    let accepted =
+        answer["steps"].as_array().unwrap().iter().filter(|s| s["accepted"] == true && !s["effect"].is_null());
     let accepted: Vec<&Value> = accepted.map(|s| &s["effect"]).collect();
     assert_eq!(accepted, effects.iter().map(|e| &e["effect"]).collect::<Vec<_>>());
     // what the campaign leaves out, and the data prove
-    let without = accuracy("effects = [\"zeros\", \"gains\"]", &["geometry", "would prove itself", "left out falls from"]);
+    let without =
+        accuracy("effects = [\"zeros\", \"gains\"]", &["geometry", "would prove itself", "left out falls from"]);
     let geometry = without["effects"].as_array().unwrap().iter().find(|e| e["effect"] == "geometry").unwrap();
     assert!(geometry["is_identified"] == false, "{geometry}");
     assert!(geometry["with_mm"].as_f64().unwrap() < 0.5 * geometry["without_mm"].as_f64().unwrap(), "{geometry}");

@@ -9,9 +9,8 @@ use crate::{Identified, Report};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PlacedApart, PointError,
-    PoseSet,
-    Statistics,
+    AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument,
+    PlacedApart, PointError, PoseSet, Statistics,
 };
 use std::collections::BTreeMap;
 

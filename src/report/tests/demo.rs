@@ -80,9 +80,8 @@ impl Documents {
                 error(ErrorQuantity::Orientation, "deg", 0.1035, 0.0033),
             ],
         };
-        let limit = |name, unit: &str, limit: f64, value: f64| {
-            LimitVerdict::of(name, unit, limit, value, Some(0.0038), DecisionRule::Guarded)
-        };
+        let limit =
+            |name, limit: f64, value: f64| LimitVerdict::of(name, limit, value, Some(0.0038), DecisionRule::Guarded);
         Self {
             tested: Characteristics::default(),
             campaign: CampaignSummary {
@@ -121,8 +120,8 @@ impl Documents {
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 budget: Vec::new(),
                 limits: vec![
-                    limit(LimitQuantity::PositionMaxMm, "mm", 0.050, 0.0442),
-                    limit(LimitQuantity::OrientationMaxDeg, "deg", 0.010, 0.0056),
+                    limit(LimitQuantity::PositionMaxMm, 0.050, 0.0442),
+                    limit(LimitQuantity::OrientationMaxDeg, 0.010, 0.0056),
                 ],
                 tool: None,
                 map: None,
