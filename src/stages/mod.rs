@@ -3,8 +3,10 @@
 pub mod candidates;
 mod checks;
 pub mod controller_files;
+mod conventions;
 pub mod distance;
 pub mod evaluate;
+mod excitation;
 pub mod exclusions;
 pub mod frames;
 pub mod gather;
@@ -26,5 +28,6 @@ pub mod remedies;
 pub mod repeats;
 pub(crate) mod table_file;
 pub mod tool;
+mod undescribed;
 pub mod validation;
 pub mod verification;

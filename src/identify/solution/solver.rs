@@ -113,7 +113,7 @@ fn with_prior(
     for round in 1.. {
         let free = without(wanted, &held);
         if free.is_empty() {
-            return Err(nothing_left(robot, observations, &start));
+            return Err(nothing_left(robot, observations, settings, &start));
         }
         for &i in &held {
             let p = &robot.parameters()[i];
@@ -171,7 +171,7 @@ fn rounds(
     for _round in 0..ROUNDS {
         let free = without(&wanted, &held);
         if free.is_empty() {
-            return Err(nothing_left(robot, observations, &start));
+            return Err(nothing_left(robot, observations, settings, &start));
         }
         for &i in &held {
             let p = &robot.parameters()[i];
@@ -237,7 +237,7 @@ fn anchored(
     let analysis = Analysis::at(&all, start, 0.0);
     let free = without(wanted, &held_by(&analysis.groups));
     if free.is_empty() {
-        return Err(nothing_left(robot, observations, start));
+        return Err(nothing_left(robot, observations, settings, start));
     }
     let residuals = all.of_others(settings, &free, start)?;
     let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
