@@ -64,7 +64,7 @@ pub const CYCLES: usize = 3;
 
 /// The position of a robot that may be loaded.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct LoadReading {
     /// The direction of the force, one of [`DIRECTIONS`].
     pub direction: usize,
     /// Number of the cycle.
@@ -92,10 +92,10 @@ pub struct DirectionalCompliance {
 
 /// Compliance in every direction that has readings: in each cycle one without force, the position
 /// that the others are compared with, and readings under load.
-pub fn evaluate(readings: &[Reading]) -> Result<Vec<DirectionalCompliance>> {
+pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> {
     let mut directions = Vec::new();
     for (k, (name, direction)) in DIRECTIONS.iter().enumerate() {
-        let of: Vec<&Reading> = readings.iter().filter(|r| r.direction == k).collect();
+        let of: Vec<&LoadReading> = readings.iter().filter(|r| r.direction == k).collect();
         let mut loaded = Vec::new();
         for r in of.iter().filter(|r| r.force_n > 0.0) {
             let without = of.iter().filter(|o| o.cycle == r.cycle && o.force_n == 0.0).map(|o| o.position_mm);

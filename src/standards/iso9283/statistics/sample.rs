@@ -18,7 +18,7 @@ pub(crate) fn positions(points: &[Vector], least: usize, what: &str) -> Result<(
 
 /// Mean and standard deviation of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
+pub struct SampleSpread {
     /// Mean; NaN without values.
     pub mean: f64,
     /// Standard deviation with n - 1; NaN with fewer than two values.
@@ -26,13 +26,13 @@ pub struct Spread {
 }
 
 /// Mean and standard deviation, computed about the first value.
-pub fn spread(values: &[f64]) -> Spread {
+pub fn spread(values: &[f64]) -> SampleSpread {
     let n = values.len() as f64;
     let first = values.first().copied().unwrap_or(f64::NAN);
     let mean = first + values.iter().map(|v| v - first).sum::<f64>() / n;
     let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
     let deviation = if values.len() < 2 { f64::NAN } else { (squares / (n - 1.0)).sqrt() };
-    Spread { mean, deviation }
+    SampleSpread { mean, deviation }
 }
 
 /// Coordinates that exist: x, y and, in space, z.
