@@ -73,7 +73,7 @@ fn campaign(rows: &[Row], columns: &str, more: &str, body: impl Fn(&Pose) -> Vec
     for [alpha, a, theta, d] in SIX_AXES {
         let _ = writeln!(robot, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}");
     }
-    let rotation = if columns.is_empty() { "" } else { "rotation_uncertainty_deg = 0.006\n" };
+    let rotation = if columns.is_empty() { "" } else { "expanded_rotation_uncertainty_deg = 0.0115\n" };
     let campaign = format!(
         "name = \"arm\"\nrobot = \"robot.toml\"\ncontrollers = [\"json\"]\nsynthetic = \"drawn for a test\"\n\
          [instrument]\nname = \"tracker\"\nexpanded_uncertainty_um = 40\ncoverage_factor = 2\n{rotation}\
