@@ -9,7 +9,7 @@ use crate::model::residuals::Residuals;
 use crate::solution::placing::{PLAIN, spread_mm};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_math::statistics::rms;
-use etalon_math::{Options, Prior, Problem, WithPriors};
+use etalon_math::{Options, ParameterPrior as Prior, Problem, WithPriors};
 use etalon_robots::{Quantity, Robot};
 use std::f64::consts::TAU;
 
