@@ -6,10 +6,10 @@ use etalon_base::noise::Noise;
 use etalon_math::{covariance, factor_at};
 use etalon_robots::{Quantity, Robot};
 
-/// Below this share of a value that the data determine, its tolerance does.
-const BY_TOLERANCE: f64 = 0.1;
+/// Below this share of its value by the data a parameter is left to its tolerance: of two that act alike each has a half.
+const BY_TOLERANCE: f64 = 0.7;
 /// Above this share the data would determine it.
-const BY_DATA: f64 = 0.5;
+const BY_DATA: f64 = 0.9;
 /// How far a joint would move to show more, rad.
 const MOVED_RAD: f64 = 0.5;
 /// The same of a sliding joint, mm.

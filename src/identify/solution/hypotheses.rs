@@ -34,6 +34,8 @@ pub(crate) struct Hypothesis<'a> {
     pub observations: &'a [Observation],
     /// Values of all parameters at which base and targets are placed.
     pub placed: Vec<f64>,
+    /// Values from which the fit starts, where others are nearer.
+    pub start: Option<&'a [f64]>,
     /// Parameter whose nominal value does not count.
     pub loose: Option<usize>,
 }
@@ -72,7 +74,7 @@ impl Hypothesis<'_> {
         };
         let priors: Vec<Prior> = all.iter().map(|&i| prior(i)).collect();
         let options = Options { iterations: ITERATIONS, step: 1e-6, ..Options::default() };
-        let solution = etalon_math::solve(&WithPriors::new(&problem, &priors), &self.placed, options);
+        let solution = etalon_math::solve(&WithPriors::new(&problem, &priors), self.start.unwrap_or(&self.placed), options);
         let rows = problem.residual_count();
         let counts = |i: &usize| parameters[*i].tolerance.is_finite() && self.loose != Some(*i);
         let mut values = solution.x.clone();

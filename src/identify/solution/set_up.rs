@@ -105,12 +105,12 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
     let least_mm = noise_mm.max(LEAST_MM);
     let stated = Case::placed(robot, &subset, false);
     let stated_mm = stated.as_ref().map_or(f64::INFINITY, |case| case.left_mm);
-    let as_stated = stated.as_ref().and_then(|case| case.fit(robot, least_mm));
+    let as_stated = stated.as_ref().and_then(|case| case.fit(robot, least_mm, None));
     if as_stated.as_ref().is_some_and(Fitted::explains) {
         return None;
     }
     let cases = Slip::all(robot, observations, &subset, stated_mm);
-    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot), least_mm).map(|fitted| (slip, fitted));
+    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot), least_mm, None).map(|fitted| (slip, fitted));
     let mut cases: Vec<(Slip, Fitted)> = cases.into_iter().filter_map(fitted).collect();
     if stated_mm.is_finite() {
         cases.extend(wrong_nominal(robot, stated.as_ref()?, least_mm));
@@ -119,12 +119,12 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
     let sigma_mm = cases.iter().map(|(_, fitted)| fitted).chain(&as_stated).filter(|fitted| fitted.is_near());
     let sigma_mm = sigma_mm.map(|fitted| fitted.noise_mm).fold(f64::INFINITY, f64::min);
     let sigma_mm = if sigma_mm.is_finite() { sigma_mm.max(least_mm) } else { least_mm };
-    let unchanged = stated.as_ref().and_then(|case| case.fit(robot, sigma_mm));
-    let judged = |(slip, _): (Slip, Fitted)| {
-        let fitted = slip.case.fit(slip.robot(robot), sigma_mm)?;
+    let unchanged = stated.as_ref().and_then(|case| case.fit(robot, sigma_mm, as_stated.as_ref()));
+    let judged = |(slip, near): (Slip, Fitted)| {
+        let fitted = slip.case.fit(slip.robot(robot), sigma_mm, Some(&near))?;
         let beside = match &slip.beside {
             None => unchanged.as_ref().map(|stated| fitted.explains_what(stated)),
-            Some(same) => same.fit(robot, sigma_mm).map(|stated| fitted.explains_what(&stated)),
+            Some(same) => same.fit(robot, sigma_mm, None).map(|stated| fitted.explains_what(&stated)),
         };
         beside.unwrap_or_else(|| fitted.explains()).then_some((slip, fitted))
     };
@@ -163,9 +163,9 @@ impl Case {
         Some(Self { observations, values: found.values, left_mm: found.rms_mm, loose: None })
     }
 
-    fn fit(&self, robot: &dyn Robot, sigma_mm: f64) -> Option<Fitted> {
-        let placed = self.values.clone();
-        Hypothesis { robot, observations: &self.observations, placed, loose: self.loose }.fit(sigma_mm)
+    fn fit(&self, robot: &dyn Robot, sigma_mm: f64, near: Option<&Fitted>) -> Option<Fitted> {
+        let (placed, start) = (self.values.clone(), near.map(|fitted| &fitted.values[..]));
+        Hypothesis { robot, observations: &self.observations, placed, start, loose: self.loose }.fit(sigma_mm)
     }
 }
 
@@ -449,7 +449,7 @@ fn wrong_nominal(robot: &dyn Robot, stated: &Case, sigma_mm: f64) -> Vec<(Slip, 
     let judged = |(_, i, values): (f64, usize, Vec<f64>)| {
         let observations = stated.observations.clone();
         let case = Case { observations, values, left_mm: stated.left_mm, loose: Some(i) };
-        let fitted = case.fit(robot, sigma_mm)?;
+        let fitted = case.fit(robot, sigma_mm, None)?;
         let p = &parameters[i];
         let beyond = (fitted.values[i] - p.nominal).abs() > p.tolerance;
         let slip = Slip { what: String::new(), origin: Origin::Named, other: None, case, beside: None };
