@@ -13,7 +13,8 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, JointTravel, Presentation, SourceKind,
+    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, JointTravel, Presentation,
+    SourceKind,
 };
 use etalon_formats::Point;
 use etalon_report::branding;

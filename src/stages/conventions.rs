@@ -30,9 +30,13 @@ struct Slip {
 
 /// An error that names the slip with which observed orientations are those of the robot, where they are far from these as stated: `written` are
 /// those of the table, in the order of the conditions.
-pub fn wrong(robot: &dyn Robot, observed: &Observed, written: &[Written], order: Option<AngleOrder>) -> Option<Message> {
-    let conditions: Vec<&Condition> =
-        observed.settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+pub fn wrong(
+    robot: &dyn Robot,
+    observed: &Observed,
+    written: &[Written],
+    order: Option<AngleOrder>,
+) -> Option<Message> {
+    let conditions: Vec<&Condition> = observed.settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
     if conditions.is_empty() || conditions.len() != written.len() || observed.observations.is_empty() {
         return None;
     }
@@ -67,8 +71,7 @@ pub fn wrong(robot: &dyn Robot, observed: &Observed, written: &[Written], order:
     explaining.sort_by(|a, b| a.0.total_cmp(&b.0));
     let least = explaining.first()?.0;
     let near = explaining.iter().take_while(|(left, _)| *left <= AS_GOOD * least).take(NAMED);
-    let named: Vec<String> =
-        near.map(|(left, what)| format!("with {what} by {:.2} deg", left.to_degrees())).collect();
+    let named: Vec<String> = near.map(|(left, what)| format!("with {what} by {:.2} deg", left.to_degrees())).collect();
     let what = format!(
         "observed orientations differ from those of the nominal robot by {:.1} deg (median)",
         stated_rad.to_degrees()
@@ -132,7 +135,10 @@ fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]
             for other in AngleOrder::all().into_iter().filter(|other| Some(*other) != order) {
                 add(format!("angles in the order `{other}`"), numbers(&|n| Some(other.pose(three(n)))));
             }
-            add("rotation vectors instead of angles".to_owned(), numbers(&|n| Some(Pose::from_rotation_vector(three(n)))));
+            add(
+                "rotation vectors instead of angles".to_owned(),
+                numbers(&|n| Some(Pose::from_rotation_vector(three(n)))),
+            );
         }
         Form::Vector => {
             for order in AngleOrder::all() {

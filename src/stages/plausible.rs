@@ -226,7 +226,8 @@ fn far_before(
     let rms_mm = rms(left.iter().copied());
     let noise_mm = settings.coordinate_uncertainty_mm();
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
-    (median(left)? > allowed_mm).then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
+    (median(left)? > allowed_mm)
+        .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
 }
 
 /// Errors about the parameters found and the errors that they leave; empty where the result is plausible.

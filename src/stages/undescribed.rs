@@ -38,7 +38,8 @@ pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration_fits:
     } else if 2 * far.len() < of.len() {
         format!("{}: {WRONG_READINGS}", named(far))
     } else if !calibration_fits {
-        "check units, order and signs of the joints, the nominal parameters, and how log and points are joined".to_owned()
+        "check units, order and signs of the joints, the nominal parameters, and how log and points are joined"
+            .to_owned()
     } else if let Some((motion_mm, left_mm)) = moved(&of).filter(|(_, left_mm)| *left_mm < EXPLAINS * after_mm) {
         format!(
             "one motion of the frame by {motion_mm:.1} mm leaves {left_mm:.3} mm: base or measuring system has moved between \
@@ -65,7 +66,8 @@ fn targets_alone(of: &[&PointError], far: &[&PointError]) -> Option<String> {
 /// Far readings, the farthest first, with the poses of all.
 fn named(mut far: Vec<&PointError>) -> String {
     far.sort_by(|a, b| norm(b.after_mm).total_cmp(&norm(a.after_mm)));
-    let text = |e: &&PointError| format!("{:.1} mm ({}, pose {}, cycle {})", norm(e.after_mm), e.target, e.pose, e.cycle);
+    let text =
+        |e: &&PointError| format!("{:.1} mm ({}, pose {}, cycle {})", norm(e.after_mm), e.target, e.pose, e.cycle);
     let poses: BTreeSet<_> = far.iter().map(|e| e.pose).collect();
     let first: Vec<String> = far.iter().take(NAMED).map(text).collect();
     let more = if far.len() > NAMED { format!(", ... in {} poses", poses.len()) } else { String::new() };

@@ -35,7 +35,12 @@ pub(crate) fn diagnose_failure(
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
-pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], settings: &Settings, start: &[f64]) -> Error {
+pub(crate) fn nothing_left(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+) -> Error {
     let cause = cause(robot, observations, start);
     let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations, settings.coordinate_uncertainty_mm()));
     Error::NothingLeft { cause, set_up }

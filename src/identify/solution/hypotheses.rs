@@ -74,7 +74,8 @@ impl Hypothesis<'_> {
         };
         let priors: Vec<Prior> = all.iter().map(|&i| prior(i)).collect();
         let options = Options { iterations: ITERATIONS, step: 1e-6, ..Options::default() };
-        let solution = etalon_math::solve(&WithPriors::new(&problem, &priors), self.start.unwrap_or(&self.placed), options);
+        let solution =
+            etalon_math::solve(&WithPriors::new(&problem, &priors), self.start.unwrap_or(&self.placed), options);
         let rows = problem.residual_count();
         let counts = |i: &usize| parameters[*i].tolerance.is_finite() && self.loose != Some(*i);
         let mut values = solution.x.clone();
@@ -84,8 +85,11 @@ impl Hypothesis<'_> {
             }
         }
         let off = |i: usize| (values[i] - parameters[i].nominal).abs() / uncertainty(parameters[i].tolerance).max(1e-9);
-        let misses: Vec<Vector> =
-            self.observations.iter().flat_map(|o| o.misses(self.robot, &values).map(|m| m.1).collect::<Vec<_>>()).collect();
+        let misses: Vec<Vector> = self
+            .observations
+            .iter()
+            .flat_map(|o| o.misses(self.robot, &values).map(|m| m.1).collect::<Vec<_>>())
+            .collect();
         let squares: f64 = misses.iter().map(|m| norm(*m).powi(2)).sum();
         let deviations: f64 = all.iter().filter(|i| counts(i)).map(|&i| off(i).powi(2)).sum();
         // the data determine this many parameters

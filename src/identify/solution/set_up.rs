@@ -204,7 +204,8 @@ impl Slip {
         for (shift, which) in [(-1, "previous"), (1, "next")] {
             // the first or last pose has no neighbour: it must not be what was wrong
             let shifted = spread_over(&shifted(observations, shift), SUBSET);
-            let is_same = |s: &Observation, o: &Observation| o.pose == s.pose && o.cycle == s.cycle && o.targets == s.targets;
+            let is_same =
+                |s: &Observation, o: &Observation| o.pose == s.pose && o.cycle == s.cycle && o.targets == s.targets;
             let same = shifted.iter().filter_map(|s| observations.iter().find(|o| is_same(s, o))).cloned();
             let beside = Case::placed(robot, &same.collect::<Vec<_>>(), false);
             let what = format!("the joints of each pose taken from the {which} one");
@@ -251,7 +252,12 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
         let placed = place(robot, arm, observations, nominal, &places).ok()??;
         let misses = observations.iter().flat_map(|o| o.misses(robot, &placed.values));
         let left: Vec<f64> = misses.map(|(_, miss)| norm(miss)).collect();
-        let found = Misfit { rms_mm: placed.rms_mm, median_mm: median(left).unwrap_or(0.0), values: placed.values, planar: None };
+        let found = Misfit {
+            rms_mm: placed.rms_mm,
+            median_mm: median(left).unwrap_or(0.0),
+            values: placed.values,
+            planar: None,
+        };
         return Some(found).filter(|m| m.rms_mm.is_finite());
     }
     planar_misfit(robot, observations, nominal, anywhere)

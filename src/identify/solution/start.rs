@@ -25,7 +25,11 @@ pub(crate) fn start(
     let nominal = robot.nominal();
     let Some(arm) = robot.free_base() else { return Ok(nominal) };
     let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
-    let mut values = if has_points { by_points(robot, arm, observations, (wanted, settings.coordinate_uncertainty_mm()))? } else { nominal };
+    let mut values = if has_points {
+        by_points(robot, arm, observations, (wanted, settings.coordinate_uncertainty_mm()))?
+    } else {
+        nominal
+    };
     if !settings.conditions.is_empty() {
         place_fixtures(arm, observations, settings, wanted, &mut values);
     }

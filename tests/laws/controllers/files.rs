@@ -54,7 +54,11 @@ fn drawn(seed: u64) -> Scratch {
     for i in 0..n {
         let right = if noise.uniform(1.0) > 0.0 { 90.0 } else { -90.0 };
         let alpha = if i == 0 || i > 1 && noise.uniform(1.0) > 0.5 { 0.0 } else { right };
-        let a = if i > 0 && (alpha == 0.0 || noise.uniform(1.0) > 0.0) { between(&mut noise, 40.0, 400.0).round() } else { 0.0 };
+        let a = if i > 0 && (alpha == 0.0 || noise.uniform(1.0) > 0.0) {
+            between(&mut noise, 40.0, 400.0).round()
+        } else {
+            0.0
+        };
         let d = if noise.uniform(1.0) > 0.0 { between(&mut noise, 60.0, 450.0).round() } else { 0.0 };
         let theta = [0.0, 0.0, 90.0, -90.0][(2.0 + noise.uniform(2.0)).floor().clamp(0.0, 3.0) as usize];
         let _ = writeln!(text, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}");
@@ -384,17 +388,10 @@ fn files_of_drawn_arms_are_as_accurate_as_they_say() {
 fn files_of_other_robots_are_as_accurate_as_they_say() {
     let lists = ["json", "csv", "c-header", "matlab", "python"];
     let code = ["c-kinematics"];
-    let robots: [(&str, &[&str]); 5] = [
-        ("prexyt-cmm", &[]),
-        ("dextar", &[]),
-        ("hexapod", &code),
-        ("delta", &code),
-        ("linear-delta", &code),
-    ];
-    let of_robot = |(sample, more): &(&str, &[&str])| {
-        wrong(&Ran::new(*sample, copy_sample(sample)), &[&lists[..], more].concat())
-    };
+    let robots: [(&str, &[&str]); 5] =
+        [("prexyt-cmm", &[]), ("dextar", &[]), ("hexapod", &code), ("delta", &code), ("linear-delta", &code)];
+    let of_robot =
+        |(sample, more): &(&str, &[&str])| wrong(&Ran::new(*sample, copy_sample(sample)), &[&lists[..], more].concat());
     let all: Vec<_> = robots.par_iter().map(of_robot).collect();
     judge(&all);
-    
 }

@@ -124,7 +124,13 @@ fn slips_of_drawn_arms_are_named_and_sound_arms_are_not() {
     let noticed = shown.iter().filter(|o| o.refused || o.warned).count();
     let named = shown.iter().filter(|o| o.named).count();
     for o in shown.iter().filter(|o| !o.named) {
-        let noticed = if o.refused { "refused" } else if o.warned { "warned" } else { "IN SILENCE" };
+        let noticed = if o.refused {
+            "refused"
+        } else if o.warned {
+            "warned"
+        } else {
+            "IN SILENCE"
+        };
         println!("{} [{noticed}]\n{}", o.name, o.text);
     }
     all.iter().filter(|o| o.named_without).for_each(|o| println!("a cause is named without a slip: {}", o.name));
