@@ -17,7 +17,7 @@ const SUBSET: usize = 96;
 /// Changes of what is held after which the search ends.
 const ROUNDS: usize = 8;
 /// Iterations of one solution: robots are near nominal, and take a dozen.
-const ITERATIONS: usize = 300;
+const ITERATIONS: usize = 600;
 /// Noise that the first, tied solution takes residuals to have.
 const ANCHOR_MM: f64 = 0.01;
 /// Least noise beside which nominal values count.
