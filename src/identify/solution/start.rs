@@ -13,6 +13,8 @@ use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
+/// Distances in standard uncertainties of a coordinate that noise leaves: √3 of them, and as much again.
+const NOISE: f64 = 3.5;
 
 /// Starting values of all parameters: nominal, for robots with a free base with those of base, targets and fixtures that are `wanted`
 /// found from what was observed.
@@ -25,7 +27,7 @@ pub(crate) fn start(
     let nominal = robot.nominal();
     let Some(arm) = robot.free_base() else { return Ok(nominal) };
     let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
-    let mut values = if has_points { by_points(robot, arm, observations, wanted)? } else { nominal };
+    let mut values = if has_points { by_points(robot, arm, (observations, settings.coordinate_uncertainty_mm()), wanted)? } else { nominal };
     if !settings.conditions.is_empty() {
         place_fixtures(arm, observations, settings, wanted, &mut values);
     }
@@ -36,7 +38,7 @@ pub(crate) fn start(
 fn by_points(
     robot: &dyn Robot,
     arm: &dyn FreeBase,
-    observations: &[Observation],
+    (observations, noise_mm): (&[Observation], f64),
     wanted: &[usize],
 ) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
@@ -56,7 +58,8 @@ fn by_points(
         place_targets(arm, observations, &others, &mut values);
     }
     let spread = spread_mm(&subset);
-    if rms_mm > UNEXPLAINED * spread {
+    // where poses are near each other, noise is a large share of their spread
+    if rms_mm > (UNEXPLAINED * spread).max(NOISE * noise_mm) {
         let what = format!(
             "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
         );

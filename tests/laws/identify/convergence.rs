@@ -9,29 +9,37 @@ use rayon::prelude::*;
 
 /// Residuals over noise, root mean square, beyond which a solution of data without model errors is another minimum.
 const MUCH: f64 = 3.0;
+/// Problems of thousand that may end there: a few poses along a short line leave several places of the base.
+const OTHER_MINIMA: usize = 5;
+
+/// How an identification failed.
+enum Fault {
+    /// It ended without a solution, or with one that says nothing.
+    Unsolved(String),
+    /// It ended at another minimum than that of the true robot.
+    OtherMinimum(String),
+}
 
 /// What is wrong with the identification of a problem; `None` where nothing is.
-fn fault(problem: &Drawn) -> Option<String> {
+fn fault(problem: &Drawn) -> Option<Fault> {
     let settings = problem.settings(Prior::TOLERANCES);
     let robot = problem.robot.as_ref();
+    let unsolved = |what: String| Some(Fault::Unsolved(format!("{}: {what}", problem.what)));
     let before = match fit_frames(robot, &problem.calibration, &settings) {
         Ok(before) => before,
-        Err(error) => return Some(format!("base and targets: {error:?}")),
+        Err(error) => return unsolved(format!("base and targets: {error:?}")),
     };
     let found = match identify_from(robot, &problem.calibration, &settings, &before) {
         Ok(found) => found,
-        Err(error) => return Some(format!("{error:?}")),
+        Err(error) => return unsolved(format!("{error:?}")),
     };
     if !found.termination.is_success() {
-        return Some(found.termination.to_string());
+        return unsolved(found.termination.to_string());
     }
     if let Some(error) = found.warnings.iter().find(|w| w.severity == Severity::Error) {
-        return Some(error.what.clone());
+        return unsolved(error.what.clone());
     }
-    if !problem.bends && found.rms > MUCH * problem.noise_mm {
-        return Some(format!("{:.4} mm are left of noise of {:.4} mm", found.rms, problem.noise_mm));
-    }
-    // no uncertainty exceeds what was known before by more than rounding
+    // no uncertainty exceeds what was known before
     let known = |i: usize| match robot.parameters()[i].quantity {
         Quantity::Length => 2000.0,
         Quantity::Angle => 4.0,
@@ -39,21 +47,32 @@ fn fault(problem: &Drawn) -> Option<String> {
     };
     let uncertainties = found.free.iter().map(|&i| (i, found.standard_uncertainty(i).unwrap_or(0.0)));
     let weak = found.weak.iter().flat_map(|w| w.parameters.iter().copied().zip(w.standard_uncertainties.clone()));
-    let absurd = uncertainties.chain(weak).find(|&(i, u)| !(u <= known(i)));
-    absurd.map(|(i, u)| format!("u({}) = {u:.3e}", robot.parameters()[i].name))
+    if let Some((i, u)) = uncertainties.chain(weak).find(|&(i, u)| u.is_nan() || u > known(i)) {
+        return unsolved(format!("u({}) = {u:.3e}", robot.parameters()[i].name));
+    }
+    (!problem.bends && found.rms > MUCH * problem.noise_mm).then(|| {
+        let left = format!("{}: {:.4} mm are left of noise of {:.4} mm", problem.what, found.rms, problem.noise_mm);
+        Fault::OtherMinimum(left)
+    })
 }
 
 #[test]
 fn every_problem_converges() {
     let (first, count) = (number("ETALON_FIRST", 0), number("ETALON_PROBLEMS", 60));
-    let faults: Vec<String> = (first..first + count)
-        .into_par_iter()
-        .filter_map(|seed| {
-            let problem = drawn_problem(seed);
-            Some(format!("{}: {}", problem.what, fault(&problem)?))
-        })
-        .collect();
-    faults.iter().for_each(|fault| println!("{fault}"));
-    println!("{} of {count} drawn problems (synthetic) end without a solution", faults.len());
-    assert!(faults.is_empty(), "{faults:#?}");
+    let all: Vec<Fault> =
+        (first..first + count).into_par_iter().filter_map(|seed| fault(&drawn_problem(seed))).collect();
+    let (mut unsolved, mut others) = (Vec::new(), Vec::new());
+    for fault in all {
+        match fault {
+            Fault::Unsolved(text) => unsolved.push(text),
+            Fault::OtherMinimum(text) => others.push(text),
+        }
+    }
+    println!(
+        "of {count} drawn problems (synthetic) {} end without a solution, {} at another minimum: {unsolved:#?} {others:#?}",
+        unsolved.len(),
+        others.len()
+    );
+    assert!(unsolved.is_empty(), "{unsolved:#?}");
+    assert!(1000 * others.len() <= OTHER_MINIMA * count as usize, "{others:#?}");
 }
