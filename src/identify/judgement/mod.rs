@@ -6,6 +6,7 @@ pub(crate) mod clusters;
 pub(crate) mod diagnosis;
 pub(crate) mod logs;
 pub(crate) mod predict;
+pub(crate) mod regional;
 pub(crate) mod reliability;
 pub(crate) mod robust;
 pub(crate) mod significance;
