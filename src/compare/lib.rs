@@ -37,13 +37,16 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     let mut messages = Vec::new();
     let mut trends = Vec::new();
     let mut together = Vec::new();
+    let mut between_series = Vec::new();
     let identified: Vec<_> = all.iter().filter_map(|c| c.identified.as_ref()).collect();
     let tested: Vec<_> = all.iter().filter_map(|c| c.iso9283.as_ref()).collect();
     if identified.len() == all.len() {
         trends.extend(parameters::trends(&identified, &mut messages));
         trends.extend(errors::trends(&identified));
         let names: Vec<&str> = all.iter().map(|c| c.folder.as_str()).collect();
-        messages.extend(parameters::without_evidence(&identified, &mut trends, &names));
+        let (of_pairs, message) = parameters::without_evidence(&identified, &mut trends, &names);
+        messages.extend(message);
+        between_series = of_pairs;
         together = parameters::together(&identified, &trends);
     }
     if tested.len() == all.len() {
@@ -68,10 +71,11 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     Ok(CompareDocument {
         schema: "etalon/compare/1".to_owned(),
         robot: identified.first().map(|i| i.0.robot.clone()),
-        conventions: conventions(all, &trends),
+        conventions: conventions(all, &trends, !between_series.is_empty()),
         campaigns: all.iter().map(campaign).collect(),
         trends,
         together,
+        between_series,
         messages,
         provenance: Provenance {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -166,7 +170,7 @@ fn campaign(c: &Compared) -> ComparedCampaign {
     }
 }
 
-fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
+fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<String> {
     let there = |family| trends.iter().any(|t| t.family == family);
     let mut said = vec![
         "a change is significant where its probability by chance, corrected for the number of quantities of its family in one pair of \
@@ -183,6 +187,13 @@ fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
         );
         said.push(
             "parameters of base and targets change with every set-up: a change there need not be the robot's"
+                .to_owned(),
+        );
+    }
+    if between {
+        said.push(
+            "where the model misfits: intervals of changes of parameters are enlarged by the Birge ratio of all robot parameters of both \
+             campaigns, at least 1, because parameters take up what the model leaves out at the poses that were measured"
                 .to_owned(),
         );
     }

@@ -68,30 +68,59 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
 /// Whether residuals exceed what the instrument explains: parameters then take up what the model leaves out, at the poses that were
 /// measured.
 fn misfits((parameters, _): &Identified) -> bool {
-    use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
-    let residuals = &parameters.residuals;
-    residuals.stated_standard_uncertainty_mm.is_some()
-        && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
+    parameters.misfits()
 }
 
-/// Takes the probabilities and intervals of changes of parameters and mean errors from or to a campaign in which the model misfits: by
-/// chance is then not by noise, but by where the poses lie. `names` are those of the campaigns.
-pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
+/// Takes the probabilities of changes of parameters and mean errors from or to a campaign in which the model misfits: by chance is then
+/// not by noise, but by where the poses lie. Intervals of parameters are enlarged by what differs between both series; those of mean
+/// errors, which only the scatter of poses makes, are left out. `names` are those of the campaigns.
+pub(super) fn without_evidence(
+    all: &[Identified],
+    trends: &mut [CompareTrend],
+    names: &[&str],
+) -> (Vec<CompareBetween>, Option<Message>) {
     let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
-    let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
-    for change in trends.iter_mut().flat_map(|trend| &mut trend.changes).filter(touches) {
-        (change.p, change.low, change.high) = (None, None, None);
+    if wrong.is_empty() {
+        return (Vec::new(), None);
+    }
+    let touched = |&(from, to): &(usize, usize)| wrong.contains(&from) || wrong.contains(&to);
+    let between: Vec<CompareBetween> =
+        pairs(all.len()).into_iter().filter(touched).map(|pair| between(all, trends, pair)).collect();
+    for trend in trends.iter_mut() {
+        let parameter = matches!(trend.family, CompareFamily::Robot | CompareFamily::SetUp);
+        for change in &mut trend.changes {
+            let Some(of_pair) = between.iter().find(|b| (b.from, b.to) == (change.from, change.to)) else { continue };
+            change.p = None;
+            let enlarged = |end: Option<f64>| {
+                let enlarged = end.map(|end| change.change + of_pair.birge_ratio * (end - change.change));
+                enlarged.filter(|_| parameter)
+            };
+            (change.low, change.high) = (enlarged(change.low), enlarged(change.high));
+        }
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
-    (!wrong.is_empty()).then(|| {
-        let what = format!(
-            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
-             are no evidence of a change, and have neither interval nor p value",
-            named.join(", ")
-        );
-        Message::warning(what)
-            .hint("identify with a model that describes the robot, and measure the same poses each time")
-    })
+    let largest = between.iter().map(|b| b.birge_ratio).fold(1.0, f64::max);
+    let what = format!(
+        "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
+         are no evidence of a change, and have no p value; intervals of changes of parameters contain what differs between series \
+         (Birge ratio up to {largest:.1})",
+        named.join(", ")
+    );
+    let message = Message::warning(what)
+        .hint("identify with a model that describes the robot, and measure the same poses each time");
+    (between, Some(message))
+}
+
+/// By how much changes of the robot's parameters exceed their uncertainties, all together: the Birge ratio, at least 1 (Birge 1932, Phys.
+/// Rev. 40, 207; of correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)). It is 1 where covariances are not known.
+fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usize)) -> CompareBetween {
+    let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
+    let names: Vec<&str> = robot.map(|t| t.name.as_str()).collect();
+    let change = change(all, &names, (from, to));
+    let squares =
+        |c: &Change| Some(c.sizes.dot(&Cholesky::new(c.correlation())?.solve(&c.sizes)) / c.sizes.len() as f64);
+    let ratio = change.as_ref().and_then(squares).filter(|f| f.is_finite()).map_or(1.0, |f| f.max(1.0).sqrt());
+    CompareBetween { from: from + 1, to: to + 1, parameters: change.map_or(0, |c| c.sizes.len()), birge_ratio: ratio }
 }
 
 /// Whether the robot's parameters changed, all together: Δᵀ (C₁ + C₂)⁻¹ Δ, which sees changes along directions that single

@@ -22,6 +22,9 @@ pub struct CompareDocument {
     pub trends: Vec<CompareTrend>,
     /// Whether the robot's parameters changed at all, all of them together, for each pair of campaigns.
     pub together: Vec<CompareTogether>,
+    /// What differs between two campaigns beyond their uncertainties, for each pair of which one or both misfit.
+    #[serde(default)]
+    pub between_series: Vec<CompareBetween>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
     /// Version, and the documents that were compared.
@@ -156,4 +159,18 @@ pub struct CompareTogether {
     pub p: f64,
     /// Whether that is below 5 %.
     pub significant: bool,
+}
+
+/// Between-series component of two campaigns in which the model misfits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CompareBetween {
+    /// Number of the earlier campaign, from 1.
+    pub from: usize,
+    /// Number of the later one.
+    pub to: usize,
+    /// Robot parameters that both identified.
+    pub parameters: usize,
+    /// Birge ratio √(Δᵀ (C₁ + C₂)⁻¹ Δ over the number of parameters), at least 1: intervals of changes of parameters are enlarged by it.
+    pub birge_ratio: f64,
 }

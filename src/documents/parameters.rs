@@ -62,6 +62,30 @@ impl ParametersDocument {
         identified.filter(move |p| !without.contains(p.name.as_str()))
     }
 
+    /// `true` if residuals exceed the stated uncertainty of the instrument: parameters then take up what the model leaves out, at the poses
+    /// that were measured.
+    pub fn misfits(&self) -> bool {
+        use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
+        let from_residuals =
+            matches!(self.residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion);
+        self.residuals.stated_standard_uncertainty_mm.is_some() && from_residuals
+    }
+
+    /// Names of the robot's parameters that are effective rather than physical: more than half of the variance is of what the model leaves
+    /// out. Where no budget says how much that is, all that were identified.
+    pub fn effective(&self) -> Vec<&str> {
+        if !self.misfits() {
+            return Vec::new();
+        }
+        let of_model = self.budget.iter().find(|source| source.source == UncertaintySource::Model);
+        let mostly = |k: usize, p: &ParameterEntry| match (of_model, p.standard_uncertainty) {
+            (Some(of_model), Some(u)) => of_model.standard_uncertainties.get(k).is_some_and(|m| 2.0 * m * m > u * u),
+            _ => self.budget.is_empty(),
+        };
+        let effective = self.identified().enumerate().filter(|(k, p)| p.role == Role::Robot && mostly(*k, p));
+        effective.map(|(_, p)| p.name.as_str()).collect()
+    }
+
     /// Whether names, uncertainties and covariance belong together, as every run writes them.
     ///
     /// # Errors

@@ -24,6 +24,13 @@ pub struct BoundedStep {
     moved: f64,
 }
 
+impl BoundedStep {
+    /// The factor of which the step is the solution, from that of the linear model.
+    pub fn factor(&self, factor: &Factor) -> Factor {
+        factor.damped(self.damping.sqrt())
+    }
+}
+
 impl TrustRegion {
     /// A region as large as the parameters, whose scaled length is `extent`.
     pub fn new(extent: f64) -> Self {

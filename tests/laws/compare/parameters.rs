@@ -161,6 +161,37 @@ fn changes_are_those_computed_by_hand() {
     close(Some(all.p), (-5.3f64).exp());
 }
 
+/// By hand: changes of 12 and 4 with u = 1 each have a Birge ratio of √((144 + 16) / 2) = 8.94, and an interval of 1.96 u
+/// becomes one of 1.96 × 8.94 u, with no probability beside it. Changes below their uncertainties narrow nothing.
+#[test]
+fn intervals_between_series_of_a_misfit_are_enlarged_by_the_birge_ratio() {
+    let mut misfit = |p: &mut ParametersDocument| {
+        p.residuals.uncertainties_from = etalon::documents::UncertaintyFrom::ResidualsByRegion;
+        p.parameters.iter_mut().for_each(|p| p.degrees_of_freedom = Some(1e9));
+    };
+    let u = [0.5f64.sqrt(); 3];
+    let a = identified("a", &[100.0, 200.0, 300.0], &u, &mut misfit);
+    for (values, ratio) in [([112.0, 204.0, 300.0], 80f64.sqrt()), ([100.1, 200.1, 300.0], 1.0)] {
+        let b = identified("b", &values, &u, &mut misfit);
+        let document = compare(&[a.clone(), b]).unwrap();
+        let [between] = document.between_series[..] else { panic!("{:?}", document.between_series) };
+        assert_eq!((between.from, between.to, between.parameters), (1, 2, 2));
+        assert!((between.birge_ratio - ratio).abs() < 1e-9, "{between:?}");
+        for (name, i) in [("p0", 0), ("p1", 1), ("p2", 2)] {
+            let change = trend(&document, name).changes[0];
+            let half = 1.959_964 * ratio;
+            let by = values[i] - 100.0 * (i + 1) as f64;
+            assert!((change.low.unwrap() - (by - half)).abs() < 1e-4, "{change:?}");
+            assert!((change.high.unwrap() - (by + half)).abs() < 1e-4, "{change:?}");
+            assert!(change.p.is_none() && change.significant.is_none());
+        }
+        assert!(document.together.is_empty());
+    }
+    let sound = identified("b", &[112.0, 204.0, 300.0], &u, &mut |_| {});
+    let first = identified("a", &[100.0, 200.0, 300.0], &u, &mut |_| {});
+    assert!(compare(&[first, sound]).unwrap().between_series.is_empty());
+}
+
 /// Correlation hides what together is plain: both change by 1 u, against a correlation of 0.99 in opposite directions.
 #[test]
 fn parameters_that_are_correlated_change_together_where_none_does_alone() {
