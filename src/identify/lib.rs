@@ -13,6 +13,7 @@ pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
+pub use judgement::excitation::left_to_tolerances;
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::reliability::{
@@ -33,7 +34,7 @@ pub use model::frame_error::FrameError;
 use model::kinds::tied_to_world;
 pub use model::kinds::{
     Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Surface,
-    mounted_misfit_rad,
+    mounted_misfit_rad, mounted_misfits_rad,
 };
 pub use model::observation::{
     AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,

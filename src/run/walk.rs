@@ -14,7 +14,8 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Presentation, SourceKind,
+    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, JointTravel, Presentation,
+    SourceKind,
 };
 use etalon_formats::Point;
 use etalon_report::branding;
@@ -57,6 +58,8 @@ pub(super) struct Walk {
     pub frames: Option<FramesDocument>,
     pub tested: Characteristics,
     pub joined: Option<Joined>,
+    /// How far the joints move in the calibration poses, of a check.
+    joints: Vec<JointTravel>,
     pub identified: Option<Identified>,
     pub geometric: Option<GeometricDocument>,
 }
@@ -86,12 +89,28 @@ pub fn observed(campaign: &Campaign) -> Result<Observed> {
     }
 }
 
+/// What a check finds before a run identifies.
+pub struct Checked {
+    /// List of inputs, with all warnings.
+    pub inputs: ImportDocument,
+    /// Every error.
+    pub problems: Problems,
+    /// How far the joints move in the calibration poses.
+    pub joints: Vec<JointTravel>,
+}
+
 /// Checks all that can stop a run before it identifies: the list of inputs with all warnings, and every error.
 pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
+    let Checked { inputs, problems, .. } = checked(campaign);
+    (inputs, problems)
+}
+
+/// [`everything`], and how far the joints move.
+pub fn checked(campaign: &Campaign) -> Checked {
     let mut walk = Walk::gather(campaign, Mode::Check);
     let ended = walk.on(campaign);
     walk.problems.keep(ended);
-    (walk.gathered.document, walk.problems)
+    Checked { inputs: walk.gathered.document, problems: walk.problems, joints: walk.joints }
 }
 
 impl Walk {
@@ -232,7 +251,8 @@ impl Walk {
         if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
             let shown = self.problems.keep(preview(campaign, robot.as_mut(), joined)).unwrap_or_default();
             let (errors, warnings): (Vec<_>, Vec<_>) =
-                shown.into_iter().partition(|message| message.severity == Severity::Error);
+                shown.messages.into_iter().partition(|message| message.severity == Severity::Error);
+            self.joints = shown.joints;
             self.problems.0.extend(errors);
             self.gathered.document.messages.extend(warnings);
             let first = joined.observations.first();

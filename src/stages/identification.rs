@@ -6,6 +6,7 @@ use crate::stages::controlled::base_elsewhere;
 use crate::stages::cross_validation::{proven, undescribed_bending, unused};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
+use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
@@ -14,12 +15,12 @@ use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
 use crate::stages::tool::Expected;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result, Severity, count};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
 use etalon_documents::{
-    AccuracyDocument, EffectProof, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame,
+    AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
 };
 use etalon_formats::table;
 use etalon_identify::{
@@ -350,15 +351,32 @@ impl<'a> Input<'a> {
 
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
 /// nowhere near the measurements.
-pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
+pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Preview> {
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
-        return Ok(Vec::new());
+        return Ok(Preview::default());
     };
     let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut Vec::new())?;
     let mut messages = stale(robot, &observed.observations);
     let set_up = check_set_up(robot, &observed.observations, &observed.settings);
     messages.extend(set_up.err().unwrap_or_default().0);
-    Ok(messages)
+    // selections that do not read are reported with the statements
+    let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
+    let sets = evaluate::split(&observed, &observed.poses(), &selections);
+    let settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    if messages.iter().all(|message| message.severity != Severity::Error) {
+        messages.extend(still_joints(robot, &sets.calibration, &settings));
+    }
+    let joints = travels(robot, &sets.calibration, &settings);
+    Ok(Preview { messages, joints })
+}
+
+/// What a check shows of observations.
+#[derive(Default)]
+pub struct Preview {
+    /// Errors and warnings.
+    pub messages: Vec<Message>,
+    /// How far the joints move in the calibration poses.
+    pub joints: Vec<JointTravel>,
 }
 
 /// An error where the nominal robot is nowhere near the measurements.

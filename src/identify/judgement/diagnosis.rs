@@ -25,14 +25,20 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     {
         return too_little(robot, observations, &all, start);
     }
-    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations));
+    let noise_mm = settings.coordinate_uncertainty_mm();
+    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations, noise_mm));
     Error::Failed { termination, cause, set_up }
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
-pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Error {
+pub(crate) fn nothing_left(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+) -> Error {
     let cause = cause(robot, observations, start);
-    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations));
+    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations, settings.coordinate_uncertainty_mm()));
     Error::NothingLeft { cause, set_up }
 }
 

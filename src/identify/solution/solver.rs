@@ -125,7 +125,7 @@ impl Estimation<'_> {
         for round in 1.. {
             let free = without(wanted, &held);
             if free.is_empty() {
-                return Err(nothing_left(robot, observations, &start));
+                return Err(nothing_left(robot, observations, settings, &start));
             }
             for &i in &held {
                 let p = &robot.parameters()[i];
@@ -178,7 +178,7 @@ impl Estimation<'_> {
         for _round in 0..ROUNDS {
             let free = without(&wanted, &held);
             if free.is_empty() {
-                return Err(nothing_left(robot, observations, &start));
+                return Err(nothing_left(robot, observations, settings, &start));
             }
             for &i in &held {
                 let p = &robot.parameters()[i];
@@ -228,7 +228,7 @@ impl Estimation<'_> {
         let analysis = Analysis::at(&all, start, 0.0);
         let free = without(wanted, &held_by(&analysis.groups));
         if free.is_empty() {
-            return Err(nothing_left(robot, observations, start));
+            return Err(nothing_left(robot, observations, settings, start));
         }
         let residuals = all.of_others(settings, &free, start)?;
         let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();

@@ -14,13 +14,13 @@ use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
 /// A drawn arm with its true parameters, poses to calibrate with and poses to validate with.
-struct Case {
-    robot: Serial,
-    calibration: Vec<Observation>,
+pub(super) struct Case {
+    pub(super) robot: Serial,
+    pub(super) calibration: Vec<Observation>,
     validation: Vec<Observation>,
-    noise_mm: f64,
-    bends: bool,
-    width: f64,
+    pub(super) noise_mm: f64,
+    pub(super) bends: bool,
+    pub(super) width: f64,
 }
 
 /// A whole number from `from` to `to`.
@@ -37,7 +37,7 @@ fn between(noise: &mut Noise, from: f64, to: f64) -> f64 {
 }
 
 /// An arm of 5 to 8 joints whose parts are up to 1 mm and 0.3 deg off nominal; half of them bend in a way that no model describes.
-fn drawn(seed: u64, most_poses: usize) -> Case {
+pub(super) fn drawn(seed: u64, most_poses: usize) -> Case {
     let mut noise = Noise::new(40, seed);
     let n = whole(&mut noise, 5, 8);
     let mut joint = |i: usize| {

@@ -18,7 +18,7 @@ pub use coordinate::Coordinate;
 pub use distance::Distance;
 pub use joint::JointValue;
 pub use known::Known;
-pub use orientation::{Orientation, mounted_misfit_rad};
+pub use orientation::{Orientation, mounted_misfit_rad, mounted_misfits_rad};
 pub use seen::Seen;
 pub use surface::{On, Surface};
 
