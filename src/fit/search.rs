@@ -27,6 +27,9 @@ const PATIENCE: usize = 80;
 
 /// A surface about an axis, its first parameters (a, b, h, u, v).
 pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
+    /// The surface whose parameters are in `chart`.
+    fn on(chart: Chart) -> Self;
+
     /// The chart that the parameters are in.
     fn chart(&self) -> &Chart;
 
@@ -49,7 +52,6 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     free: [bool; N],
     about: impl Fn(&[Vector], Chart) -> Vec<(f64, [f64; N])>,
     upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
-    element: impl Fn(Chart) -> S,
 ) -> Option<Found<S, N>> {
     let few = cloud.thinned(SEARCHED);
     let judged: Vec<Vector> = cloud.thinned(JUDGED).points().collect();
@@ -72,7 +74,7 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         proper
     };
     // a short walk from each start, and only those that may still win go on to their minimum
-    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, element(Chart::new(axis)), start));
+    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, S::on(Chart::new(axis)), start));
     let mut walked = settled(starts.collect());
     let best = walked.first().map_or(0.0, |w| w.0);
     walked.retain(|w| w.0 <= HOPELESS * HOPELESS * best);

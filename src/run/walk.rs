@@ -1,6 +1,7 @@
 //! The hallway: a campaign on its way through the stages, each of which makes something from what those before it have made.
 
 use super::{names, statements};
+use crate::stages::controlled;
 use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
@@ -193,8 +194,9 @@ impl Walk {
         // identify: observations become parameters, and errors before and after
         let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };
         if let (Some(stated), Some(joined), Some(frames)) = (&campaign.file.identify, &self.joined, &self.frames) {
-            let inputs = self.gathered.document.inputs();
-            self.identified = Some(identify(campaign, stated, robot.as_mut(), joined, frames, &inputs)?);
+            let mut identified = identify(campaign, stated, robot.as_mut(), joined, frames)?;
+            identified.parameters.provenance.inputs = self.gathered.document.inputs();
+            self.identified = Some(identified);
         }
         // geometry: balls, a shaft and an arm give the same parameters without a model
         let measured = self.measured.take();
@@ -225,6 +227,10 @@ impl Walk {
             let planar = self.robot.as_ref().is_some_and(|robot| robot.dimension() == 2);
             let frames = frames::make_frames(campaign, points, features, planar);
             self.frames = self.mode.keep(&mut self.problems, frames)?;
+            if let Some(frames) = &mut self.frames {
+                frames.not_controlled = controlled::not_controlled(campaign, self.robot.as_deref(), features);
+                self.mode.keep(&mut self.problems, controlled::check_nominal(campaign, points, frames))?;
+            }
         }
         Ok(())
     }

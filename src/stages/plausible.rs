@@ -1,5 +1,6 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
+use crate::stages::identification::Solved;
 use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
 use crate::stages::undescribed::undescribed;
 use etalon_base::message::{Message, count};
@@ -38,14 +39,13 @@ const CHANCE: f64 = 1e-3;
 /// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
 const WORSE: f64 = 1.1;
 
-/// Messages about `found` and the errors that it leaves: errors where it can be no robot, and which of the observations to
-/// look at first where they do not fit.
+/// Messages about what was found and the errors that it leaves: errors where it can be no robot,
+/// and which of the observations to look at first where they do not fit.
 pub fn plausibility(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
-    before: &[f64],
-    found: &Identification,
+    Solved { before, found }: &Solved,
     errors: &[PointError],
 ) -> Vec<Message> {
     let mut messages = implausible(robot, found, errors);

@@ -5,6 +5,7 @@ use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
 use crate::solution::identifiability::Analysis;
 use crate::solution::set_up::set_up_error;
+use crate::solution::solver::Estimation;
 use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -15,15 +16,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Measured and predicted positions whose extents differ by more than this are not in the same unit.
 const SAME_UNIT: f64 = 3.0;
+
 /// The error when the solver ended with `termination` on its way from `start` (all parameters of the robot).
-pub(crate) fn diagnose_failure(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: &[f64],
-    termination: Termination,
-) -> Error {
+pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], termination: Termination) -> Error {
+    let Estimation { robot, observations, settings, wanted } = *estimation;
     if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
         && let Ok(all) = Residuals::new(robot, observations, settings, wanted, start)
     {

@@ -1,5 +1,6 @@
 //! Solution: starting values, the solver, and which parameters the observations determine.
 
+pub(crate) mod apart;
 pub(crate) mod evidence;
 pub(crate) mod fixtures;
 pub(crate) mod hypotheses;

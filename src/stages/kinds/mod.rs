@@ -19,6 +19,7 @@ pub use row::{Row, columns, numbers, target_of};
 use crate::stages::conventions;
 use crate::stages::orientations::{self, AngleOrder, Written, unstated};
 use crate::stages::positions;
+use crate::stages::resolution;
 use cells::STATION;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
@@ -183,6 +184,7 @@ pub fn observed(
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
     misspelt(observations)?.check()?;
+    let observations = &*resolution::of_table(observations, messages)?;
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")

@@ -8,6 +8,7 @@ use etalon::identify::{Effects, Observation, Prior, Settings, fit_frames, identi
 use etalon::math::statistics::rms;
 use etalon::robots::{Quantity, Robot, Role, Serial, SerialJoint};
 use etalon::stages::evaluate::{self, Sets};
+use etalon::stages::identification::Solved;
 use etalon::stages::plausible::plausibility;
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
@@ -139,7 +140,7 @@ fn drawn_arms_are_identified() {
         let sets =
             Sets { calibration: case.calibration.clone(), validation: case.validation.clone(), ..Sets::default() };
         let errors = evaluate::errors(&case.robot, &sets, &before, &found.values);
-        let messages = plausibility(&case.robot, &sets.calibration, &settings, &before, &found, &errors);
+        let messages = plausibility(&case.robot, &sets.calibration, &settings, &Solved { before, found }, &errors);
         let refused: Vec<String> = messages
             .iter()
             .filter(|m| m.severity == Severity::Error)
