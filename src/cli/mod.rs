@@ -8,6 +8,7 @@ mod batch;
 mod check;
 mod compare;
 mod compensate;
+mod explain;
 mod export;
 mod fit;
 mod fit_text;
@@ -77,6 +78,7 @@ enum Command {
     Report(report::Report),
     Compare(compare::Compare),
     Export(export::Export),
+    Explain(explain::Explain),
     Simulate(simulate::Simulate),
     Study(study::Study),
     Schema(schema::Schema),
@@ -119,6 +121,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Report(command) => command.run(),
         Command::Compare(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Explain(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Study(command) => command.run(),
         Command::Schema(command) => command.run(),

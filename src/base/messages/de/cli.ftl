@@ -1,0 +1,3 @@
+### Meldungen von cli; Erklärungen in en/cli.ftl.
+
+message-unknown = es gibt keine Meldung `{ $id }`

@@ -1,0 +1,3 @@
+### Messages de cli ; explications dans en/cli.ftl.
+
+message-unknown = il n’existe pas de message `{ $id }`
