@@ -6,7 +6,7 @@ use crate::picture::{Form, Picture, Series};
 use etalon::base::pose::Vector;
 use etalon::identify::plan::{Choice, Criterion, Plan, Request, plan, pool_of};
 use etalon::identify::{Observation, Settings, sensitivity};
-use etalon::robots::{FiveBar, Limits, Robot};
+use etalon::robots::{FiveBar, FiveBarLimits, Robot};
 use etalon::simulate::study::{Draw, Frame, Landing, Study};
 use etalon::simulate::{Interpolation, Unmodelled, true_values};
 use rayon::prelude::*;
@@ -20,11 +20,11 @@ pub const ALL: &[(&str, fn(u64) -> Vec<Entry>)] = &[
 /// Nominal values of eq. 4.24 and table 4.1; limits of the working modes are our own rule (sample dextar).
 fn robot() -> FiveBar {
     let radians = f64::to_radians;
-    let limits = Limits {
+    let limits = FiveBarLimits {
         clearance_mm: Some(0.0),
         type1_margin_rad: radians(5.0),
         type2_margin_rad: radians(25.0),
-        ..Limits::default()
+        ..FiveBarLimits::default()
     };
     FiveBar::default().with_limits(limits)
 }

@@ -27,7 +27,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 4] = files!["base", "cli", "controllers", "fit"];
+pub const FILES: [(&str, [&str; 3]); 5] = files!["base", "cli", "controllers", "fit", "standards"];
 
 /// Named arguments of a text.
 pub type Arguments = BTreeMap<String, Argument>;

@@ -19,7 +19,7 @@ pub enum Durability {
 }
 
 /// A folder that no other process replaces while this lives.
-pub struct Held {
+pub struct FolderLock {
     /// The folder as the user named it.
     named: PathBuf,
     /// The folder itself, where a link leads to it.
@@ -27,7 +27,7 @@ pub struct Held {
     _lock: Lock,
 }
 
-impl Held {
+impl FolderLock {
     /// Waits for another process that replaces the folder.
     pub fn take(folder: &Path) -> Result<Self> {
         let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());

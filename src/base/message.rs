@@ -149,14 +149,14 @@ impl Place {
 
 /// A text that states values, and the file that it is shown as: the place of each value.
 #[derive(Clone, Copy, Debug)]
-pub struct Stated<'a> {
+pub struct SourceText<'a> {
     /// File as the user named it.
     pub name: &'a str,
     /// Its text.
     pub text: &'a str,
 }
 
-impl Stated<'_> {
+impl SourceText<'_> {
     /// Where a value is.
     pub fn place<T>(&self, value: &toml::Spanned<T>) -> Place {
         Place::span(self.name, self.text, value.span())

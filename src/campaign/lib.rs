@@ -23,7 +23,7 @@ pub use toml_file::UnreadKeys;
 pub use types::*;
 
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result, Stated};
+use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_identify::{FrameError, Settings, Systematic};
@@ -92,7 +92,7 @@ impl Campaign {
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
         let Some(mut file) = value else { return Ok((None, problems)) };
         let joints = file.exports.iter().any(|export| !export.joints.is_empty());
-        problems.0.extend(file.add_joints_of_exports(Stated { name: &name, text: &text }));
+        problems.0.extend(file.add_joints_of_exports(SourceText { name: &name, text: &text }));
         for key in missing_keys(&text).into_iter().filter(|key| !joints || !["log", "join"].contains(key)) {
             problems.0.push(toml_file::missing(&name, &text, &(0..0), key, &[]));
             unread.add(vec![key.to_owned()]);
@@ -159,8 +159,8 @@ impl Campaign {
     }
 
     /// `campaign.toml` as the text that states values.
-    pub fn stated(&self) -> Stated<'_> {
-        Stated { name: &self.path, text: &self.text }
+    pub fn stated(&self) -> SourceText<'_> {
+        SourceText { name: &self.path, text: &self.text }
     }
 
     /// The place of a key's value in `campaign.toml`, given by the keys that lead to it; the file where there is none.

@@ -1,15 +1,15 @@
 //! Exports that carry joint values beside the points: each row is joined with itself.
 
 use super::{CampaignFile, Join, JoinBy};
-use etalon_base::message::{Message, Stated};
-use etalon_formats::dialect::{Delimiter, FromRow, Header, Role};
+use etalon_base::message::{Message, SourceText};
+use etalon_formats::dialect::{ColumnRole, Delimiter, FromRow, Header};
 use etalon_formats::{Export, Log, LogKind};
 use toml::Spanned;
 
 impl CampaignFile {
     /// Adds the log that an export with `joints` is, and the join by its rows, where neither is stated; an error where its joints cannot
     /// be read.
-    pub(super) fn add_joints_of_exports(&mut self, stated: Stated) -> Option<Message> {
+    pub(super) fn add_joints_of_exports(&mut self, stated: SourceText) -> Option<Message> {
         let export = self.exports.iter_mut().find(|export| !export.joints.is_empty())?;
         if !self.logs.is_empty() {
             return None;
@@ -29,7 +29,7 @@ impl CampaignFile {
         self.logs.push(log_of(export, delimiter, header));
         let named = |role| export.format.dialect.columns.contains(role);
         let in_label = export.label.as_ref().is_some_and(|label| label.get_ref().contains("{pose}"));
-        if export.pose.is_none() && !named(Role::Pose) && !in_label {
+        if export.pose.is_none() && !named(ColumnRole::Pose) && !in_label {
             export.pose = Some(FromRow::default());
         }
         let by_row =

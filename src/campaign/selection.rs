@@ -47,7 +47,7 @@ impl fmt::Display for StatedPoses {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selection {
     /// Poses by their names, and ranges of them.
-    Named(Vec<Named>),
+    Named(Vec<PoseRange>),
     /// Poses whose index, counted from 0 over the poses that remain in their order, modulo the first number is
     /// below the second.
     Modulo(usize, usize),
@@ -59,14 +59,14 @@ pub enum Selection {
 
 /// A pose, or several with the same text before their numbers: `12`, `home`, `5-9`, `P1-P8`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Named {
+pub struct PoseRange {
     /// As it is written.
     pub name: PoseName,
     /// The text before the numbers, and the numbers, both ends in.
     range: Option<(String, RangeInclusive<i64>)>,
 }
 
-impl Named {
+impl PoseRange {
     fn new(text: &str) -> Option<Self> {
         let name = PoseName::new(text).ok()?;
         let between = |(at, _): (usize, &str)| {
@@ -127,7 +127,7 @@ impl Selection {
         let text = match stated {
             StatedPoses::Text(text) => text,
             StatedPoses::List(names) => {
-                let named = names.iter().map(|name| Named::new(&name.to_string())).collect::<Option<Vec<_>>>();
+                let named = names.iter().map(|name| PoseRange::new(&name.to_string())).collect::<Option<Vec<_>>>();
                 return named.filter(|named| !named.is_empty()).map(Self::Named).ok_or_else(wrong);
             }
         };
@@ -141,7 +141,11 @@ impl Selection {
             }
             _ => {}
         }
-        text.split(',').map(|part| Named::new(part.trim())).collect::<Option<_>>().map(Self::Named).ok_or_else(wrong)
+        text.split(',')
+            .map(|part| PoseRange::new(part.trim()))
+            .collect::<Option<_>>()
+            .map(Self::Named)
+            .ok_or_else(wrong)
     }
 
     /// Whether the pose with this name and index is in; `taken`: the calibration has it.
@@ -157,11 +161,11 @@ impl Selection {
     /// The first text that none of these poses bears: a mistaken name. Of numbers and their ranges some may not have been measured.
     pub fn mistaken(&self, poses: &BTreeSet<PoseName>) -> Option<PoseName> {
         let Self::Named(named) = self else { return None };
-        let text = |named: &&Named| match &named.range {
+        let text = |named: &&PoseRange| match &named.range {
             Some((before, _)) => !before.is_empty(),
             None => named.name.number().is_none(),
         };
-        let lone = |named: &&Named| !poses.iter().any(|pose| named.contains(*pose));
+        let lone = |named: &&PoseRange| !poses.iter().any(|pose| named.contains(*pose));
         named.iter().filter(text).find(lone).map(|named| named.name)
     }
 }

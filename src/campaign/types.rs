@@ -6,7 +6,7 @@ use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
 use etalon_documents::{ResidualKind, ToolFrame};
 use etalon_formats::dialect::{Decimal, Delimiter, Encoding, FromRow};
-use etalon_formats::{Export, Layout, Log};
+use etalon_formats::{Export, Log, TableLayout};
 use etalon_identify::{Effects, Prior, RigidPart, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
@@ -245,8 +245,8 @@ impl ObservationsDefinition {
     }
 
     /// How the table is laid out.
-    pub fn layout(&self) -> Layout {
-        Layout {
+    pub fn layout(&self) -> TableLayout {
+        TableLayout {
             delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
             decimal: self.decimal.unwrap_or_default(),
             columns: self.columns.clone(),

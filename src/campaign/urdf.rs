@@ -3,7 +3,7 @@
 use super::robot_faults;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
-use etalon_formats::xml::{Node, Tree as Xml};
+use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ impl Urdf {
 
 /// Links and joints of a file.
 pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
-    let xml = Xml::read(file, text, |name| SKIPPED.contains(&name))?;
+    let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
     if let Some(at) = text.find("<xacro:") {
         return Err(xacro(xml.error(at, "the file holds macros of xacro, which are not expanded"), file).into());
     }

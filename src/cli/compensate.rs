@@ -11,7 +11,7 @@ use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose::{Pose, minus, norm};
 use etalon_controllers::Given;
 use etalon_controllers::commands::{
-    self, Command, Configuration, DECIMALS, Freedoms, Galil, Language, Program, ProgramTarget,
+    self, Command, CommandLanguage, Configuration, DECIMALS, Freedoms, Galil, Program, ProgramTarget,
 };
 use etalon_documents::{CompensatedTarget, CompensationDocument, UnreachableTarget, to_json};
 use etalon_formats::table::{self, QUATERNION, XYZ};
@@ -133,7 +133,7 @@ struct Compensator<'a> {
     frames: [Pose; 2],
     tool: Pose,
     format: Format,
-    language: Option<(&'static str, &'static dyn Language)>,
+    language: Option<(&'static str, &'static dyn CommandLanguage)>,
     galil: Galil,
     /// Joint values where the robot starts.
     start: Vec<f64>,
@@ -200,7 +200,7 @@ impl Compensate {
         }
     }
 
-    fn read_program(&self, name: &'static str, language: &dyn Language, freedoms: Freedoms) -> Result<Source> {
+    fn read_program(&self, name: &'static str, language: &dyn CommandLanguage, freedoms: Freedoms) -> Result<Source> {
         let bytes = files::read(&self.targets)?;
         let text = String::from_utf8_lossy(&bytes);
         let found = language.targets(&bytes, freedoms);

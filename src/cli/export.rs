@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 /// Write identified parameters as a file that a controller or another program loads
 #[derive(Debug, clap::Args)]
-pub struct Export {
+pub struct ExportCommand {
     /// parameters.json of a run; with `--parameters recommended` the folder of the campaign, or its campaign.toml
     #[arg(value_name = "PARAMETERS")]
     source: PathBuf,
@@ -53,7 +53,7 @@ enum Which {
     Recommended,
 }
 
-impl Export {
+impl ExportCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = self.source.parent().unwrap_or(Path::new("")).to_owned();
         let to = self.to.unwrap_or(folder);

@@ -7,7 +7,7 @@ use crate::stages::qif_fit::{ProbeStated, refit};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_documents::{FitDocument, to_json};
-use etalon_fit::{CircleMethod, Element, PackedPoints, Probe, Settings, Side, Source};
+use etalon_fit::{CircleMethod, Element, FitSettings, PackedPoints, Probe, Side, Source};
 use etalon_formats::Format;
 use etalon_formats::dialect::Unit;
 use std::path::PathBuf;
@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// another format. A QIF file states which points belong to which feature: each measured feature is fitted and compared with the
 /// values in the file.
 #[derive(Debug, clap::Args)]
-pub struct Fit {
+pub struct FitCommand {
     /// line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus, enclosing-circle or enclosing-sphere;
     /// without it every measured feature of QIF files
     #[arg(value_name = "ELEMENT")]
@@ -55,7 +55,7 @@ pub struct Fit {
     json: bool,
 }
 
-impl Fit {
+impl FitCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let (documents, qif) = match self.plain()? {
             Some(points) => (vec![self.fit("", Source::from(&points))?], false),
@@ -158,9 +158,9 @@ impl Fit {
     }
 
     /// What the options state, with a probe.
-    fn settings(&self, probe: Option<Probe>) -> Settings<'static> {
+    fn settings(&self, probe: Option<Probe>) -> FitSettings<'static> {
         let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
-        Settings { radius_mm: self.radius_mm, circle, probe, ..Settings::default() }
+        FitSettings { radius_mm: self.radius_mm, circle, probe, ..FitSettings::default() }
     }
 
     /// The side of the probe, where it is stated.

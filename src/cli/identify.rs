@@ -7,7 +7,7 @@ use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
 use crate::stages::identification::{Input, Solved};
 use crate::stages::join::Observations;
-use crate::stages::kinds::{self, Observed, Stated};
+use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
 use etalon_base::files;
@@ -26,7 +26,7 @@ const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.02..=1e5;
 
 /// Identify the parameters of a robot from a table of observations, without a campaign
 #[derive(Debug, clap::Args)]
-pub struct Identify {
+pub struct IdentifyCommand {
     /// Robot file
     #[arg(long)]
     robot: PathBuf,
@@ -73,7 +73,7 @@ pub struct Identify {
     json: bool,
 }
 
-impl Identify {
+impl IdentifyCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)?;
@@ -94,7 +94,7 @@ impl Identify {
             ..Settings::default()
         };
         let order = self.orientation.as_deref().map(str::parse).transpose();
-        let without = Stated {
+        let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
             order: order.map_err(|m: Message| Problems::from(m.at(Place::file("--orientation"))))?,

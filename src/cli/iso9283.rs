@@ -11,7 +11,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_campaign::Limits;
 use etalon_documents::{Characteristics, DecisionRule, to_json};
 use etalon_report::Faces;
-use etalon_standards::iso9283::pose::{DRAWS, Settings};
+use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use plan::PlanOptions;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
@@ -189,7 +189,7 @@ impl PoseOptions {
             return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
         }
         let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
-        let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&Settings {
+        let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
             expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
             drift_set: self.drift_set,
             rotation_order: self.rotation_order.clone(),

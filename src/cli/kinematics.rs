@@ -12,7 +12,7 @@ use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
 use etalon_formats::table::{self, ASSEMBLY, QUATERNION, XYZ};
 use etalon_formats::tables::joints::{joint_column, stated_modes};
-use etalon_robots::{Kinematics as Arm, Robot, Role};
+use etalon_robots::{Kinematics, Robot, Role};
 use std::path::{Path, PathBuf};
 
 /// How far a quaternion may be from length one: it has a few decimals.
@@ -27,7 +27,7 @@ const LENGTH_ONE: f64 = 1e-3;
   inverse  pose, x_mm, y_mm, z_mm, qw, qx, qy, qz; joints of a row are where its --nearest solution is looked for
 
 Exit code 1 where a pose is out of reach: the others are in the answer.")]
-pub struct Kinematics {
+pub struct KinematicsCommand {
     /// Which way
     #[arg(value_enum)]
     direction: Direction,
@@ -55,7 +55,7 @@ enum Direction {
     Inverse,
 }
 
-impl Kinematics {
+impl KinematicsCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         // the model needs a target; its place is not that of the tool
         let mut robot = read_robot(&self.robot)?.build(&["tool".to_owned()])?;
@@ -85,7 +85,7 @@ impl Kinematics {
         print_with(answer, verdict)
     }
 
-    fn inverse(&self, arm: &dyn Arm, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
+    fn inverse(&self, arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
         let nominal = arm.nominal();
         if !self.nearest && arm.joints().len() > 6 {
             let message = Message::error(format!("{} joints reach a pose in infinitely many ways", arm.joints().len()));
@@ -116,13 +116,13 @@ impl Kinematics {
 }
 
 /// Its kinematics, of a robot that has them.
-pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Arm> {
+pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
     let none = || Message::error(format!("`{}` has no kinematics of a whole pose", robot.model())).into();
     robot.kinematics().ok_or_else(none)
 }
 
 /// Columns of joint values and of the assembly mode.
-pub(super) fn joint_names(arm: &dyn Arm) -> Vec<String> {
+pub(super) fn joint_names(arm: &dyn Kinematics) -> Vec<String> {
     let modes = arm.has_assembly_modes().then(|| ASSEMBLY.to_owned());
     arm.joints().iter().map(|joint| joint.column()).chain(modes).collect()
 }
@@ -134,7 +134,7 @@ pub(super) fn identified(robot: &dyn Robot, document: &ParametersDocument, path:
 }
 
 /// Joint values of a table, row by row, in rad and mm, with the assembly mode behind them.
-pub(super) fn joint_values(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Vec<f64>>> {
+pub(super) fn joint_values(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         arm.joints().iter().map(|joint| joint_column(joint, &file.table)).collect::<Result<_>>()?;
     table::require(&file.table, &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>())?;
@@ -167,14 +167,14 @@ fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
 }
 
 /// Where solutions are looked for: the joints of the table, where it has them.
-pub(super) fn starts(arm: &dyn Arm, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
+pub(super) fn starts(arm: &dyn Kinematics, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
     let has =
         arm.joints().iter().any(|joint| file.table.get_column_names().iter().any(|name| joint.factor(name).is_some()));
     has.then(|| joint_values(arm, file)).transpose()
 }
 
 /// The poses of a table.
-pub(super) fn poses(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Pose>> {
+pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>> {
     let planar = arm.dimension() == 2;
     let has = |name: &str| file.table.column(name).is_ok();
     let needed: &[&str] = if planar { &XYZ[..2] } else { &XYZ };
@@ -208,7 +208,7 @@ pub(super) fn poses(arm: &dyn Arm, file: &TableFile) -> Result<Vec<Pose>> {
     problems.check().map(|_| poses)
 }
 
-fn direct(arm: &dyn Arm, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
+fn direct(arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
     let nominal = arm.nominal();
     let names = table::poses(&file.table)?;
     for (pose, joints) in names.into_iter().zip(joint_values(arm, file)?) {
@@ -227,7 +227,7 @@ fn direct(arm: &dyn Arm, file: &TableFile, document: &mut KinematicsDocument) ->
     Ok(())
 }
 
-fn entry(arm: &dyn Arm, pose: etalon_base::pose_name::PoseName, joints: &[f64], at: &Pose) -> KinematicsEntry {
+fn entry(arm: &dyn Kinematics, pose: etalon_base::pose_name::PoseName, joints: &[f64], at: &Pose) -> KinematicsEntry {
     let outward = arm.joints().iter().zip(joints).map(|(joint, &q)| joint.quantity.outward(q));
     let joints = outward.chain(joints.get(arm.joints().len()).copied()).collect();
     KinematicsEntry { pose, joints, xyz_mm: at.translation_mm, quaternion: at.quaternion() }

@@ -17,7 +17,7 @@ use etalon_documents::*;
 use etalon_formats::table::ASSEMBLY;
 use etalon_identify::plan::candidates::Candidates;
 use etalon_identify::plan::{
-    Criterion, PlaceError, Plan as Planned, Request, Setting, Study, index_of, plan, point_of, study,
+    Criterion, PlaceError, Plan, Request, Setting, SizeStudy, index_of, plan, point_of, study,
 };
 use etalon_identify::{Effects, Observation, Settings};
 use etalon_report::Faces;
@@ -55,7 +55,7 @@ impl clap::ValueEnum for Index {
 
 /// Choose the poses to measure among candidates, and prove how far they are from the best
 #[derive(Debug, clap::Args)]
-pub struct Plan {
+pub struct PlanCommand {
     /// Robot file
     #[arg(long)]
     robot: PathBuf,
@@ -122,7 +122,7 @@ pub struct Plan {
     json: bool,
 }
 
-impl Plan {
+impl PlanCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         let written = [&self.poses, &self.targets].into_iter().flatten();
@@ -176,7 +176,7 @@ impl Plan {
         robot: &dyn Robot,
         robot_file: &RobotFile,
         observations: &[Observation],
-        planned: &Planned,
+        planned: &Plan,
         settings: &Settings,
     ) -> anyhow::Result<Option<StudyDocument>> {
         let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
@@ -201,12 +201,12 @@ pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot
     Ok((robot, found))
 }
 
-impl Plan {
+impl PlanCommand {
     fn document(
         &self,
         robot: &dyn Robot,
         observations: &[Observation],
-        planned: &Planned,
+        planned: &Plan,
         study: Option<StudyDocument>,
     ) -> anyhow::Result<PlanDocument> {
         let pose = |c: usize| observations[planned.members[c][0]].pose;
@@ -268,7 +268,7 @@ impl Plan {
 }
 
 /// Where the candidates are.
-fn places(robot: &dyn Robot, observations: &[Observation], planned: &Planned) -> Vec<CandidatePlace> {
+fn places(robot: &dyn Robot, observations: &[Observation], planned: &Plan) -> Vec<CandidatePlace> {
     let nominal = robot.nominal();
     let place = |(c, members): (usize, &Vec<usize>)| {
         let first = &observations[members[0]];
@@ -285,7 +285,7 @@ fn places(robot: &dyn Robot, observations: &[Observation], planned: &Planned) ->
 /// Studies for increasing numbers of positions as one document; the last has all of them.
 fn study_document(
     robot: &dyn Robot,
-    studies: &[Study],
+    studies: &[SizeStudy],
     truth: &[f64],
     noise_um: f64,
     configurations: usize,
@@ -298,7 +298,7 @@ fn study_document(
         actual: p.quantity.outward(truth[i]),
         identified: p.quantity.outward(last.identified[i]),
     };
-    let step = |s: &Study| StudyStep {
+    let step = |s: &SizeStudy| StudyStep {
         positions: s.positions,
         configurations: s.configurations,
         rms_before_mm: s.rms_mm.0,
@@ -320,7 +320,7 @@ fn study_document(
     })
 }
 
-fn parameters(robot: &dyn Robot, planned: &Planned, stated: bool) -> Vec<PlannedParameter> {
+fn parameters(robot: &dyn Robot, planned: &Plan, stated: bool) -> Vec<PlannedParameter> {
     let (free, n) = (&planned.sensitivity.free, planned.sensitivity.free.len());
     let held = planned.sensitivity.groups.iter().map(|g| g.with.iter().chain([&g.held]).copied().collect::<Vec<_>>());
     let sets: Vec<Vec<usize>> = held.chain(planned.prediction.weak.iter().map(|w| w.parameters.clone())).collect();

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Language, logo and templates are those of the campaign, unless they are stated here.
 #[derive(Debug, clap::Args)]
-pub struct Report {
+pub struct ReportCommand {
     /// Folder that `etalon run` wrote, or its campaign
     #[arg(required_unless_present = "write_templates")]
     folder: Option<PathBuf>,
@@ -98,7 +98,7 @@ fn kind(path: &Path) -> Result<String> {
     Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
 }
 
-impl Report {
+impl ReportCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let written = match (&self.folder, &self.write_templates) {
             (_, Some(folder)) => {

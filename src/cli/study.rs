@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// Compare sets of poses and instruments before anything is measured, by simulated calibrations
 #[derive(Debug, clap::Args)]
-pub struct Study {
+pub struct StudyCommand {
     /// What is studied: robot, truth, noise, sets of poses, workspace
     study: PathBuf,
     /// Print the answer as JSON
@@ -18,7 +18,7 @@ pub struct Study {
     json: bool,
 }
 
-impl Study {
+impl StudyCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let file = StudyFile::read(&self.study)?;
         let folder = self.study.parent().unwrap_or(Path::new("."));

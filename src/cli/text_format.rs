@@ -3,8 +3,8 @@
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Problems};
 use etalon_formats::dialect::FromRow;
-use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Header, Role, Unit};
-use etalon_formats::{Format, Layout};
+use etalon_formats::dialect::{ColumnRole, Decimal, Delimiter, Dialect, Header, Unit};
+use etalon_formats::{Format, TableLayout};
 use std::path::Path;
 
 /// Unit and columns of a text.
@@ -49,7 +49,7 @@ impl TextFormat {
     /// The stated columns, else PolyWorks text.
     pub fn format(&self) -> Result<Format, Problems> {
         let Some(delimiter) = &self.delimiter else { return Ok(Format::default()) };
-        let columns = self.columns.iter().map(|c| word::<Role>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
+        let columns = self.columns.iter().map(|c| word::<ColumnRole>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
         Ok(Format::from(Dialect {
             delimiter: Some(word::<Delimiter>("--delimiter", delimiter)?),
             decimal: word::<Decimal>("--decimal", &self.decimal)?,
@@ -93,7 +93,7 @@ impl TableFormat {
             Some((name, heading)) => Ok((name.trim().to_owned(), heading.trim().to_owned())),
             None => Err(Problems::from(Message::error(format!("--column: `{text}` has no `=`")).expected("q1_deg=J1"))),
         };
-        let layout = Layout {
+        let layout = TableLayout {
             delimiter: word("--delimiter", &self.delimiter)?,
             decimal: word("--decimal", &self.decimal)?,
             columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,

@@ -3,10 +3,10 @@
 use super::chart::Chart;
 use super::cloud::{Cloud, Gather, SAMPLE, Source};
 use super::coverage::{Arc, Cap};
-use super::element::{CircleMethod, Element, Settings};
+use super::element::{CircleMethod, Element, FitSettings};
 use super::f64x8::{F64x8, Points, along, less, square};
 use super::line_and_plane::{diagonal_matrix, plane_variances};
-use super::result::{Covariance, Fit, QUANTITIES, Residuals, largest_component_positive, propagate};
+use super::result::{ElementCovariance, Fit, QUANTITIES, Residuals, largest_component_positive, propagate};
 use super::solver::{Refined, Surface, refine};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
@@ -30,7 +30,7 @@ use etalon_math::{smallest_eigenvector, symmetric_eigen};
 /// assert!((fit.radius_mm.expect("a circle has a radius") - 5.0).abs() < 1e-12);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
-pub fn circle2d(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
+pub fn circle2d(points: &[[f64; 2]], settings: &FitSettings) -> Result<Fit> {
     settings.check(Element::Circle2d)?;
     let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), settings)?;
     let chart = Chart { d0: [0.0, 0.0, 1.0], e1: [1.0, 0.0, 0.0], e2: [0.0, 1.0, 0.0] };
@@ -42,7 +42,7 @@ pub fn circle2d(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
 }
 
 /// The circle through the points of `cloud` seen along the axis of `chart`.
-fn refine_circle(cloud: &Cloud, chart: Chart, settings: &Settings) -> Refined<Disc, 3> {
+fn refine_circle(cloud: &Cloud, chart: Chart, settings: &FitSettings) -> Refined<Disc, 3> {
     let few: Vec<Vector> = cloud.thinned(SAMPLE).points().map(|q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&few);
     let held = settings.held_radius_mm().map(|r| r / cloud.scale_mm);
@@ -77,11 +77,11 @@ impl Surface<3, 1> for Disc {
 ///
 /// NIST's reference pairs and most CMM software fit the plane, project the points onto it and fit the circle there.
 /// The full orthogonal distance to the curve differs: by 0.9 µrad in the normal on NIST's own set 25.
-pub fn circle3d(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn circle3d(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     circle3d_of(points.into(), settings)
 }
 
-pub(super) fn circle3d_of(points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Circle3d)?;
     let cloud = Cloud::new(Element::Circle3d, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));
@@ -104,7 +104,7 @@ pub(super) fn circle3d_of(points: Source, settings: &Settings) -> Result<Fit> {
 }
 
 /// Covariance of plane (a, b, h, u, v) and circle (a, b, r), which share no residual, taken together.
-fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, scale_mm: f64) -> Covariance {
+fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, scale_mm: f64) -> ElementCovariance {
     let mut local = [[0.0; 6]; 6];
     for (row, p) in local.iter_mut().zip(diagonal_matrix(plane)) {
         row[..5].copy_from_slice(&p);
@@ -151,7 +151,7 @@ impl Surface<6, 2> for Ring {
     }
 }
 
-fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, settings: &Settings) -> Result<Fit> {
+fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, settings: &FitSettings) -> Result<Fit> {
     let mut start = start;
     if let Some(radius) = settings.held_radius_mm() {
         start[5] = radius / cloud.scale_mm;
@@ -189,11 +189,11 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
 /// assert!(ball.max_mm() < 1e-12);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
-pub fn sphere(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn sphere(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     sphere_of(points.into(), settings)
 }
 
-pub(super) fn sphere_of(points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn sphere_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     settings.check(Element::Sphere)?;
     let cloud = Cloud::new(Element::Sphere, points, settings)?;
     let (start, radius) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());

@@ -7,7 +7,7 @@
 //! a time, in registers as wide as the machine has them: what is fused ([`F64x8::plus`]) is so on every machine and nothing
 //! else is, and no width reorders an operation, so sums have the same bytes everywhere.
 
-use super::element::{self, Element, Settings};
+use super::element::{self, Element, FitSettings};
 use super::f64x8::{F64x8, LANES, Points, along};
 use super::packed::PackedPoints;
 use etalon_base::error;
@@ -147,7 +147,7 @@ pub(super) struct Cloud<'a> {
 
 impl<'a> Cloud<'a> {
     /// Checks that `points` determine `element`.
-    pub fn new(element: Element, points: Source<'a>, settings: &Settings<'a>) -> Result<Self> {
+    pub fn new(element: Element, points: Source<'a>, settings: &FitSettings<'a>) -> Result<Self> {
         let cloud =
             Self::surveyed(element.name(), element.minimum_points(), points, settings.weights, element.rough())?;
         // an axis that is held, or a radius, asks for less; two dimensions are still needed about an axis

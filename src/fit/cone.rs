@@ -3,7 +3,7 @@
 use super::chart::{Chart, length};
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
-use super::element::{Element, Settings};
+use super::element::{Element, FitSettings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES};
 use super::search::{Axial, no_start, rival_warning, search};
@@ -18,11 +18,11 @@ use std::f64::consts::PI;
 ///
 /// Distance to the surface, stated at the centroid and not at the apex, so that slim cones are not singular
 /// (Shakarji 1998, 3.5). The start is searched over the hemisphere of axes, the best are followed.
-pub fn cone(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn cone(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     cone_of(points.into(), settings)
 }
 
-pub(super) fn cone_of(points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn cone_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Cone)?;
     let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
@@ -35,7 +35,7 @@ pub(super) fn cone_of(points: Source, settings: &Settings) -> Result<Fit> {
     Ok(fit)
 }
 
-fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &Settings) -> Result<Fit> {
+fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings) -> Result<Fit> {
     let chart = refined.surface.chart;
     let [a, b, h, _, _, distance, half_angle] = refined.x;
     let foot = chart.point(a, b, h);

@@ -4,7 +4,7 @@ use super::chart::Chart;
 use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, Gather, Source};
 use super::coverage::Arc;
-use super::element::{Element, Settings};
+use super::element::{Element, FitSettings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
 use super::search::{Axial, no_start, rival_warning, search};
@@ -32,11 +32,11 @@ use etalon_base::pose::Vector;
 /// assert!((z - 1.0).abs() < 1e-9);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
-pub fn cylinder(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn cylinder(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     cylinder_of(points.into(), settings)
 }
 
-pub(super) fn cylinder_of(points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn cylinder_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Cylinder)?;
     let cloud = Cloud::new(Element::Cylinder, points, settings)?;
     let radius = settings.held_radius_mm().map(|r| r / cloud.scale_mm);

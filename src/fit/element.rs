@@ -183,7 +183,7 @@ impl Probe {
 
 /// What may be chosen or held while fitting; the default holds nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Settings<'a> {
+pub struct FitSettings<'a> {
     /// One positive weight a point, in inverse proportion to its variance; only their ratios count.
     pub weights: Option<&'a [f64]>,
     /// Holds the radius of a circle, sphere or cylinder.
@@ -196,7 +196,7 @@ pub struct Settings<'a> {
     pub probe: Option<Probe>,
 }
 
-impl Settings<'_> {
+impl FitSettings<'_> {
     /// Refuses what `element` cannot hold; gives the held axis with length one.
     pub(super) fn check(&self, element: Element) -> Result<Option<Vector>> {
         self.probe.map_or(Ok(()), |probe| probe.check(element))?;

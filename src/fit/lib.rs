@@ -33,12 +33,12 @@ pub use circle_and_sphere::{circle2d, circle3d, sphere};
 pub use cloud::Source;
 pub use cone::cone;
 pub use cylinder::cylinder;
-pub use element::{CircleMethod, Element, Probe, Settings, Side};
+pub use element::{CircleMethod, Element, FitSettings, Probe, Side};
 pub use enclosing::{Enclosing, enclosing_circle, enclosing_sphere};
 pub use line_and_plane::{line, line2d, plane};
 pub use minimum_zone::minimum_zone;
 pub use packed::PackedPoints;
-pub use result::{Compensation, Covariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
+pub use result::{Compensation, ElementCovariance, Fit, QUANTITIES, Residuals, StandardUncertainty};
 pub use rigid::{RigidFit, rigid, rotation_onto};
 pub use torus::torus;
 pub use zone::{MinimumZone, Multipliers};
@@ -46,7 +46,7 @@ pub use zone::{MinimumZone, Multipliers};
 use etalon_base::message::Result;
 
 /// Fits any element; of a line or circle in the plane, z of the points is not looked at.
-pub fn element<'a>(element: Element, points: impl Into<Source<'a>>, settings: &Settings) -> Result<Fit> {
+pub fn element<'a>(element: Element, points: impl Into<Source<'a>>, settings: &FitSettings) -> Result<Fit> {
     let points = points.into();
     let flat = || (0..points.len()).map(|i| points.at(i)).map(|[x, y, _]| [x, y]).collect::<Vec<_>>();
     match element {

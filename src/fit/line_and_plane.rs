@@ -2,7 +2,7 @@
 
 use super::chart::Chart;
 use super::cloud::{Cloud, Source};
-use super::element::{Element, Settings};
+use super::element::{Element, FitSettings};
 use super::f64x8::along;
 use super::result::{Fit, Residuals, largest_component_positive, propagate};
 use etalon_base::message::Result;
@@ -11,16 +11,16 @@ use etalon_base::pose::{Vector, cross, dot, minus};
 /// Fits a straight line in space to at least two different points; it runs from the first point to the last.
 ///
 /// The direction is the principal direction of largest spread of the centred points (Shakarji 1998, 3.1).
-pub fn line(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn line(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     fit(Element::Line, points.into(), settings)
 }
 
 /// Fits a straight line in the plane; z of its point and direction is zero.
-pub fn line2d(points: &[[f64; 2]], settings: &Settings) -> Result<Fit> {
+pub fn line2d(points: &[[f64; 2]], settings: &FitSettings) -> Result<Fit> {
     fit(Element::Line2d, Source::Plane(points), settings)
 }
 
-pub(super) fn fit(element: Element, points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn fit(element: Element, points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(element)?;
     let cloud = Cloud::new(element, points, settings)?;
     let direction = from_first_to_last(&cloud, held.unwrap_or(cloud.axes[0]));
@@ -85,11 +85,11 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
 /// assert!((fit.form_mm() - 0.02).abs() < 1e-12);
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
-pub fn plane(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn plane(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     plane_of(points.into(), settings)
 }
 
-pub(super) fn plane_of(points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn plane_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Plane)?;
     let cloud = Cloud::new(Element::Plane, points, settings)?;
     let normal = largest_component_positive(held.unwrap_or(cloud.axes[2]));

@@ -7,7 +7,7 @@
 use super::chart::Chart;
 use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};
 use super::cloud::{Cloud, Source};
-use super::element::{Element, Settings};
+use super::element::{Element, FitSettings};
 use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
@@ -37,7 +37,7 @@ pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> 
 
 /// Refuses a zone as wide as the minimum zone of a plane: the points do not determine the element.
 fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<MinimumZone> {
-    let cloud = Cloud::new(zone.element, Source::Space(points.into()), &Settings::default())?;
+    let cloud = Cloud::new(zone.element, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
     let flat = narrow_slab(&normalised, cloud.axes[2]).width;
     if zone.form_mm >= (flat - SLACK) * cloud.scale_mm && flat > SLACK { Err(too_flat(zone.element)) } else { Ok(zone) }
@@ -49,7 +49,7 @@ fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<Minimum
 /// Roundness is a form in a plane section (ISO 1101:2017, 17.4; ISO 12181-1), so the width is that in the plane, and the
 /// plane has its own: its flatness.
 fn circle3d(points: &[Vector]) -> Result<MinimumZone> {
-    let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), &Settings::default())?;
+    let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), &FitSettings::default())?;
     let flat = plane(points)?;
     let normal = flat.direction.unwrap_or(cloud.axes[2]);
     let chart = Chart::new(normal);
@@ -82,7 +82,7 @@ const LOOKS: usize = 10_000_000;
 ///
 /// Two points hold one side and a third between them the other. Every edge of the convex hull was tried.
 fn line2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
-    let cloud = Cloud::new(Element::Line2d, Source::Plane(points), &Settings::default())?;
+    let cloud = Cloud::new(Element::Line2d, Source::Plane(points), &FitSettings::default())?;
     let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
     let strip = narrowest_strip(&flat);
     let (along, width) = match &strip {
@@ -124,7 +124,7 @@ fn alternate(cloud: &Cloud, direction: Vector, lower: &[usize], upper: &[usize])
 /// narrower, and nothing at all where κ ≥ w: the points are flat. Otherwise the other directions are proved wider part by
 /// part: in a triangle of directions within ρ of its middle the width is at least that of the linear problem times cos ρ.
 fn plane(points: &[Vector]) -> Result<MinimumZone> {
-    let cloud = Cloud::new(Element::Plane, Source::Space(points.into()), &Settings::default())?;
+    let cloud = Cloud::new(Element::Plane, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
     let start = narrow_slab(&normalised, cloud.axes[2]);
     let (best, verified, iterations) = narrowest_slab(&normalised, start);
@@ -269,7 +269,7 @@ fn sum(a: Vector, b: Vector) -> Vector {
 /// all, which holds for whatever is round. Otherwise the plane is searched square by square. Far away a ring is a strip,
 /// so that the narrowest strip bounds the search.
 fn circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
-    let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), &Settings::default())?;
+    let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), &FitSettings::default())?;
     let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
     let Some((best, verified, iterations)) = narrowest_ring(&flat) else {
         return Err(error!("zone-straight").into());

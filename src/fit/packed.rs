@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_fit_has_the_same_bits_packed_or_not() {
-        use crate::{Element, Settings, element};
+        use crate::{Element, FitSettings, element};
         let angle = |i: usize| i as f64 * 0.7;
         let round = |v: f64| (v * 1e4).round() / 1e4;
         let points: Vec<Vector> = (0..20_000)
@@ -148,7 +148,8 @@ mod tests {
             packed.append(PackedPoints::of(&[0, 1, 2].map(|k| column(k)[from..to].to_vec()), 1.0));
         }
         for kind in [Element::Cylinder, Element::Plane, Element::Sphere, Element::Circle2d] {
-            let (a, b) = (element(kind, &points, &Settings::default()), element(kind, &packed, &Settings::default()));
+            let (a, b) =
+                (element(kind, &points, &FitSettings::default()), element(kind, &packed, &FitSettings::default()));
             assert_eq!(format!("{a:?}"), format!("{b:?}"));
         }
     }

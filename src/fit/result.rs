@@ -7,7 +7,7 @@
 //! residuals and their variance stay, and the answer is that of a fit to the contact points.
 
 use super::cloud::{Cloud, Gather};
-use super::element::{Element, Probe, Settings, Side};
+use super::element::{Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Problems, Result};
@@ -23,14 +23,14 @@ pub const QUANTITIES: usize = 9;
 ///
 /// It is propagated to first order from σ² (JᵀJ)⁻¹, with σ² the variance of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Covariance(pub [[f64; QUANTITIES]; QUANTITIES]);
+pub struct ElementCovariance(pub [[f64; QUANTITIES]; QUANTITIES]);
 
 /// G C Gᵀ, with lengths brought from normalised units to mm (JCGM 102:2011, 6.2.1.3).
 pub(super) fn propagate<const N: usize>(
     local: &[[f64; N]; N],
     by_parameter: &[[f64; QUANTITIES]; N],
     scale_mm: f64,
-) -> Covariance {
+) -> ElementCovariance {
     let unit = |q: usize| if q < 3 || q == 6 || q == 7 { scale_mm } else { 1.0 };
     let mut covariance = [[0.0; QUANTITIES]; QUANTITIES];
     for (i, gi) in by_parameter.iter().enumerate() {
@@ -42,7 +42,7 @@ pub(super) fn propagate<const N: usize>(
             }
         }
     }
-    Covariance(covariance)
+    ElementCovariance(covariance)
 }
 
 /// Standard uncertainties, the square roots of the diagonal of a [`Covariance`].
@@ -168,7 +168,7 @@ pub struct Fit {
     /// Equations less parameters.
     pub degrees_of_freedom: usize,
     /// How well the quantities are known; `None` without redundancy.
-    pub covariance: Option<Covariance>,
+    pub covariance: Option<ElementCovariance>,
     /// How much of the circumference has points: the full turn less the largest gap; for a sphere the full angle of
     /// the cap that holds the points.
     pub coverage_rad: Option<f64>,
@@ -300,7 +300,7 @@ impl Fit {
     }
 
     /// The answer: of what a probe touched, where there is one, and with its warnings.
-    pub(super) fn finished(self, settings: &Settings) -> Result<Self> {
+    pub(super) fn finished(self, settings: &FitSettings) -> Result<Self> {
         Ok(self.compensated(settings.probe)?.with_warnings())
     }
 
@@ -360,7 +360,7 @@ impl Fit {
         }
         let (point_mm, radius_mm, minor_radius_mm) = (self.point_mm, self.radius_mm, self.minor_radius_mm);
         let moves = self.moves(&probe)?;
-        if let Some(Covariance(c)) = &mut self.covariance {
+        if let Some(ElementCovariance(c)) = &mut self.covariance {
             *c = product(&moves, &product(c, &transposed(&moves)));
         }
         self.compensation = Some(Compensation { probe, point_mm, radius_mm, minor_radius_mm });

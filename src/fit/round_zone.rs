@@ -13,7 +13,7 @@ use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, SAMPLE, Source};
 use super::cone::cone;
 use super::cylinder::cylinder;
-use super::element::{Element, Settings};
+use super::element::{Element, FitSettings};
 use super::minimax::{Certificate, Row, best_step, certificate};
 use super::result::largest_component_positive;
 use super::zone::{FARTHEST, MinimumZone, Multipliers, SLACK, sides};
@@ -171,7 +171,7 @@ pub(super) fn too_flat(element: Element) -> Problems {
 ///
 /// Five points hold it at least. An error where the centre is at infinity.
 pub(super) fn sphere(points: &[Vector]) -> Result<MinimumZone> {
-    let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), &Settings::default())?;
+    let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
     let (start, _) = taubin::<4>(&cloud.thinned(SAMPLE).points().collect::<Vec<_>>());
     let start = if norm(start) < FARTHEST { start } else { [0.0; 3] };
@@ -200,8 +200,8 @@ fn least_area_growth(points: &[Vector], centre: &Vector) -> f64 {
 ///
 /// Six points hold it at least; it is proved the narrowest of its neighbourhood.
 pub(super) fn cylinder_zone(points: &[Vector]) -> Result<MinimumZone> {
-    let fit = cylinder(points, &Settings::default())?;
-    let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), &Settings::default())?;
+    let fit = cylinder(points, &FitSettings::default())?;
+    let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
     let start = Axis::through(from_mm(&cloud, fit.point_mm), fit.direction.unwrap_or(cloud.axes[0]));
     let (found, iterations) = narrowest(&normalised, start);
@@ -221,8 +221,8 @@ pub(super) fn cylinder_zone(points: &[Vector]) -> Result<MinimumZone> {
 ///
 /// Seven points hold it at least; it is proved the narrowest of its neighbourhood.
 pub(super) fn cone_zone(points: &[Vector]) -> Result<MinimumZone> {
-    let fit = cone(points, &Settings::default())?;
-    let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), &Settings::default())?;
+    let fit = cone(points, &FitSettings::default())?;
+    let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
     let axis = Axis::through(from_mm(&cloud, fit.point_mm), fit.direction.unwrap_or(cloud.axes[0]));
     let start = Funnel { axis, half_angle: 0.5 * fit.apex_angle_rad.unwrap_or(0.0) };

@@ -4,7 +4,7 @@ use super::chart::{Chart, length};
 use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
-use super::element::{Element, Settings};
+use super::element::{Element, FitSettings};
 use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES, largest_component_positive};
 use super::search::{Axial, no_start, rival_warning, search};
@@ -17,11 +17,11 @@ use etalon_math::symmetric_eigen;
 ///
 /// Orthogonal distance (ISO 10360-6:2001 tests it so). The start is searched over the hemisphere of axes, for each a
 /// circle through the points seen along the axis, and a circle through them seen along the tube.
-pub fn torus(points: &[Vector], settings: &Settings) -> Result<Fit> {
+pub fn torus(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     torus_of(points.into(), settings)
 }
 
-pub(super) fn torus_of(points: Source, settings: &Settings) -> Result<Fit> {
+pub(super) fn torus_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
     let cloud = Cloud::new(Element::Torus, points, settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];

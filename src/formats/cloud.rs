@@ -216,7 +216,7 @@ fn same(a: &[u8], b: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dialect::{Delimiter, Dialect, Role};
+    use crate::dialect::{ColumnRole, Delimiter, Dialect};
     use crate::table;
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
@@ -238,10 +238,10 @@ mod tests {
     }
 
     fn formats() -> Vec<Format> {
-        let stated = |delimiter, roles: &[Role]| {
+        let stated = |delimiter, roles: &[ColumnRole]| {
             Format::from(Dialect { delimiter: Some(delimiter), columns: roles.to_vec().into(), ..Dialect::default() })
         };
-        use Role::*;
+        use ColumnRole::*;
         vec![
             Format::default(),
             stated(Delimiter::Blank, &[Label, X, Y, Z]),

@@ -39,7 +39,7 @@ pub struct Export {
 
 /// What a label names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Named {
+pub struct LabelNames {
     /// Target of the label.
     pub target: Option<String>,
     /// Pose of the label.
@@ -100,7 +100,7 @@ impl Pattern {
     ///
     /// Of several readings counts the first that is `known` in which the pose is a number, then that of the longest target in which
     /// it is a text; otherwise a pose that is a text does not read.
-    pub fn read(&self, label: &str, known: impl Fn(&Named) -> bool) -> Option<Named> {
+    pub fn read(&self, label: &str, known: impl Fn(&LabelNames) -> bool) -> Option<LabelNames> {
         let numbers = readings(&self.0, label, false);
         let first = || numbers.first().cloned();
         let by_number = numbers.iter().find(|named| known(named)).cloned();
@@ -110,13 +110,13 @@ impl Pattern {
 }
 
 /// Every way to read a label, those of the shortest target first; `texts`: a pose is any text, not a number.
-fn readings(parts: &[Part], label: &str, texts: bool) -> Vec<Named> {
+fn readings(parts: &[Part], label: &str, texts: bool) -> Vec<LabelNames> {
     let Some((first, rest)) = parts.split_first() else {
-        return if label.is_empty() { vec![Named::default()] } else { Vec::new() };
+        return if label.is_empty() { vec![LabelNames::default()] } else { Vec::new() };
     };
     let digits = label.bytes().take_while(u8::is_ascii_digit).count();
     // every part up to one of these places
-    let parted = |ends: &mut dyn Iterator<Item = usize>, set: &dyn Fn(&mut Named, &str) -> Option<()>| {
+    let parted = |ends: &mut dyn Iterator<Item = usize>, set: &dyn Fn(&mut LabelNames, &str) -> Option<()>| {
         let read = |end: usize| {
             let all = label.get(end..).map_or_else(Vec::new, |after| readings(rest, after, texts));
             all.into_iter().filter_map(move |mut named| set(&mut named, &label[..end]).map(|()| named))
@@ -151,8 +151,9 @@ mod tests {
     #[test]
     fn labels_are_taken_apart() {
         let pattern = Pattern::parse("{target}_{pose}_{cycle}").unwrap();
-        let named =
-            |t: &str, p, c| Some(Named { target: Some(t.to_owned()), pose: PoseName::new(p).ok(), cycle: Some(c) });
+        let named = |t: &str, p, c| {
+            Some(LabelNames { target: Some(t.to_owned()), pose: PoseName::new(p).ok(), cycle: Some(c) })
+        };
         let read =
             |label: &str| pattern.read(label, |named| matches!(named.target.as_deref(), Some("K" | "K_1" | "SMR_1")));
         assert_eq!(read("K_12_3"), named("K", "12", 3));
@@ -168,7 +169,7 @@ mod tests {
             assert_eq!(read(other), None, "{other}");
         }
         let pattern = Pattern::parse("P{pose}-{target}").unwrap();
-        let ball = Named { target: Some("ball".into()), pose: Some(7.into()), cycle: None };
+        let ball = LabelNames { target: Some("ball".into()), pose: Some(7.into()), cycle: None };
         assert_eq!(pattern.read("P7-ball", |_| false), Some(ball));
     }
 

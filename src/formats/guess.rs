@@ -2,7 +2,7 @@
 //! what its columns may contain, by their names or by their values.
 
 use super::lexer::{Row, marked, split};
-use crate::dialect::{Columns, Decimal, Delimiter, Dialect, Header, Missing, Role, Thousands};
+use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
 use std::borrow::Cow;
 
 /// Rows that are weighed; a proposal is then tried on all.
@@ -91,7 +91,7 @@ pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> 
 
 /// Columns against which marks and delimiter can be checked.
 fn some_columns() -> Columns {
-    vec![Role::X, Role::Y].into()
+    vec![ColumnRole::X, ColumnRole::Y].into()
 }
 
 fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
@@ -160,21 +160,21 @@ fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
 /// Roles by the names of the header, where it names every column and x and y; else by position: leading texts are the
 /// label, the first numbers x, y, z, and a direction behind them i, j, k. A whole number before numbers with a decimal mark is
 /// none of them.
-pub(super) fn roles(guess: &Guess) -> Vec<Role> {
-    let named: Vec<Role> = names(guess).into_iter().flatten().map(role_of).collect();
+pub(super) fn roles(guess: &Guess) -> Vec<ColumnRole> {
+    let named: Vec<ColumnRole> = names(guess).into_iter().flatten().map(role_of).collect();
     let once = |role| named.iter().filter(|r| **r == role).count() == 1;
-    match once(Role::X) && once(Role::Y) {
+    match once(ColumnRole::X) && once(ColumnRole::Y) {
         true => single(named),
         false => by_position(guess),
     }
 }
 
 /// Roles of which each but the label is there once; what is there again is not read.
-fn single(roles: Vec<Role>) -> Vec<Role> {
-    let again = |i: usize| roles[..i].contains(&roles[i]) && roles[i] != Role::Skip;
-    let axes = [Role::I, Role::J, Role::K].iter().all(|r| roles.contains(r));
-    let partial = |role: Role| matches!(role, Role::I | Role::J | Role::K) && !axes;
-    (0..roles.len()).map(|i| if again(i) || partial(roles[i]) { Role::Skip } else { roles[i] }).collect()
+fn single(roles: Vec<ColumnRole>) -> Vec<ColumnRole> {
+    let again = |i: usize| roles[..i].contains(&roles[i]) && roles[i] != ColumnRole::Skip;
+    let axes = [ColumnRole::I, ColumnRole::J, ColumnRole::K].iter().all(|r| roles.contains(r));
+    let partial = |role: ColumnRole| matches!(role, ColumnRole::I | ColumnRole::J | ColumnRole::K) && !axes;
+    (0..roles.len()).map(|i| if again(i) || partial(roles[i]) { ColumnRole::Skip } else { roles[i] }).collect()
 }
 
 /// The names of all columns, if the header has as many as the data.
@@ -193,38 +193,41 @@ fn plain(name: &str) -> String {
     name.to_owned()
 }
 
-fn role_of(name: &str) -> Role {
+fn role_of(name: &str) -> ColumnRole {
     match plain(name).as_str() {
-        "x" => Role::X,
-        "y" => Role::Y,
-        "z" => Role::Z,
-        "i" | "nx" => Role::I,
-        "j" | "ny" => Role::J,
-        "k" | "nz" => Role::K,
-        "label" | "name" | "point" | "point_name" | "point name" | "id" => Role::Label,
-        "target" => Role::Target,
-        "pose" => Role::Pose,
-        "cycle" | "run" | "repeat" => Role::Cycle,
-        "time_s" => Role::TimeS,
-        _ => Role::Skip,
+        "x" => ColumnRole::X,
+        "y" => ColumnRole::Y,
+        "z" => ColumnRole::Z,
+        "i" | "nx" => ColumnRole::I,
+        "j" | "ny" => ColumnRole::J,
+        "k" | "nz" => ColumnRole::K,
+        "label" | "name" | "point" | "point_name" | "point name" | "id" => ColumnRole::Label,
+        "target" => ColumnRole::Target,
+        "pose" => ColumnRole::Pose,
+        "cycle" | "run" | "repeat" => ColumnRole::Cycle,
+        "time_s" => ColumnRole::TimeS,
+        _ => ColumnRole::Skip,
     }
 }
 
-fn by_position(guess: &Guess) -> Vec<Role> {
+fn by_position(guess: &Guess) -> Vec<ColumnRole> {
     let count = guess.numeric.iter().filter(|n| **n).count();
     let directed = count == 6 && direction(guess);
-    let mut axes =
-        [Role::X, Role::Y, Role::Z].iter().chain(if directed { &[Role::I, Role::J, Role::K][..] } else { &[] });
+    let mut axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].iter().chain(if directed {
+        &[ColumnRole::I, ColumnRole::J, ColumnRole::K][..]
+    } else {
+        &[]
+    });
     let mut before = usize::from(count % 3 == 1 && counted(guess));
     let leading = guess.numeric.iter().position(|n| *n).unwrap_or(0);
     let role = |(i, numeric): (usize, &bool)| match numeric {
         true if before > 0 => {
             before -= 1;
-            Role::Skip
+            ColumnRole::Skip
         }
-        true => axes.next().copied().unwrap_or(Role::Skip),
-        false if i < leading && !guess.first.fields.get(i).is_some_and(|field| is_time(field)) => Role::Label,
-        false => Role::Skip,
+        true => axes.next().copied().unwrap_or(ColumnRole::Skip),
+        false if i < leading && !guess.first.fields.get(i).is_some_and(|field| is_time(field)) => ColumnRole::Label,
+        false => ColumnRole::Skip,
     };
     guess.numeric.iter().enumerate().map(role).collect()
 }

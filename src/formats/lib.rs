@@ -21,14 +21,14 @@ pub mod xml;
 
 pub use cloud::{Cloud, cloud, packed_points};
 pub use export::Export;
-pub use export::{Named as LabelNames, Pattern as LabelPattern};
+pub use export::{LabelNames, Pattern as LabelPattern};
 pub use exports::{Format, qif};
 pub use input::{bytes_of, read_text, text_of};
-pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, Standstill, is_joint_column, standstill};
+pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
 pub use points::{Line, Names, Point, table, to_parquet};
 pub use propose::{propose, propose_file};
-pub use tables::observations::{Layout, observations, observations_with};
+pub use tables::observations::{TableLayout, observations, observations_with};
 
 use crate::dialect::{Encoding, Unit};
 use etalon_base::files;

@@ -7,7 +7,7 @@ use super::guess::{Guess, guesses, is_joint, looks_like_a_log, names, roles};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
-use crate::dialect::{Columns, CoordinateType, Dialect, Encoding, Header, Role, Unit, quoted};
+use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, Encoding, Header, Unit, quoted};
 use crate::table::QUATERNION;
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsDocument, Reading};
@@ -287,13 +287,14 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
 /// The unit that the header gives the first coordinate.
 fn stated_unit(best: &Guess) -> Option<Unit> {
     let names = names(best)?;
-    let x = roles(best).iter().position(|role| *role == Role::X)?;
+    let x = roles(best).iter().position(|role| *role == ColumnRole::X)?;
     Unit::of_heading(names.get(x)?)
 }
 
 /// Columns of numbers that nothing names and that are not read.
 fn not_read(best: &Guess) -> Vec<String> {
-    let skipped = |(i, role): (usize, &Role)| (*role == Role::Skip && best.numeric[i]).then(|| (i + 1).to_string());
+    let skipped =
+        |(i, role): (usize, &ColumnRole)| (*role == ColumnRole::Skip && best.numeric[i]).then(|| (i + 1).to_string());
     let columns: Vec<String> = match names(best) {
         Some(_) => Vec::new(),
         None => roles(best).iter().enumerate().filter_map(skipped).collect(),
@@ -352,13 +353,13 @@ fn export_lines(file: &str, best: &Guess) -> String {
     let kinds = CoordinateType::Cartesian.name();
     let _ = writeln!(out, "# are the columns x, y, z in this order, and {kinds}?");
     let roles = roles(best);
-    if roles.contains(&Role::Label) {
+    if roles.contains(&ColumnRole::Label) {
         out.push_str("label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n");
-    } else if !roles.contains(&Role::Target) {
+    } else if !roles.contains(&ColumnRole::Target) {
         out.push_str("target = \"?\"               # which target the rows are of\n");
     }
     // what a column or the label states is not stated twice
-    if ![Role::Label, Role::Pose, Role::TimeS].iter().any(|role| roles.contains(role)) {
+    if ![ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS].iter().any(|role| roles.contains(role)) {
         out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
     }
     out
@@ -367,11 +368,12 @@ fn export_lines(file: &str, best: &Guess) -> String {
 /// The names of joints in the header of rows of points, in a text of which a campaign can read both.
 fn joints_beside_points<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
     let roles = roles(best);
-    let points = names(best).is_some() && roles.contains(&Role::X) && roles.contains(&Role::Y);
+    let points = names(best).is_some() && roles.contains(&ColumnRole::X) && roles.contains(&ColumnRole::Y);
     let readable = best.dialect.delimiter.is_some() && best.header == 1 && best.dialect.comment.is_none();
-    let joints: Vec<(&str, &Role)> = names(best)?.into_iter().zip(&roles).filter(|(name, _)| is_joint(name)).collect();
+    let joints: Vec<(&str, &ColumnRole)> =
+        names(best)?.into_iter().zip(&roles).filter(|(name, _)| is_joint(name)).collect();
     // a header that names no points has their places by position
-    let beside = joints.len() >= 2 && joints.iter().all(|(_, role)| **role == Role::Skip);
+    let beside = joints.len() >= 2 && joints.iter().all(|(_, role)| **role == ColumnRole::Skip);
     (points && readable && beside).then(|| joints.into_iter().map(|(name, _)| name).collect())
 }
 
@@ -397,16 +399,16 @@ fn orientation<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
 fn observation_lines(file: &str, best: &Guess, joints: &[&str], turned: &[&str]) -> String {
     let header = names(best).unwrap_or_default();
     let unit = stated_unit(best).map_or("UNIT", Unit::name);
-    let role = |role: Role| roles(best).iter().position(|r| *r == role).map(|i| header[i]);
+    let role = |role: ColumnRole| roles(best).iter().position(|r| *r == role).map(|i| header[i]);
     let mut columns: Vec<String> = Vec::new();
     let mut column = |name: String, heading: &str| columns.push(format!("{name} = {}", quoted(heading)));
-    if let Some(pose) = role(Role::Pose) {
+    if let Some(pose) = role(ColumnRole::Pose) {
         column("pose".to_owned(), pose);
     }
     for (i, joint) in joints.iter().enumerate() {
         column(format!("q{}_{}", i + 1, unit_of_name(joint).unwrap_or("UNIT")), joint);
     }
-    for (name, of) in ["x", "y", "z"].into_iter().zip([Role::X, Role::Y, Role::Z]) {
+    for (name, of) in ["x", "y", "z"].into_iter().zip([ColumnRole::X, ColumnRole::Y, ColumnRole::Z]) {
         if let Some(heading) = role(of) {
             column(format!("{name}_{unit}"), heading);
         }
@@ -431,10 +433,10 @@ fn observation_lines(file: &str, best: &Guess, joints: &[&str], turned: &[&str])
              # rotation vector name the columns rx_UNIT, ry_UNIT, rz_UNIT instead\n",
         );
     }
-    if role(Role::Target).is_none() {
+    if role(ColumnRole::Target).is_none() {
         out.push_str("target = \"probe\"           # the body that was measured\n");
     }
-    if role(Role::Pose).is_none() {
+    if role(ColumnRole::Pose).is_none() {
         out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
     }
     out

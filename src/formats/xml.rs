@@ -13,7 +13,7 @@ const MOST_ELEMENTS: usize = 1 << 22;
 const LONGEST_LINE: usize = 200;
 
 /// The elements of a file that are of interest, in document order.
-pub struct Tree<'a> {
+pub struct Elements<'a> {
     file: &'a str,
     text: &'a str,
     /// Where each line begins: places are found at once, however many are asked for.
@@ -35,11 +35,11 @@ struct Element<'a> {
 /// One element of a [`Tree`].
 #[derive(Clone, Copy)]
 pub struct Node<'t, 'a> {
-    tree: &'t Tree<'a>,
+    tree: &'t Elements<'a>,
     index: usize,
 }
 
-impl<'a> Tree<'a> {
+impl<'a> Elements<'a> {
     /// Reads a text. `skipped` states which elements are left out with all that they hold.
     ///
     /// # Errors

@@ -40,7 +40,7 @@ pub use model::observation::{
 };
 pub use model::prior::Prior;
 pub use model::residuals::{OF_MEDIAN, ResidualKind};
-pub use model::rigid_part::{Contradicted, Pair, RigidPart};
+pub use model::rigid_part::{Contradicted, RigidPart, TargetPair};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};

@@ -2,7 +2,7 @@
 //! and the answer states in words how it ended ([`Termination`]), with its covariance.
 //!
 //! Every step is solved on a triangular factor with scaled columns, from an orthogonal factorisation; the fits of
-//! elements, which are well conditioned, take it from normal equations where that loses nothing. Prior knowledge adds
+//! elements, which are well conditioned, take it from normal equations where that loses nothing. ParameterPrior knowledge adds
 //! rows ([`WithPriors`]), a [`Loss`] reduces the influence of outliers.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
@@ -22,7 +22,7 @@ pub use factor::Factor;
 pub use least_squares::{Solution, solve};
 pub use least_squares::{column_norms, covariance, factor_at, linearised_at, solve_near};
 pub use loss::Loss;
-pub use priors::{Prior, WithPriors};
+pub use priors::{ParameterPrior, WithPriors};
 pub use svd::{Svd, svd};
 pub use trust_region::{TrustRegion, norm};
 

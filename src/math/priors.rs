@@ -4,7 +4,7 @@ use super::{Blocks, Problem};
 
 /// What is known of a parameter before the measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Prior {
+pub struct ParameterPrior {
     /// Index of the parameter.
     pub parameter: usize,
     /// Its expected value.
@@ -18,13 +18,13 @@ pub struct Prior {
 #[derive(Clone, Debug)]
 pub struct WithPriors<'a, P> {
     problem: &'a P,
-    priors: Vec<Prior>,
+    priors: Vec<ParameterPrior>,
     blocks: Option<Blocks>,
 }
 
 impl<'a, P: Problem> WithPriors<'a, P> {
     /// `problem` and what is known before it.
-    pub fn new(problem: &'a P, priors: &[Prior]) -> Self {
+    pub fn new(problem: &'a P, priors: &[ParameterPrior]) -> Self {
         let blocks = problem.blocks().map(|b| b.with_single_rows(priors.iter().map(|prior| prior.parameter)));
         Self { problem, priors: priors.to_vec(), blocks }
     }

@@ -12,7 +12,7 @@ pub struct TrustRegion {
 
 /// A step within the region.
 #[derive(Debug)]
-pub struct Step {
+pub struct BoundedStep {
     /// What is to be subtracted from the scaled parameters.
     pub p: Vec<f64>,
     /// Length of `p`.
@@ -37,15 +37,15 @@ impl TrustRegion {
 
     /// The step within the region (to a tenth) that lowers the linear model most; `None` if no damping makes the factor
     /// regular.
-    pub fn step(&mut self, factor: &Factor) -> Option<Step> {
+    pub fn step(&mut self, factor: &Factor) -> Option<BoundedStep> {
         let (p, damping) = damped_step(factor, self.radius, self.damping)?;
         self.damping = damping;
         let moved = sum_of_squares(&factor.multiply(&p));
-        Some(Step { length: norm(&p), p, is_damped: damping != 0.0, damping, moved })
+        Some(BoundedStep { length: norm(&p), p, is_damped: damping != 0.0, damping, moved })
     }
 
     /// Adapts the region to what a step did to the cost. The answer is the decrease over the predicted one.
-    pub fn judge(&mut self, step: &Step, cost: f64, trial_cost: f64) -> f64 {
+    pub fn judge(&mut self, step: &BoundedStep, cost: f64, trial_cost: f64) -> f64 {
         let lowered = cost - trial_cost;
         let damped = step.damping * step.length * step.length;
         // decrease of the linear model: ‖r‖² − ‖r − J p‖² = ‖R p‖² + 2 λ ‖p‖² for this p (Moré, eq. 4.5)
@@ -67,7 +67,7 @@ impl TrustRegion {
     }
 
     /// Opens the region to twice a step that was a good one.
-    pub fn open(&mut self, step: &Step) {
+    pub fn open(&mut self, step: &BoundedStep) {
         self.radius = 2.0 * step.length;
         self.damping *= 0.5;
     }

@@ -57,9 +57,9 @@ const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
 ];
 
 /// Five-bar with twelve parameters.
-pub(super) const MODEL: Model = Model::new::<Limits>("five_bar");
+pub(super) const MODEL: Model = Model::new::<FiveBarLimits>("five_bar");
 
-impl Description for Limits {
+impl Description for FiveBarLimits {
     const STATES_GEOMETRY: bool = false;
 
     fn read(keys: &mut Reader) -> Self {
@@ -123,7 +123,7 @@ pub const WORKING_MODES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], 
 #[derive(Clone, Debug)]
 pub struct FiveBar {
     definition: Definition,
-    limits: Limits,
+    limits: FiveBarLimits,
 }
 
 /// Joints of the mechanism in the base frame (mm).
@@ -141,7 +141,7 @@ pub struct Linkage<T = f64> {
 
 /// Limits of a five-bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct FiveBarLimits {
     /// Least and greatest encoder angles.
     pub limits_rad: [[f64; 2]; 2],
     /// The centre lines of the proximal link of one arm and the distal link of the other, A1B1 and B2C or A2B2 and B1C, stay
@@ -153,7 +153,7 @@ pub struct Limits {
     pub type2_margin_rad: f64,
 }
 
-impl Default for Limits {
+impl Default for FiveBarLimits {
     /// No limits but being away from singularities by more than rounding.
     fn default() -> Self {
         Self { limits_rad: [[-PI, PI]; 2], clearance_mm: None, type1_margin_rad: 1e-6, type2_margin_rad: 1e-6 }
@@ -171,7 +171,7 @@ pub struct SingularityDistance {
 
 /// One way to bring the tool to a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Configuration {
+pub struct InverseSolution {
     /// Working mode: the branch indices ζ1, ζ2.
     pub branches: [f64; 2],
     /// Encoder angles in (−π, π].
@@ -194,13 +194,13 @@ impl Default for FiveBar {
             joints: joints.into(),
             targets: vec!["tool".into()],
         };
-        Self { definition, limits: Limits::default() }
+        Self { definition, limits: FiveBarLimits::default() }
     }
 }
 
 impl FiveBar {
     /// The same robot with other limits.
-    pub fn with_limits(mut self, limits: Limits) -> Self {
+    pub fn with_limits(mut self, limits: FiveBarLimits) -> Self {
         self.limits = limits;
         self
     }
@@ -265,7 +265,7 @@ impl FiveBar {
 
     /// Which of reach, joint limits, margins and clearance forbids a configuration, if one does.
     pub fn violation(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<String> {
-        let Limits { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.limits;
+        let FiveBarLimits { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.limits;
         if !at.e.iter().all(|v| v.is_finite()) {
             return Some("the arms do not meet".to_owned());
         }
@@ -302,12 +302,12 @@ impl FiveBar {
     }
 
     /// The working modes that reach `e` (base frame, mm).
-    pub fn reached(&self, p: &[f64], e: [f64; 2]) -> Vec<Configuration> {
+    pub fn reached(&self, p: &[f64], e: [f64; 2]) -> Vec<InverseSolution> {
         let configuration = |branches: [f64; 2]| {
             let joints_rad = self.inverse(p, e, branches);
             let assembly = self.assembly_at(p, joints_rad, e);
             let at = self.direct(p, joints_rad, assembly);
-            self.violation(p, joints_rad, &at).is_none().then_some(Configuration { branches, joints_rad, assembly })
+            self.violation(p, joints_rad, &at).is_none().then_some(InverseSolution { branches, joints_rad, assembly })
         };
         WORKING_MODES.into_iter().filter_map(configuration).collect()
     }
@@ -508,7 +508,7 @@ impl Robot for FiveBar {
     }
     fn joint_range(&self, joint: usize) -> JointRange {
         let ends = self.limits.limits_rad.get(joint).copied();
-        JointRange::of_limits(ends.filter(|ends| *ends != Limits::default().limits_rad[0]))
+        JointRange::of_limits(ends.filter(|ends| *ends != FiveBarLimits::default().limits_rad[0]))
     }
     fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
         Some("measure every position in all working modes that reach it, and positions all around the workspace")

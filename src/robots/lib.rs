@@ -23,7 +23,7 @@ pub use compensation::{Calibrated, Compensated};
 pub use conventions::SerialJoint;
 pub use definition::{Definition, Effect, Joint, Parameter, Quantity, Role, meaning};
 pub use fault::{At, Fault, FaultKind, Faults, JointFault, TreeFault};
-pub use five_bar::{Configuration, FiveBar, Limits, Linkage, SingularityDistance, WORKING_MODES};
+pub use five_bar::{FiveBar, FiveBarLimits, InverseSolution, Linkage, SingularityDistance, WORKING_MODES};
 pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use prexyt::Prexyt;
 pub use serial::Serial;

@@ -2,7 +2,7 @@
 
 use crate::stages::evaluate;
 use etalon_base::files;
-use etalon_base::folder::{Durability, Held};
+use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
@@ -111,7 +111,7 @@ impl Documents {
     /// # Errors
     /// If the folder is of another run by now: the files are made from the earlier one.
     pub fn write(self, added: Vec<(String, Vec<u8>)>) -> Result<Vec<String>> {
-        let held = Held::take(&self.folder)?;
+        let held = FolderLock::take(&self.folder)?;
         self.unchanged()?;
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
         replace(held, self.manifest.files, added, |_| true, || Ok(()), Durability::Now)?;
@@ -208,7 +208,7 @@ impl Run {
 
 /// Replaces a folder by one with these files, those `others` that it keeps, and their manifest.
 pub(super) fn replace(
-    held: Held,
+    held: FolderLock,
     mut listed: BTreeMap<String, String>,
     mut files: Vec<(String, Vec<u8>)>,
     keeps: impl Fn(&str) -> bool,

@@ -5,7 +5,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
 use etalon_campaign::{Campaign, JoinBy};
 use etalon_formats::Export;
-use etalon_formats::dialect::Role;
+use etalon_formats::dialect::ColumnRole;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -106,7 +106,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             continue;
         }
         let holds = |role| export.format.dialect.columns.contains(role);
-        if robot.dimension() == 3 && (holds(Role::X) || holds(Role::Radius)) && !holds(Role::Z) {
+        if robot.dimension() == 3 && (holds(ColumnRole::X) || holds(ColumnRole::Radius)) && !holds(ColumnRole::Z) {
             let what = "`columns` has no z, which a robot in space needs";
             problems.0.push(Message::error(what).at(campaign.place(&export.file)));
         }

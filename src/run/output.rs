@@ -6,7 +6,7 @@ use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use etalon_base::files;
-use etalon_base::folder::{Durability, Held};
+use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
@@ -104,7 +104,7 @@ impl Output {
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
         let names: Vec<String> = self.files.iter().map(|(name, _)| name.clone()).collect();
         // no other process replaces the folder from here on
-        let held = Held::take(&self.folder)?;
+        let held = FolderLock::take(&self.folder)?;
         let earlier = self.earlier();
         if let Some(earlier) = &earlier {
             let written = names.iter().map(String::as_str).chain([ManifestDocument::NAME]);

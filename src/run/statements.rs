@@ -5,7 +5,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
 use etalon_documents::{LimitQuantity, ResidualKind};
 use etalon_formats::Export;
-use etalon_formats::dialect::Role;
+use etalon_formats::dialect::ColumnRole;
 use etalon_formats::table::LABEL;
 use etalon_robots::Quantity;
 use std::path::{Path, PathBuf};
@@ -192,7 +192,8 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
 
 /// A pose or a target that both the file and a column of it state.
 fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
-    let stated = [("pose", export.pose.is_some(), Role::Pose), ("target", export.target.is_some(), Role::Target)];
+    let stated =
+        [("pose", export.pose.is_some(), ColumnRole::Pose), ("target", export.target.is_some(), ColumnRole::Target)];
     for (key, _, _) in
         stated.into_iter().filter(|(_, stated, role)| *stated && export.format.dialect.columns.contains(*role))
     {

@@ -6,8 +6,8 @@ use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_formats::Export;
-use etalon_formats::dialect::{Encoding, Role};
-use etalon_formats::exports::Row as Written;
+use etalon_formats::dialect::{ColumnRole, Encoding};
+use etalon_formats::exports::ExportRow;
 
 /// One row, in the unit of the export.
 struct Row {
@@ -21,11 +21,11 @@ struct Row {
 }
 
 impl Row {
-    fn written(&self, scene: &Scene) -> Written {
+    fn written(&self, scene: &Scene) -> ExportRow {
         let offset_s = scene.campaign.file.join.as_ref().and_then(|join| join.stated_offset_s()).unwrap_or(0.0);
         let Turn { pose, cycle, .. } = self.turn;
         let time_s = self.turn.time_s() + offset_s;
-        Written {
+        ExportRow {
             label: self.label.clone(),
             target: self.target.clone(),
             pose: pose.into(),
@@ -52,7 +52,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
         let message = Message::error("simulate writes UTF-8").at(place());
         return Err(message.hint("leave out `encoding` of this export").into());
     }
-    let written: Vec<Written> = rows.iter().map(|row| row.written(scene)).collect();
+    let written: Vec<ExportRow> = rows.iter().map(|row| row.written(scene)).collect();
     let skipped = &scene.truth.skipped;
     let written = export.format.write(&written, export.unit, decimals, skipped).map_err(|m| m.at(place()))?;
     let read = gather::points_of(scene.campaign, export, &written)?;
@@ -99,7 +99,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     for (label, xyz) in labelled.chain(repeatability::points(scene, export, &mut measure)?) {
         rows.push(Row { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
     }
-    let names_target = export.format.dialect.columns.contains(Role::Target);
+    let names_target = export.format.dialect.columns.contains(ColumnRole::Target);
     if export.label.is_none() && export.target.is_none() && !names_target {
         return Ok(rows);
     }

@@ -11,8 +11,8 @@ mod table;
 mod truth;
 mod unmodelled;
 
-pub use observed::{Observe, Stated};
-pub use repeatability::{Repeating, Scatter};
+pub use observed::{KnownRow, Observe};
+pub use repeatability::{PoseScatter, Repeating};
 pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_values};
 pub use unmodelled::{Interpolation, Unmodelled};
 

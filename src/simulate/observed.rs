@@ -36,7 +36,7 @@ pub struct Observe {
 /// A `[[known]]` of a truth: one row without a pose, about fixed things alone.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
-pub struct Stated {
+pub struct KnownRow {
     /// `point`, `distance`, `plane`, `line` or `sphere`.
     pub kind: String,
     /// Name of the fixed point, or of the place on a surface.

@@ -28,7 +28,7 @@ pub struct Repeating {
     /// The same along y.
     pub play_y_um: Vector,
     /// How each pose of the trajectory repeats by itself, from pose 1.
-    pub pose: Vec<Scatter>,
+    pub pose: Vec<PoseScatter>,
     /// Joint values of the home position, in mm or deg.
     pub home: Vec<f64>,
     /// How often it is homed.
@@ -42,7 +42,7 @@ pub struct Repeating {
 /// How a pose repeats by itself.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Scatter {
+pub struct PoseScatter {
     /// Standard deviations of x, y and z.
     pub scatter_um: Vector,
     /// How far the mechanism, which warps, lifts it.

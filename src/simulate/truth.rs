@@ -62,7 +62,7 @@ pub struct Truth {
     pub observe: Vec<super::Observe>,
     /// Rows of a table of observations about fixed things.
     #[serde(default)]
-    pub known: Vec<super::Stated>,
+    pub known: Vec<super::KnownRow>,
     /// Poses, numbered from 1 in the order given.
     pub poses: Vec<Poses>,
 }

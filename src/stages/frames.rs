@@ -29,7 +29,7 @@ pub fn fit_features(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDoc
 
 fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     let labelled = LabelledPoints::new(campaign, points);
-    let settings = etalon_fit::Settings::default();
+    let settings = etalon_fit::FitSettings::default();
     let (mut features, mut messages, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for (name, definition) in &campaign.file.features {
         let Some((element, labels)) = definition.element() else { continue };
@@ -74,7 +74,7 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
     Ok(FeaturesDocument { schema: "etalon/features/1".to_owned(), features, messages })
 }
 
-fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::Settings) -> Result<etalon_fit::Fit> {
+fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::FitSettings) -> Result<etalon_fit::Fit> {
     match element {
         "plane" => etalon_fit::plane(points, settings),
         "line" => etalon_fit::line(points, settings),
@@ -309,8 +309,11 @@ impl Basis {
             let points: Vec<Vector> = of.iter().map(|i| self.points[*i]).collect();
             let weights: Vec<f64> = of.iter().map(|i| self.weights[*i]).collect();
             let weights = weights.iter().any(|w| *w != 1.0).then_some(weights);
-            let fit =
-                fitted(element, &points, &etalon_fit::Settings { weights: weights.as_deref(), ..Default::default() })?;
+            let fit = fitted(
+                element,
+                &points,
+                &etalon_fit::FitSettings { weights: weights.as_deref(), ..Default::default() },
+            )?;
             geometry.features.insert(name.clone(), (fit.point_mm, fit.direction.unwrap_or_default()));
         }
         for (name, of) in &self.places {

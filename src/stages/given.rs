@@ -104,7 +104,7 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
 
 /// How far a coordinate is measured from where the given parameters put it, if nothing has changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Noise {
+pub struct ExpectedDeviation {
     /// Standard uncertainty of a measured coordinate, mm.
     pub measured_mm: f64,
     /// What the model left unexplained in the calibration (standard deviation), mm.
@@ -113,7 +113,7 @@ pub struct Noise {
     pub variance: Variance,
 }
 
-impl Noise {
+impl ExpectedDeviation {
     /// From the calibration; `stated_mm` is the standard uncertainty of a coordinate where it is measured with another instrument.
     ///
     /// # Errors

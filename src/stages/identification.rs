@@ -6,7 +6,7 @@ use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
-use crate::stages::kinds::{Observed, Stated};
+use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
@@ -266,7 +266,7 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
 /// Observations, and what a campaign or options state of them.
 pub(crate) struct Input<'a> {
     pub observations: &'a Observations,
-    pub without: Stated,
+    pub without: RowDefaults,
     pub settings: Settings,
     pub exclusions: Vec<Exclusion>,
     /// States where problems of the observations are.
@@ -279,7 +279,7 @@ impl<'a> Input<'a> {
         let settings = campaign.settings(stated);
         let orientation = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref());
         let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
-        let without = Stated {
+        let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
             order: orientation.map(order).transpose()?,

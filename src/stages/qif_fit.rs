@@ -3,8 +3,8 @@
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_documents::{FitDocument, FitStated};
-use etalon_fit::{Element, Fit, Probe, Settings, Side};
-use etalon_formats::qif::{Geometry, MeasuredFeature, Touch};
+use etalon_fit::{Element, Fit, FitSettings, Probe, Side};
+use etalon_formats::qif::{FeatureGeometry, MeasuredFeature, Touch};
 
 /// What the user states about the probe, over what the file states.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,7 +23,7 @@ pub struct ProbeStated {
 /// # Errors
 /// If its points do not determine the element, or if they are probe centres and neither the file nor the user states how
 /// large the probe was and on which side.
-pub fn refit(feature: &MeasuredFeature, settings: &Settings, probe: ProbeStated) -> Result<Option<FitDocument>> {
+pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
     let label = feature.label();
     let named = |problems: Problems| {
@@ -34,7 +34,7 @@ pub fn refit(feature: &MeasuredFeature, settings: &Settings, probe: ProbeStated)
         Problems(problems.0.into_iter().map(what).collect())
     };
     let in_plane = feature.stated.direction.filter(|d| element == Element::Circle3d && is_coordinate_axis(*d));
-    let settings = Settings { axis: settings.axis.or(in_plane), probe: None, ..*settings };
+    let settings = FitSettings { axis: settings.axis.or(in_plane), probe: None, ..*settings };
     let centres = etalon_fit::element(element, &feature.points_mm, &settings).map_err(named)?;
     let (probe, side_from) = probe_of(feature, &centres, probe)?.unzip();
     let fit = centres.compensated(probe).map_err(named)?;
@@ -77,7 +77,7 @@ fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Re
 /// On which side of the feature the probe was, as far as the file states it, and by what.
 fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, String)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
-    let first = |side: &dyn Fn(&Geometry) -> Option<Side>, of: &str| {
+    let first = |side: &dyn Fn(&FeatureGeometry) -> Option<Side>, of: &str| {
         known.iter().find_map(|(values, name)| Some((side(values)?, format!("from the {name} {of}"))))
     };
     match centres.element {
@@ -96,7 +96,7 @@ fn side_of(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(S
                 let stated = if inside { "INTERNAL" } else { "EXTERNAL" };
                 return Some((side(inside), format!("from `InternalExternal`: {stated}")));
             }
-            let by_size = |values: &Geometry| {
+            let by_size = |values: &FeatureGeometry| {
                 let (size, found) = match element {
                     Element::Torus => (values.minor_radius_mm?, centres.minor_radius_mm?),
                     Element::Cone => return None,

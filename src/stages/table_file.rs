@@ -7,7 +7,7 @@ use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
-use etalon_formats::{Format, Layout};
+use etalon_formats::{Format, TableLayout};
 use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
@@ -30,7 +30,7 @@ impl TableFile {
     pub fn observations(
         path: &Path,
         bytes: &[u8],
-        mut layout: Layout,
+        mut layout: TableLayout,
         encoding: Option<Encoding>,
         sheet: Option<&str>,
     ) -> Result<Self> {

@@ -1,6 +1,6 @@
 //! Verify: whether parameters that were identified before still hold for some few observations.
 
-use super::given::{Noise, given, other_nominal};
+use super::given::{ExpectedDeviation, given, other_nominal};
 use super::repeats::stale;
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
@@ -25,7 +25,7 @@ pub fn verify(
     inputs: BTreeMap<String, String>,
 ) -> Result<VerificationDocument> {
     let parameters = given(robot, document)?;
-    let noise = Noise::of(document, stated_mm)?;
+    let noise = ExpectedDeviation::of(document, stated_mm)?;
     let mut messages: Vec<Message> = other_nominal(robot, document).into_iter().collect();
     // what the calibrated robot cannot be is a wrong set-up, wherever its base is
     robot.definition_mut().set_nominal(&parameters.values);
@@ -97,7 +97,7 @@ pub fn plan(
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<VerificationPlanDocument> {
     let parameters = given(robot, document)?;
-    let noise = Noise::of(document, stated_mm)?;
+    let noise = ExpectedDeviation::of(document, stated_mm)?;
     let messages: Vec<Message> = other_nominal(robot, document).into_iter().collect();
     robot.definition_mut().set_nominal(&parameters.values);
     let robot: &dyn Robot = robot;

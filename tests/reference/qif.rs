@@ -4,7 +4,7 @@
 
 use etalon::base::pose::{Vector, cross, dot, minus, norm};
 use etalon::documents::{FitDocument, FitStated};
-use etalon::fit::{self, Element, Settings};
+use etalon::fit::{self, Element, FitSettings};
 use etalon::formats::qif::{self, MeasuredFeatures, Touch};
 use etalon::stages::qif_fit::{ProbeStated, refit};
 
@@ -21,7 +21,7 @@ fn samples() -> Option<[MeasuredFeatures; 3]> {
 }
 
 fn fitted(sample: &MeasuredFeatures) -> Vec<FitDocument> {
-    let refit = |feature| refit(feature, &Settings::default(), ProbeStated::default()).unwrap();
+    let refit = |feature| refit(feature, &FitSettings::default(), ProbeStated::default()).unwrap();
     sample.features.iter().filter_map(refit).collect()
 }
 
@@ -168,7 +168,7 @@ fn what_2_0_states_and_the_datum_planes_are_other_criteria_than_least_squares() 
             let above = largest - probe;
             let limit = if version == "2.0.0" { -4e-5 } else { -4e-9 };
             assert!(above < 0.0 && above > limit, "{version}: {above:e}");
-            let plane = fit::element(Element::Plane, &feature.points_mm, &Settings::default()).unwrap();
+            let plane = fit::element(Element::Plane, &feature.points_mm, &FitSettings::default()).unwrap();
             let height = plane.point_mm[2] - probe;
             // the file was aligned to its least-squares plane: z = 0 at the surface, and no tilt
             assert!(
@@ -194,7 +194,9 @@ fn every_published_sample_is_read_with_the_counts_of_its_elements() {
         let read = qif::read(&path.display().to_string(), &text, None).unwrap_or_else(|e| panic!("{e}"));
         let closed = text.matches("FeatureMeasurement>").count() + text.matches("FeatureActual>").count();
         assert_eq!(read.features.len(), closed, "{}", path.display());
-        assert!(read.features.iter().all(|f| f.stated.point_mm.is_some() || f.stated == qif::Geometry::default()));
+        assert!(
+            read.features.iter().all(|f| f.stated.point_mm.is_some() || f.stated == qif::FeatureGeometry::default())
+        );
     }
     assert_eq!(files, 15);
 }

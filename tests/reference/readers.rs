@@ -71,7 +71,8 @@ fn dmis_output_of_nist_has_one_circle_and_its_programs_nothing_measured() {
     assert_eq!(points, [("A_CIRCLE".to_owned(), [50.0, 50.0, 40.0])]);
     assert!(source.refused.is_empty());
     let circle =
-        &dmis::features("f", &text("exports/dmis/output.dms"), dmis::Directions::Vectors, Unit::Millimetre).unwrap()[0];
+        &dmis::features("f", &text("exports/dmis/output.dms"), dmis::DirectionNotation::Vectors, Unit::Millimetre)
+            .unwrap()[0];
     assert_eq!((circle.direction, circle.diameter_mm), (Some([0.0, 0.0, 1.0]), Some(50.0)));
     refused("exports/dmis/output.dms", "\"dmis\"", "inch", &["the file is in mm (UNITS)", "output.dms:2:7"]);
     for program in ["simple_in.dms", "IMTS_M_clean.dmi"] {
@@ -95,7 +96,7 @@ fn trap_13_and_17_geopak_writes_angles_under_the_name_of_iges() {
         (told, source.refused[0].reason.as_str()),
         (vec![4, 11, 14], "a PLANE: its point may lie anywhere on it")
     );
-    let features = dmis::features("f", &text(file), dmis::Directions::Angles, Unit::Inch).unwrap();
+    let features = dmis::features("f", &text(file), dmis::DirectionNotation::Angles, Unit::Inch).unwrap();
     let kinds: Vec<&str> = features.iter().map(|f| f.kind.as_str()).collect();
     assert_eq!(kinds, ["PLANE", "CIRCLE", "POINT", "LINE", "CYLNDR"]);
     for feature in features.iter().filter(|f| f.kind != "POINT") {

@@ -1,7 +1,7 @@
 //! The five-bar of the thesis, section 4.2: its true parameters, its plate and what is measured on it.
 
 use etalon::identify::{Observation, Settings};
-use etalon::robots::{FiveBar, Limits, Robot};
+use etalon::robots::{FiveBar, FiveBarLimits, Robot};
 
 /// "Actual" column of table 4.1, in the order of eq. 4.24.
 pub fn truth() -> Vec<f64> {
@@ -25,11 +25,11 @@ pub fn truth() -> Vec<f64> {
 /// The nominal robot with limits: a proximal link does not cross the other arm's distal link, 5 degrees away from
 /// singularities of type 1, 25 from type 2.
 pub fn robot() -> FiveBar {
-    FiveBar::default().with_limits(Limits {
+    FiveBar::default().with_limits(FiveBarLimits {
         clearance_mm: Some(0.0),
         type1_margin_rad: 5f64.to_radians(),
         type2_margin_rad: 25f64.to_radians(),
-        ..Limits::default()
+        ..FiveBarLimits::default()
     })
 }
 

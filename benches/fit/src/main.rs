@@ -7,7 +7,7 @@ mod points;
 
 use engeom::geom3::Cylinder3;
 use engeom::{Circle2, Plane3, Point2, Point3, Sphere3, UnitVec3, Vector3};
-use etalon::fit::{self, Element, Fit, Settings};
+use etalon::fit::{self, Element, Fit, FitSettings};
 use points::{Points, START_AXIS, START_CENTER, START_RADIUS};
 use std::hint::black_box;
 use std::path::Path;
@@ -118,8 +118,8 @@ fn peak_kb() -> Option<f64> {
 
 fn etalon(element: Element, points: &Points) -> Fit {
     let fit = match points {
-        Points::Plane(points) => fit::circle2d(points, &Settings::default()),
-        Points::Space(points) => fit::element(element, points, &Settings::default()),
+        Points::Plane(points) => fit::circle2d(points, &FitSettings::default()),
+        Points::Space(points) => fit::element(element, points, &FitSettings::default()),
     };
     fit.expect("fit")
 }

@@ -6,7 +6,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
-use etalon_standards::iso9283::plan::{PlanError, Request, UnknownReach, plan, reach};
+use etalon_standards::iso9283::plan::{PlanError, TestRequest, UnknownReach, plan, reach};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -45,7 +45,7 @@ impl PlanOptions {
                 return Err(Problems::from(message.expected("six, or four for planar robots")).into());
             }
         };
-        let plan = plan(&Request {
+        let plan = plan(&TestRequest {
             workspace_mm,
             plane: self.test_plane.clone(),
             orientation_deg: self.orientation_deg.clone(),

@@ -3,7 +3,7 @@
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, answer, remark};
-use crate::stages::iso9283::stated::Stated;
+use crate::stages::iso9283::stated::TestStatement;
 use etalon_base::files;
 use etalon_base::message::Result;
 use etalon_documents::{Characteristics, Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, to_json};
@@ -89,8 +89,8 @@ impl StreamOptions {
         answer(&Faces::test(&Characteristics { streams: Some(streams), ..Characteristics::default() }), json)
     }
 
-    fn stated(&self) -> Stated<'_> {
-        Stated {
+    fn stated(&self) -> TestStatement<'_> {
+        TestStatement {
             rate_hz: self.rate_hz,
             still_mm: self.still_mm,
             still_s: self.still_s,

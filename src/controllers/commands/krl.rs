@@ -2,8 +2,8 @@
 //! (KUKA System Software, operating and programming instructions).
 
 use super::{
-    Configuration, Freedoms, Language, Number, Program, ProgramTarget, at_line, line_of, masked, name_of, number,
-    slots, word_before,
+    CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, at_line, line_of, masked, name_of,
+    number, slots, word_before,
 };
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
@@ -17,7 +17,7 @@ const NAMES: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
 /// Movements that place the tool at a pose.
 const MOVES: [&str; 6] = ["PTP", "LIN", "CIRC", "SPTP", "SLIN", "SCIRC"];
 
-impl Language for Krl {
+impl CommandLanguage for Krl {
     fn units(&self) -> &'static str {
         "mm, deg"
     }

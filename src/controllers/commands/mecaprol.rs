@@ -1,7 +1,7 @@
 //! Mecaprol (DexTAR): `MoveC X.. Y..;`, mm. The working mode (`M`) is left to the program: it stays as it is. By programs that are public
 //! (oKermorgant/ecn_Dextar): `WCS X.. Y.. W..` is the frame of the targets, `TCS Z..` the tool, `!` begins a comment.
 
-use super::{Freedoms, Language, Number, Program, ProgramTarget, at_line, masked, number, slots};
+use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 pub(super) struct Mecaprol;
 
-impl Language for Mecaprol {
+impl CommandLanguage for Mecaprol {
     fn units(&self) -> &'static str {
         "mm"
     }

@@ -42,7 +42,7 @@ pub struct Command {
 }
 
 /// A language in which poses are commanded.
-pub trait Language: Sync {
+pub trait CommandLanguage: Sync {
     /// Units of its numbers.
     fn units(&self) -> &'static str;
 
@@ -130,7 +130,7 @@ impl Configuration {
 }
 
 /// The languages by their names.
-const LANGUAGES: [(&str, &dyn Language, &[&str]); 5] = [
+const LANGUAGES: [(&str, &dyn CommandLanguage, &[&str]); 5] = [
     ("rapid", &rapid::Rapid, &["mod", "modx", "prg", "sys"]),
     ("krl", &krl::Krl, &["src", "dat"]),
     ("urscript", &urscript::UrScript, &["script", "urscript"]),
@@ -139,25 +139,25 @@ const LANGUAGES: [(&str, &dyn Language, &[&str]); 5] = [
 ];
 
 /// The language of this name.
-pub fn language(name: &str) -> Option<(&'static str, &'static dyn Language)> {
+pub fn language(name: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     LANGUAGES.iter().find(|(known, ..)| *known == name).map(|(name, language, _)| (*name, *language))
 }
 
 /// The language of programs whose file has this ending.
-pub fn language_of(ending: &str) -> Option<(&'static str, &'static dyn Language)> {
+pub fn language_of(ending: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     let ending = ending.to_ascii_lowercase();
     let found = LANGUAGES.iter().find(|(.., endings)| endings.contains(&ending.as_str()));
     found.map(|(name, language, _)| (*name, *language))
 }
 
 /// The numbers of a pose as they are written, with this many decimals of a length in mm.
-pub fn written(language: &dyn Language, pose: &Pose, freedoms: Freedoms, decimals: usize) -> Vec<String> {
+pub fn written(language: &dyn CommandLanguage, pose: &Pose, freedoms: Freedoms, decimals: usize) -> Vec<String> {
     let number = |(v, d): (f64, usize)| number_text(v, (d + decimals).saturating_sub(DECIMALS));
     language.numbers(pose, freedoms).into_iter().zip(language.decimals(freedoms)).map(number).collect()
 }
 
 /// The pose that written numbers state.
-pub fn stated(language: &dyn Language, numbers: &[String], freedoms: Freedoms) -> Pose {
+pub fn stated(language: &dyn CommandLanguage, numbers: &[String], freedoms: Freedoms) -> Pose {
     let numbers: Vec<f64> = numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect();
     language.pose(&numbers, freedoms)
 }
@@ -167,7 +167,7 @@ pub fn stated(language: &dyn Language, numbers: &[String], freedoms: Freedoms) -
 /// # Errors
 /// A header that cannot be written.
 pub fn list(
-    language: &dyn Language,
+    language: &dyn CommandLanguage,
     given: &Given,
     commands: &[Command],
     freedoms: Freedoms,

@@ -2,7 +2,7 @@
 //! (RAPID reference manual, data types `robtarget`, `jointtarget`, `confdata`).
 
 use super::{
-    Configuration, Freedoms, Language, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
+    CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
     skip_blanks, slots,
 };
 use etalon_base::error;
@@ -15,7 +15,7 @@ pub(super) struct Rapid;
 /// Values of a `robtarget` beside the pose where none are known: no configuration, no external axes.
 const OTHERS: &str = "[0,0,0,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]";
 
-impl Language for Rapid {
+impl CommandLanguage for Rapid {
     fn units(&self) -> &'static str {
         "mm, unit quaternion"
     }

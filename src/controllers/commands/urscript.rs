@@ -1,6 +1,8 @@
 //! URScript (Universal Robots): `p[x, y, z, rx, ry, rz]`, m and a rotation vector in rad; joints are lists without `p`.
 
-use super::{Freedoms, Language, Program, ProgramTarget, bracketed, line_of, masked, name_of, slots, word_before};
+use super::{
+    CommandLanguage, Freedoms, Program, ProgramTarget, bracketed, line_of, masked, name_of, slots, word_before,
+};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use std::fmt::Write;
@@ -11,7 +13,7 @@ pub(super) struct UrScript;
 const MOVES: [&str; 7] =
     ["movej", "movel", "movep", "movec", "servoc", "get_inverse_kin", "get_inverse_kin_has_solution"];
 
-impl Language for UrScript {
+impl CommandLanguage for UrScript {
     fn units(&self) -> &'static str {
         "m, rad"
     }

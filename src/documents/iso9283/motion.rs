@@ -6,7 +6,7 @@ use etalon_base::message::{Message, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
-use etalon_standards::iso9283::motion::{Settings, Standing, standing};
+use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
 use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PassError, PathSettings};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -148,7 +148,7 @@ mirror! {
 
 impl Iso9283StreamDocument {
     /// All characteristics of a recording.
-    pub fn evaluate(recording: &Recording, settings: &Settings) -> Result<Self> {
+    pub fn evaluate(recording: &Recording, settings: &MotionSettings) -> Result<Self> {
         let stream = &recording.stream;
         let standing = standing(recording, settings)?;
         let time_s = stream.time_s();
@@ -191,7 +191,7 @@ fn without_pass(error: PassError, near_mm: f64) -> Problems {
 }
 
 /// Warnings of a recording and its standstills.
-fn messages(recording: &Recording, settings: &Settings, standing: &[Standing]) -> Vec<Message> {
+fn messages(recording: &Recording, settings: &MotionSettings, standing: &[Standing]) -> Vec<Message> {
     let mut messages = Vec::new();
     if !recording.left_out.is_empty() {
         let lines: Vec<String> = recording.left_out.iter().take(10).map(usize::to_string).collect();
@@ -229,7 +229,7 @@ fn path_messages(driven: &Driven, path: &PathSettings) -> Vec<Message> {
     messages
 }
 
-fn conventions(recording: &Recording, settings: &Settings) -> Vec<String> {
+fn conventions(recording: &Recording, settings: &MotionSettings) -> Vec<String> {
     let mut conventions = vec![
         settings.time.clone(),
         format!(

@@ -5,7 +5,7 @@ use crate::mirror::mirror;
 use etalon_base::pose::Vector;
 use etalon_robots::Robot;
 use etalon_standards::iso9283::plan::programme::{Item, LOADS_PERCENT, programme};
-use etalon_standards::iso9283::plan::{Place, Places, Plan, Reach, Unreached};
+use etalon_standards::iso9283::plan::{CommandedPose, CommandedPoses, Reach, TestPlan, Unreached};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -88,12 +88,12 @@ const ASSEMBLY: &str = "assembly";
 
 impl Iso9283PlanDocument {
     /// Document of a plan, with the joint values of a robot where one is stated.
-    pub fn new(plan: &Plan, reached: Option<(&dyn Robot, &Reach)>) -> Self {
+    pub fn new(plan: &TestPlan, reached: Option<(&dyn Robot, &Reach)>) -> Self {
         let joints = |i: usize| match reached {
             Some((robot, reach)) => reach.joints[i].iter().map(|q| q.as_ref().map(|q| named(robot, q))).collect(),
             None => Vec::new(),
         };
-        let places = |(i, places): (usize, &Places)| Iso9283Places {
+        let places = |(i, places): (usize, &CommandedPoses)| Iso9283Places {
             name: places.name.to_owned(),
             purpose: places.purpose.to_owned(),
             points: places.points.iter().map(|place| columns(place, plan.planar)).collect(),
@@ -115,7 +115,7 @@ impl Iso9283PlanDocument {
 }
 
 /// Coordinates and angles of a place under the names of their columns.
-fn columns(place: &Place, planar: bool) -> BTreeMap<String, f64> {
+fn columns(place: &CommandedPose, planar: bool) -> BTreeMap<String, f64> {
     let (axes, angles) = if planar { (&XYZ[..2], &ANGLES[2..]) } else { (&XYZ[..], &ANGLES[..]) };
     let position = axes.iter().zip(place.position_mm);
     let angles = angles.iter().zip(place.angles_deg.iter().copied());

@@ -14,7 +14,7 @@ use etalon_standards::iso9283::pose::drift::{Drift, drifts};
 use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
 use etalon_standards::iso9283::pose::test::PoseTest;
-use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, Settings, characteristics};
+use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, PoseTestSettings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -60,7 +60,7 @@ pub struct Iso9283Document {
 
 impl Iso9283Document {
     /// All characteristics of attained poses. Of several robots it is the first by name, and what exchanging them does.
-    pub fn evaluate(robots: &PoseTest, settings: &Settings) -> Result<Self> {
+    pub fn evaluate(robots: &PoseTest, settings: &PoseTestSettings) -> Result<Self> {
         let count = robots.robots().len();
         if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
             let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
@@ -388,7 +388,7 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     messages
 }
 
-fn conventions(visits: &PoseTest, settings: &Settings) -> Vec<String> {
+fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<String> {
     let mut conventions = vec![
         "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
         match settings.expanded_uncertainty_mm {

@@ -10,7 +10,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(transform = super::accept_aliases)]
-pub enum Role {
+pub enum ColumnRole {
     /// Label of the point; the parts of several are joined by `::`.
     Label,
     /// Name of the target.
@@ -65,7 +65,7 @@ pub enum Role {
     Skip,
 }
 
-impl Role {
+impl ColumnRole {
     /// As the campaign states it.
     pub fn name(self) -> &'static str {
         match self {
@@ -122,9 +122,9 @@ impl Role {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Columns {
     /// From the left; more columns than stated are refused.
-    InOrder(Vec<Role>),
+    InOrder(Vec<ColumnRole>),
     /// By name in the header, or by number; others are not read.
-    Named(Vec<(Role, ColumnAt)>),
+    Named(Vec<(ColumnRole, ColumnAt)>),
 }
 
 impl Default for Columns {
@@ -133,15 +133,15 @@ impl Default for Columns {
     }
 }
 
-impl From<Vec<Role>> for Columns {
-    fn from(roles: Vec<Role>) -> Self {
+impl From<Vec<ColumnRole>> for Columns {
+    fn from(roles: Vec<ColumnRole>) -> Self {
         Self::InOrder(roles)
     }
 }
 
 impl Columns {
     /// All roles that are stated, from the left or in the order of their statement.
-    pub fn roles(&self) -> Vec<Role> {
+    pub fn roles(&self) -> Vec<ColumnRole> {
         match self {
             Self::InOrder(roles) => roles.clone(),
             Self::Named(named) => named.iter().map(|(role, _)| *role).collect(),
@@ -149,7 +149,7 @@ impl Columns {
     }
 
     /// Whether a column holds this.
-    pub fn contains(&self, role: Role) -> bool {
+    pub fn contains(&self, role: ColumnRole) -> bool {
         self.roles().contains(&role)
     }
 }
@@ -160,7 +160,7 @@ impl JsonSchema for Columns {
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let role = generator.subschema_for::<Role>();
+        let role = generator.subschema_for::<ColumnRole>();
         let column = json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] });
         json_schema!({ "anyOf": [
             { "type": "array", "items": role },
@@ -188,12 +188,12 @@ impl<'de> Deserialize<'de> for Columns {
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Columns, A::Error> {
                 let mut named = Vec::new();
-                while let Some(role) = map.next_key::<Role>()? {
+                while let Some(role) = map.next_key::<ColumnRole>()? {
                     let OneOrMore(columns) = map.next_value()?;
                     named.extend(columns.into_iter().map(|column| (role, column)));
                 }
                 // a table of TOML has no order
-                named.sort_by_key(|(role, _): &(Role, ColumnAt)| *role as usize);
+                named.sort_by_key(|(role, _): &(ColumnRole, ColumnAt)| *role as usize);
                 Ok(Columns::Named(named))
             }
         }

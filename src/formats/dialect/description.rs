@@ -1,6 +1,6 @@
 //! How a delimited text is to be read: stated by the campaign, never guessed in silence.
 
-use super::columns::{ColumnAt, Columns, Role};
+use super::columns::{ColumnAt, ColumnRole, Columns};
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
 use etalon_base::message::{Message, printable, printable_character};
 use schemars::JsonSchema;
@@ -25,7 +25,7 @@ pub struct Dialect {
     /// What each column contains: from the left, or by the names of the header.
     pub columns: Columns,
     /// For files of several coordinate types: what `c1`, `c2`, `c3` are, by the content of the column `type`.
-    pub types: BTreeMap<String, Vec<Role>>,
+    pub types: BTreeMap<String, Vec<ColumnRole>>,
     /// Unit of azimuth, zenith and elevation; required with them.
     pub angle_unit: Option<AngleUnit>,
     /// Confirms the coordinate type of `columns` where the values look like another one.
@@ -227,13 +227,13 @@ impl Dialect {
     fn roles(&self) -> Vec<Message> {
         let roles = self.columns.roles();
         let mut wrong = Vec::new();
-        for (n, role) in roles.iter().enumerate().filter(|(_, r)| !matches!(r, Role::Label | Role::Skip)) {
+        for (n, role) in roles.iter().enumerate().filter(|(_, r)| !matches!(r, ColumnRole::Label | ColumnRole::Skip)) {
             if roles[..n].contains(role) {
                 wrong.push(Message::error(format!("`columns` names `{}` twice", role.name())));
             }
         }
         let typed = roles.iter().any(|r| r.is_typed());
-        let coordinates: Vec<Role> = roles.iter().copied().filter(|r| r.is_coordinate()).collect();
+        let coordinates: Vec<ColumnRole> = roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         match (typed, coordinates.is_empty()) {
             (true, false) => wrong.push(
                 Message::error("`columns` names coordinates, and others whose kind each row states")
@@ -242,15 +242,15 @@ impl Dialect {
             (true, true) => wrong.extend(self.row_types(&roles)),
             _ => wrong.extend(self.coordinates_of("`columns`", &coordinates)),
         }
-        if !typed && (!self.types.is_empty() || roles.contains(&Role::Type)) {
+        if !typed && (!self.types.is_empty() || roles.contains(&ColumnRole::Type)) {
             let message = Message::error("`type` and `types` mean nothing without columns c1, c2, c3");
             wrong.push(message.hint("name the columns whose meaning they state `c1`, `c2`, `c3`"));
         }
-        let of = |set: [Role; 3]| set.into_iter().filter(|r| roles.contains(r)).count();
-        if !matches!(of([Role::I, Role::J, Role::K]), 0 | 3) {
+        let of = |set: [ColumnRole; 3]| set.into_iter().filter(|r| roles.contains(r)).count();
+        if !matches!(of([ColumnRole::I, ColumnRole::J, ColumnRole::K]), 0 | 3) {
             wrong.push(Message::error("`columns` names a part of a direction").expected("i, j and k, or none of them"));
         }
-        let uncertain = of([Role::U1, Role::U2, Role::U3]);
+        let uncertain = of([ColumnRole::U1, ColumnRole::U2, ColumnRole::U3]);
         let axes = if typed { 3 } else { coordinates.len() };
         if uncertain != 0 && uncertain != axes {
             let what = format!("`columns` names {uncertain} standard uncertainties of {axes} coordinates");
@@ -259,9 +259,9 @@ impl Dialect {
         wrong
     }
 
-    fn row_types(&self, roles: &[Role]) -> Vec<Message> {
+    fn row_types(&self, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
-        if !roles.contains(&Role::Type) || self.types.is_empty() {
+        if !roles.contains(&ColumnRole::Type) || self.types.is_empty() {
             let message =
                 Message::error("columns c1, c2, c3 need a column `type`, and `types` that state what they are");
             wrong.push(
@@ -279,7 +279,7 @@ impl Dialect {
     }
 
     /// What is wrong with coordinates that are stated together.
-    fn coordinates_of(&self, place: &str, roles: &[Role]) -> Vec<Message> {
+    fn coordinates_of(&self, place: &str, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         let kind = coordinate_type(roles);
         if kind.is_none() {
@@ -325,20 +325,22 @@ pub fn two_commas() -> Message {
 }
 
 /// What coordinates of these kinds are, if they are those of a point.
-pub fn coordinate_type(roles: &[Role]) -> Option<CoordinateType> {
-    let only = |allowed: &[Role], needed: &[Role]| {
+pub fn coordinate_type(roles: &[ColumnRole]) -> Option<CoordinateType> {
+    let only = |allowed: &[ColumnRole], needed: &[ColumnRole]| {
         roles.iter().all(|r| allowed.contains(r)) && needed.iter().all(|r| roles.contains(r))
     };
-    let count = |set: &[Role]| roles.iter().filter(|r| set.contains(r)).count();
-    let azimuth = count(&[Role::Azimuth, Role::AzimuthClockwise]) == 1;
-    let (clockwise, counter) = (Role::AzimuthClockwise, Role::Azimuth);
-    if only(&[Role::X, Role::Y, Role::Z], &[Role::X, Role::Y]) {
+    let count = |set: &[ColumnRole]| roles.iter().filter(|r| set.contains(r)).count();
+    let azimuth = count(&[ColumnRole::Azimuth, ColumnRole::AzimuthClockwise]) == 1;
+    let (clockwise, counter) = (ColumnRole::AzimuthClockwise, ColumnRole::Azimuth);
+    if only(&[ColumnRole::X, ColumnRole::Y, ColumnRole::Z], &[ColumnRole::X, ColumnRole::Y]) {
         Some(CoordinateType::Cartesian)
-    } else if only(&[Role::Radius, clockwise, counter, Role::Z], &[Role::Radius]) && azimuth {
+    } else if only(&[ColumnRole::Radius, clockwise, counter, ColumnRole::Z], &[ColumnRole::Radius]) && azimuth {
         Some(CoordinateType::Cylindrical)
-    } else if only(&[Role::Distance, clockwise, counter, Role::Zenith, Role::Elevation], &[Role::Distance])
-        && azimuth
-        && count(&[Role::Zenith, Role::Elevation]) == 1
+    } else if only(
+        &[ColumnRole::Distance, clockwise, counter, ColumnRole::Zenith, ColumnRole::Elevation],
+        &[ColumnRole::Distance],
+    ) && azimuth
+        && count(&[ColumnRole::Zenith, ColumnRole::Elevation]) == 1
     {
         Some(CoordinateType::Spherical)
     } else {
@@ -375,14 +377,14 @@ fn columns(columns: &Columns) -> String {
     match columns {
         Columns::InOrder(roles) => list(roles.iter().map(|r| r.name())),
         Columns::Named(named) => {
-            let mut keys: Vec<(Role, Vec<String>)> = Vec::new();
+            let mut keys: Vec<(ColumnRole, Vec<String>)> = Vec::new();
             for (role, stated) in named {
                 match keys.iter_mut().find(|(known, _)| known == role) {
                     Some((_, of)) => of.push(column(stated)),
                     None => keys.push((*role, vec![column(stated)])),
                 }
             }
-            let entry = |(role, of): (Role, Vec<String>)| match &of[..] {
+            let entry = |(role, of): (ColumnRole, Vec<String>)| match &of[..] {
                 [one] => format!("{} = {one}", role.name()),
                 more => format!("{} = [{}]", role.name(), more.join(", ")),
             };

@@ -4,7 +4,7 @@ mod columns;
 mod description;
 mod text;
 
-pub use columns::{Column, ColumnAt, Columns, FromRow, Role};
+pub use columns::{Column, ColumnAt, ColumnRole, Columns, FromRow};
 pub(crate) use description::quoted;
 pub use description::{Decimal, Delimiter, Dialect, Unit, coordinate_type, two_commas};
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};

@@ -8,7 +8,7 @@
 //! characteristics, and none the first. Source: defined contents of K fields, Q-DAS data format (Hexagon), and ISO/TR 11462-5.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
@@ -41,7 +41,7 @@ impl ExportFormat for Aqdef {
         (points, problems)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         let mut all = format!("K0100 {}\nK1001 simulated\nK2004/0 0\nK2142/0 {}\n", 3 * rows.len(), how.unit.name());
         let coordinates =
             || rows.iter().flat_map(|row| ["X", "Y", "Z"].into_iter().zip(row.xyz).map(move |c| (row, c)));

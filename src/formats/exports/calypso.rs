@@ -6,7 +6,7 @@
 //! `z` and `featureid` or `id` are taken.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
@@ -29,10 +29,10 @@ impl ExportFormat for Calypso {
         rows(text, dialect.decimal, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         let unit = how.unit.name();
         let mut all = "planid\tpartnb\tid\tidsymbol\tactual\tfeatureid\tunit\tgroup1\t\n".to_owned();
-        for Row { label, xyz, .. } in rows {
+        for ExportRow { label, xyz, .. } in rows {
             for (axis, value) in ["x", "y", "z"].into_iter().zip(xyz) {
                 let value = how.number(*value);
                 all += &format!("simulated\t1\t{label}_{axis}\t{axis}Value\t{value}\t{label}\t{unit}\n");

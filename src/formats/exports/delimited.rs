@@ -1,7 +1,9 @@
 //! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
 
-use super::{About, ExportFormat, Plain, Recognised, Row as Written, Text, Writing};
-use crate::dialect::{ColumnAt, Columns, CoordinateType, Delimiter, Dialect, Header, Role, Unit, coordinate_type};
+use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
+use crate::dialect::{
+    ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Header, Unit, coordinate_type,
+};
 use crate::lexer::pose_name;
 use crate::lexer::{self, Row, WHOLE, each_row, marked};
 use crate::points::{Line, Names, Point};
@@ -25,15 +27,15 @@ impl ExportFormat for Delimited {
     }
 
     /// Header rows, the last of which names the columns, and the data.
-    fn write(&self, rows: &[Written], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         write(rows, how)
     }
 
     fn plain(&self, dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
         let Columns::InOrder(roles) = &dialect.columns else { return None };
         let labelled = match roles[..] {
-            [Role::X, Role::Y, Role::Z] => false,
-            [Role::Label, Role::X, Role::Y, Role::Z] => true,
+            [ColumnRole::X, ColumnRole::Y, ColumnRole::Z] => false,
+            [ColumnRole::Label, ColumnRole::X, ColumnRole::Y, ColumnRole::Z] => true,
             _ => return None,
         };
         let bare = Dialect {
@@ -48,13 +50,13 @@ impl ExportFormat for Delimited {
 }
 
 /// A dialect that has a name.
-pub struct Named {
+pub struct NamedDialect {
     pub name: &'static str,
     pub recognise: fn(&str) -> Option<Recognised>,
     pub dialect: fn() -> Dialect,
 }
 
-impl ExportFormat for Named {
+impl ExportFormat for NamedDialect {
     fn about(&self) -> About {
         About { name: self.name, ..Delimited.about() }
     }
@@ -71,7 +73,7 @@ impl ExportFormat for Named {
         Delimited.read(text, dialect, unit)
     }
 
-    fn write(&self, rows: &[Written], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         Delimited.write(rows, how)
     }
 
@@ -80,28 +82,35 @@ impl ExportFormat for Named {
     }
 }
 
-impl Named {
+impl NamedDialect {
     /// Columns that nothing but the name states.
     const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
         Self { name, recognise: |_| None, dialect }
     }
 }
 
-pub(super) fn columns_in(delimiter: Delimiter, columns: &[Role]) -> Dialect {
+pub(super) fn columns_in(delimiter: Delimiter, columns: &[ColumnRole]) -> Dialect {
     Dialect { delimiter: Some(delimiter), columns: columns.to_vec().into(), ..Dialect::default() }
 }
 
 /// numpy.savetxt and most viewers of point clouds.
-pub(super) const XYZ: Named = Named::simple("xyz", || columns_in(Delimiter::Blank, &[Role::X, Role::Y, Role::Z]));
+pub(super) const XYZ: NamedDialect =
+    NamedDialect::simple("xyz", || columns_in(Delimiter::Blank, &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]));
 /// The same with directions.
-pub(super) const XYZIJK: Named =
-    Named::simple("xyzijk", || columns_in(Delimiter::Blank, &[Role::X, Role::Y, Role::Z, Role::I, Role::J, Role::K]));
+pub(super) const XYZIJK: NamedDialect = NamedDialect::simple("xyzijk", || {
+    columns_in(
+        Delimiter::Blank,
+        &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z, ColumnRole::I, ColumnRole::J, ColumnRole::K],
+    )
+});
 /// Names and coordinates between commas.
-pub(super) const NAME_XYZ: Named =
-    Named::simple("name-xyz-csv", || columns_in(Delimiter::Comma, &[Role::Label, Role::X, Role::Y, Role::Z]));
+pub(super) const NAME_XYZ: NamedDialect = NamedDialect::simple("name-xyz-csv", || {
+    columns_in(Delimiter::Comma, &[ColumnRole::Label, ColumnRole::X, ColumnRole::Y, ColumnRole::Z])
+});
 /// Trackers' lists of stationary points, whose further fields may be empty.
-pub(super) const TRACKER: Named =
-    Named::simple("tracker-semicolon", || columns_in(Delimiter::Semicolon, &[Role::Label, Role::X, Role::Y, Role::Z]));
+pub(super) const TRACKER: NamedDialect = NamedDialect::simple("tracker-semicolon", || {
+    columns_in(Delimiter::Semicolon, &[ColumnRole::Label, ColumnRole::X, ColumnRole::Y, ColumnRole::Z])
+});
 
 /// A direction whose length leaves 1 by more is none.
 const DIRECTION: f64 = 0.01;
@@ -145,7 +154,7 @@ fn points<'t>(
     let mut problems = Problems::default();
     if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
-        let other = |(_, name): &(&Role, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
+        let other = |(_, name): &(&ColumnRole, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
             let what = format!("the header states `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
             problems.0.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
@@ -185,18 +194,23 @@ fn header<'t>(
 }
 
 /// What each column holds.
-fn roles(file: &str, header: Option<&Row>, dialect: &Dialect, first: Option<&Row>) -> Result<Vec<Role>, Vec<Message>> {
+fn roles(
+    file: &str,
+    header: Option<&Row>,
+    dialect: &Dialect,
+    first: Option<&Row>,
+) -> Result<Vec<ColumnRole>, Vec<Message>> {
     let named = match &dialect.columns {
         Columns::InOrder(roles) => {
             let mut roles = roles.clone();
-            roles.resize(roles.len().max(dialect.widths.len()), Role::Skip);
+            roles.resize(roles.len().max(dialect.widths.len()), ColumnRole::Skip);
             return Ok(roles);
         }
         Columns::Named(named) => named,
     };
     let fields = header.map_or(&[][..], |row| &row.fields);
     let width = fields.len().max(first.map_or(0, |row| row.fields.len()));
-    let mut roles = vec![Role::Skip; width];
+    let mut roles = vec![ColumnRole::Skip; width];
     let mut wrong = Vec::new();
     let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
     for (role, column) in named {
@@ -210,7 +224,7 @@ fn roles(file: &str, header: Option<&Row>, dialect: &Dialect, first: Option<&Row
                     Message::error(format!("there are {width} columns, none of them is number {}", one + 1)).at(at()),
                 );
             }
-            ([one], _) if roles[*one] != Role::Skip => {
+            ([one], _) if roles[*one] != ColumnRole::Skip => {
                 let what = format!("column {} would be `{}` and `{}`", one + 1, roles[*one].name(), role.name());
                 wrong.push(Message::error(what).at(at()));
             }
@@ -235,7 +249,7 @@ struct Reader<'a> {
     text: &'a Arc<str>,
     dialect: &'a Dialect,
     unit: Unit,
-    roles: Vec<Role>,
+    roles: Vec<ColumnRole>,
 }
 
 impl Reader<'_> {
@@ -244,7 +258,7 @@ impl Reader<'_> {
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
-        if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != Role::Skip).map_or(0, |i| i + 1) {
+        if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != ColumnRole::Skip).map_or(0, |i| i + 1) {
             let message = Message::error(format!("the row has {} columns", row.fields.len())).at(line());
             let expected = format!("{} columns, as `columns` states", self.roles.len());
             problems.0.push(message.expected(expected).hint("`etalon formats FILE` proposes how to read the file"));
@@ -275,20 +289,20 @@ impl Reader<'_> {
         let mut names = Vec::new();
         for (i, role, field) in cells() {
             match role {
-                Role::Label if point.label.is_empty() => point.label = shared.shared(field),
-                Role::Label => point.label = shared.shared(&format!("{}::{field}", point.label)),
-                Role::Target => point.target = Some(shared.shared(field)),
-                Role::TimeS => point.time_s = Some(value(i, field)),
-                Role::Pose | Role::Cycle => names.push((i, role, field)),
+                ColumnRole::Label if point.label.is_empty() => point.label = shared.shared(field),
+                ColumnRole::Label => point.label = shared.shared(&format!("{}::{field}", point.label)),
+                ColumnRole::Target => point.target = Some(shared.shared(field)),
+                ColumnRole::TimeS => point.time_s = Some(value(i, field)),
+                ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
                 role if role.is_coordinate() => coordinates.push((i, role, value(i, field) * self.factor(role))),
                 role if role.is_uncertainty() => uncertain.push((role, value(i, field))),
-                Role::I | Role::J | Role::K => direction.push((role, value(i, field))),
+                ColumnRole::I | ColumnRole::J | ColumnRole::K => direction.push((role, value(i, field))),
                 _ => {}
             }
         }
         for (i, role, field) in names {
-            if role == Role::Pose {
+            if role == ColumnRole::Pose {
                 point.pose = pose_name(field, self.dialect.decimal).map_err(|message| wrong(message, i)).ok();
                 continue;
             }
@@ -306,7 +320,8 @@ impl Reader<'_> {
         }
         // u1 is of the first coordinate from the left, or of c1
         coordinates.sort_by_key(|(i, ..)| (self.roles[*i].is_typed().then_some(self.roles[*i] as usize), *i));
-        let coordinates: Vec<(Role, f64)> = coordinates.into_iter().map(|(_, role, value)| (role, value)).collect();
+        let coordinates: Vec<(ColumnRole, f64)> =
+            coordinates.into_iter().map(|(_, role, value)| (role, value)).collect();
         uncertain.sort_by_key(|(role, _)| *role as usize);
         let uncertain: Vec<f64> =
             uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of)).collect();
@@ -323,28 +338,30 @@ impl Reader<'_> {
     }
 
     /// What the columns hold in this row, where each row states it; or what is wrong, and in which cell.
-    fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [Role]>, (Message, usize)> {
-        let Some(at) = self.roles.iter().position(|r| *r == Role::Type) else { return Ok(Cow::Borrowed(&self.roles)) };
+    fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [ColumnRole]>, (Message, usize)> {
+        let Some(at) = self.roles.iter().position(|r| *r == ColumnRole::Type) else {
+            return Ok(Cow::Borrowed(&self.roles));
+        };
         let name = row.field(at);
         let Some(meant) = self.dialect.types.get(name) else {
             let known: Vec<&str> = self.dialect.types.keys().map(String::as_str).collect();
             let message = Message::error(format!("`types` does not state what coordinates of type `{name}` are"));
             return Err((message.expected(known.join(", ")), at));
         };
-        let of = |role: &Role| {
+        let of = |role: &ColumnRole| {
             match role {
-                Role::C1 => meant.first(),
-                Role::C2 => meant.get(1),
-                Role::C3 => meant.get(2),
+                ColumnRole::C1 => meant.first(),
+                ColumnRole::C2 => meant.get(1),
+                ColumnRole::C3 => meant.get(2),
                 other => Some(other),
             }
             .copied()
         };
-        Ok(self.roles.iter().map(|role| of(role).unwrap_or(Role::Skip)).collect())
+        Ok(self.roles.iter().map(|role| of(role).unwrap_or(ColumnRole::Skip)).collect())
     }
 
     /// From the file's unit to mm or rad.
-    fn factor(&self, role: Role) -> f64 {
+    fn factor(&self, role: ColumnRole) -> f64 {
         match role.is_angle() {
             true => self.dialect.angle_unit.map_or(1.0, |unit| unit.in_rad()),
             false => self.unit.in_mm(),
@@ -352,8 +369,8 @@ impl Reader<'_> {
     }
 
     /// Why the row was not measured, if it states that. Empty cells do only where no coordinate is there.
-    fn not_measured<'r>(&self, cells: impl Iterator<Item = (Role, &'r str)>) -> Option<String> {
-        let cells: Vec<(Role, &str)> = cells.collect();
+    fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<String> {
+        let cells: Vec<(ColumnRole, &str)> = cells.collect();
         let says = |cell: &str| self.dialect.missing.says(cell);
         if says("") && cells.iter().all(|(_, cell)| cell.is_empty()) {
             return Some("not measured: no coordinates".to_owned());
@@ -364,7 +381,7 @@ impl Reader<'_> {
 
     /// An error if points that are stated as Cartesian look like angles and distances.
     fn looks_spherical(&self, points: &[Point]) -> Option<Message> {
-        let roles: Vec<Role> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
+        let roles: Vec<ColumnRole> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         if self.dialect.coordinates.is_some() || coordinate_type(&roles) != Some(CoordinateType::Cartesian) {
             return None;
         }
@@ -386,37 +403,43 @@ impl Reader<'_> {
 
 /// Place of a point in mm, from coordinates in mm and rad in the order of their columns, and its standard uncertainties
 /// in x, y and z from theirs: each independent of the others, to first order; what is common to x, y and z is left out.
-fn cartesian(of: &[(Role, f64)], uncertain: Option<&[f64]>) -> (Vector, Option<Vector>) {
-    let get = |role: Role| of.iter().find(|(r, _)| *r == role).map(|(_, value)| *value);
-    let turn = if get(Role::AzimuthClockwise).is_some() { -1.0 } else { 1.0 };
-    let azimuth = turn * get(Role::Azimuth).or(get(Role::AzimuthClockwise)).unwrap_or(0.0);
+fn cartesian(of: &[(ColumnRole, f64)], uncertain: Option<&[f64]>) -> (Vector, Option<Vector>) {
+    let get = |role: ColumnRole| of.iter().find(|(r, _)| *r == role).map(|(_, value)| *value);
+    let turn = if get(ColumnRole::AzimuthClockwise).is_some() { -1.0 } else { 1.0 };
+    let azimuth = turn * get(ColumnRole::Azimuth).or(get(ColumnRole::AzimuthClockwise)).unwrap_or(0.0);
     let (s, c) = azimuth.sin_cos();
-    let (place, derivative): (Vector, &dyn Fn(Role) -> Vector) = match (get(Role::Radius), get(Role::Distance)) {
-        (Some(radius), _) => ([radius * c, radius * s, get(Role::Z).unwrap_or(0.0)], &move |role| match role {
-            Role::Radius => [c, s, 0.0],
-            Role::Z => [0.0, 0.0, 1.0],
-            _ => [-turn * radius * s, turn * radius * c, 0.0],
-        }),
-        (_, Some(distance)) => {
-            // sine and cosine of the angle from the z axis, and which way it grows
-            let (away, along, grows) = match (get(Role::Zenith), get(Role::Elevation)) {
-                (Some(zenith), _) => (zenith.sin(), zenith.cos(), 1.0),
-                (_, elevation) => (elevation.unwrap_or(0.0).cos(), elevation.unwrap_or(0.0).sin(), -1.0),
-            };
-            ([distance * away * c, distance * away * s, distance * along], &move |role| match role {
-                Role::Distance => [away * c, away * s, along],
-                Role::Zenith | Role::Elevation => {
-                    [grows * distance * along * c, grows * distance * along * s, -grows * distance * away]
-                }
-                _ => [-turn * distance * away * s, turn * distance * away * c, 0.0],
-            })
-        }
-        _ => ([Role::X, Role::Y, Role::Z].map(|axis| get(axis).unwrap_or(0.0)), &|role| match role {
-            Role::X => [1.0, 0.0, 0.0],
-            Role::Y => [0.0, 1.0, 0.0],
-            _ => [0.0, 0.0, 1.0],
-        }),
-    };
+    let (place, derivative): (Vector, &dyn Fn(ColumnRole) -> Vector) =
+        match (get(ColumnRole::Radius), get(ColumnRole::Distance)) {
+            (Some(radius), _) => {
+                ([radius * c, radius * s, get(ColumnRole::Z).unwrap_or(0.0)], &move |role| match role {
+                    ColumnRole::Radius => [c, s, 0.0],
+                    ColumnRole::Z => [0.0, 0.0, 1.0],
+                    _ => [-turn * radius * s, turn * radius * c, 0.0],
+                })
+            }
+            (_, Some(distance)) => {
+                // sine and cosine of the angle from the z axis, and which way it grows
+                let (away, along, grows) = match (get(ColumnRole::Zenith), get(ColumnRole::Elevation)) {
+                    (Some(zenith), _) => (zenith.sin(), zenith.cos(), 1.0),
+                    (_, elevation) => (elevation.unwrap_or(0.0).cos(), elevation.unwrap_or(0.0).sin(), -1.0),
+                };
+                ([distance * away * c, distance * away * s, distance * along], &move |role| match role {
+                    ColumnRole::Distance => [away * c, away * s, along],
+                    ColumnRole::Zenith | ColumnRole::Elevation => {
+                        [grows * distance * along * c, grows * distance * along * s, -grows * distance * away]
+                    }
+                    _ => [-turn * distance * away * s, turn * distance * away * c, 0.0],
+                })
+            }
+            _ => {
+                ([ColumnRole::X, ColumnRole::Y, ColumnRole::Z].map(|axis| get(axis).unwrap_or(0.0)), &|role| match role
+                {
+                    ColumnRole::X => [1.0, 0.0, 0.0],
+                    ColumnRole::Y => [0.0, 1.0, 0.0],
+                    _ => [0.0, 0.0, 1.0],
+                })
+            }
+        };
     let spread = |u: &[f64]| {
         let share =
             |axis: usize| of.iter().zip(u).map(|((role, _), u)| (derivative(*role)[axis] * u).powi(2)).sum::<f64>();
@@ -443,7 +466,7 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
 }
 
 /// Header rows, the last of which names the columns, and the data.
-fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
+fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
     let (dialect, decimals) = (how.dialect, how.decimals);
     let columns = named_columns(&dialect.columns)?;
     let delimiter = dialect.delimiter.ok_or_else(|| {
@@ -452,7 +475,7 @@ fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
     if !dialect.types.is_empty() {
         return Err(Message::error("simulate writes no coordinates whose kind each row states"));
     }
-    let line = |field: &mut dyn FnMut(&Role, &str) -> String| {
+    let line = |field: &mut dyn FnMut(&ColumnRole, &str) -> String| {
         let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
         lexer::line(&fields, delimiter, dialect.comment.as_deref())
     };
@@ -476,22 +499,22 @@ fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
         // an angle needs more digits than a length
         let angle = |rad: f64| number(in_unit(rad), decimals + 6);
         all += &line(&mut |role, _| match role {
-            Role::Label => row.label.clone(),
-            Role::Target => row.target.clone(),
-            Role::Pose => row.pose.to_string(),
-            Role::Cycle => row.cycle.to_string(),
-            Role::X => number(x, decimals),
-            Role::Y => number(y, decimals),
-            Role::Z => number(z, decimals),
-            Role::Radius => number(x.hypot(y), decimals),
-            Role::Distance => number(x.hypot(y).hypot(z), decimals),
-            Role::Azimuth => angle(y.atan2(x)),
-            Role::AzimuthClockwise => angle(-y.atan2(x)),
-            Role::Zenith => angle(x.hypot(y).atan2(z)),
-            Role::Elevation => angle(z.atan2(x.hypot(y))),
-            Role::I | Role::J => number(0.0, decimals),
-            Role::K => number(1.0, decimals),
-            Role::TimeS => number(row.time_s, 6),
+            ColumnRole::Label => row.label.clone(),
+            ColumnRole::Target => row.target.clone(),
+            ColumnRole::Pose => row.pose.to_string(),
+            ColumnRole::Cycle => row.cycle.to_string(),
+            ColumnRole::X => number(x, decimals),
+            ColumnRole::Y => number(y, decimals),
+            ColumnRole::Z => number(z, decimals),
+            ColumnRole::Radius => number(x.hypot(y), decimals),
+            ColumnRole::Distance => number(x.hypot(y).hypot(z), decimals),
+            ColumnRole::Azimuth => angle(y.atan2(x)),
+            ColumnRole::AzimuthClockwise => angle(-y.atan2(x)),
+            ColumnRole::Zenith => angle(x.hypot(y).atan2(z)),
+            ColumnRole::Elevation => angle(z.atan2(x.hypot(y))),
+            ColumnRole::I | ColumnRole::J => number(0.0, decimals),
+            ColumnRole::K => number(1.0, decimals),
+            ColumnRole::TimeS => number(row.time_s, 6),
             _ => skip(),
         })?;
     }
@@ -500,11 +523,11 @@ fn write(rows: &[Written], how: &Writing) -> Result<String, Message> {
 }
 
 /// What each column holds, and what the header calls it.
-fn named_columns(stated: &Columns) -> Result<Vec<(Role, String)>, Message> {
+fn named_columns(stated: &Columns) -> Result<Vec<(ColumnRole, String)>, Message> {
     match stated {
         Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
         Columns::Named(named) => {
-            let name = |(role, column): &(Role, ColumnAt)| match column {
+            let name = |(role, column): &(ColumnRole, ColumnAt)| match column {
                 ColumnAt::Name(name) => Ok((*role, name.clone())),
                 ColumnAt::Number(_) => Err(Message::error("simulate writes no columns that only a number names")),
             };
@@ -516,7 +539,7 @@ fn named_columns(stated: &Columns) -> Result<Vec<(Role, String)>, Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Role::*;
+    use ColumnRole::*;
 
     /// Three kinds of coordinates of (3, -4, 12): distance 13, radius 5.
     #[test]

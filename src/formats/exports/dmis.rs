@@ -3,7 +3,7 @@
 //! The dialect of Mitutoyo GEOPAK writes the three angles of a direction in degrees where DMIS has a unit vector. Their
 //! cosines are the vector, so that a file shows which it has; the campaign must state the same.
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
@@ -14,15 +14,18 @@ use etalon_base::pose::{Vector, norm};
 pub(super) struct Dmis {
     name: &'static str,
     title: &'static str,
-    directions: Directions,
+    directions: DirectionNotation,
 }
 
 /// As ISO 22093 has it.
-pub(super) const DMIS: Dmis = Dmis { name: "dmis", title: "DMIS output", directions: Directions::Vectors };
+pub(super) const DMIS: Dmis = Dmis { name: "dmis", title: "DMIS output", directions: DirectionNotation::Vectors };
 
 /// The dialect of Mitutoyo GEOPAK.
-pub(super) const GEOPAK: Dmis =
-    Dmis { name: "geopak_dmis", title: "DMIS output of GEOPAK (direction angles)", directions: Directions::Angles };
+pub(super) const GEOPAK: Dmis = Dmis {
+    name: "geopak_dmis",
+    title: "DMIS output of GEOPAK (direction angles)",
+    directions: DirectionNotation::Angles,
+};
 
 impl ExportFormat for Dmis {
     fn about(&self) -> About {
@@ -32,7 +35,7 @@ impl ExportFormat for Dmis {
     fn recognise(&self, text: &str) -> Option<Recognised> {
         // GEOPAK writes the same records
         Recognised::by(
-            self.directions == Directions::Vectors && text.starts_with("FILNAM/"),
+            self.directions == DirectionNotation::Vectors && text.starts_with("FILNAM/"),
             1.0,
             "DMIS output, by its first record",
         )
@@ -42,12 +45,13 @@ impl ExportFormat for Dmis {
         rows(text, self.directions, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, Message> {
         let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Metre, "M"), (Unit::Inch, "INCH")])?;
         // upwards
-        let direction = if self.directions == Directions::Vectors { "0, 0, 1" } else { "90, 90, 0" };
-        let feature =
-            |row: &Row| format!("FA({}) = FEAT/POINT, CART, $\n  {}, {direction}\n", row.label, how.list(row, ", "));
+        let direction = if self.directions == DirectionNotation::Vectors { "0, 0, 1" } else { "90, 90, 0" };
+        let feature = |row: &ExportRow| {
+            format!("FA({}) = FEAT/POINT, CART, $\n  {}, {direction}\n", row.label, how.list(row, ", "))
+        };
         let features: String = rows.iter().map(feature).collect();
         Ok(format!("FILNAM/'simulated'\nUNITS/{length}, ANGDEC\n{features}ENDFIL\n"))
     }
@@ -55,7 +59,7 @@ impl ExportFormat for Dmis {
 
 /// How directions are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Directions {
+pub enum DirectionNotation {
     /// Unit vectors, as ISO 22093 has them.
     Vectors,
     /// Angles to the axes in degrees, as GEOPAK writes them.
@@ -64,7 +68,7 @@ pub enum Directions {
 
 /// A measured feature.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Feature {
+pub struct DmisFeature {
     /// First line of its record.
     pub line: usize,
     /// Its label.
@@ -110,16 +114,16 @@ const KINDS: [Kind; 8] = [
 ];
 
 /// The measured features of a file, `unit` being that of a file that states none.
-pub fn features(file: &str, text: &str, directions: Directions, unit: Unit) -> Result<Vec<Feature>> {
+pub fn features(file: &str, text: &str, directions: DirectionNotation, unit: Unit) -> Result<Vec<DmisFeature>> {
     let text = text.into();
     let (features, _, problems) = read(&Text::new(file, &text), directions, unit);
     problems.check().map(|_| features)
 }
 
 /// A row for each measured feature; one whose point may lie anywhere on it is not a point.
-fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problems) {
+fn rows(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<Point>, Problems) {
     let (features, unknown, mut problems) = read(text, directions, unit);
-    let row = |feature: &Feature| {
+    let row = |feature: &DmisFeature| {
         if KINDS.iter().any(|kind| kind.name == feature.kind && kind.located) {
             return text.point(feature.line, &feature.label, feature.point_mm, Unit::Millimetre);
         }
@@ -140,7 +144,7 @@ fn rows(text: &Text, directions: Directions, unit: Unit) -> (Vec<Point>, Problem
     (points, problems)
 }
 
-fn read(text: &Text, directions: Directions, unit: Unit) -> (Vec<Feature>, Vec<Point>, Problems) {
+fn read(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<DmisFeature>, Vec<Point>, Problems) {
     let (mut features, mut unknown, mut problems) = (Vec::new(), Vec::new(), Problems::default());
     for record in records(text) {
         let (label, major, fields) = record.parts();
@@ -151,7 +155,7 @@ fn read(text: &Text, directions: Directions, unit: Unit) -> (Vec<Feature>, Vec<P
                 let kind = kind.text.to_ascii_uppercase();
                 match KINDS.iter().find(|known| known.name == kind) {
                     Some(known) => match feature(text, &record, known, rest, directions, unit) {
-                        Ok(found) => features.push(Feature { label: name.to_owned(), ..found }),
+                        Ok(found) => features.push(DmisFeature { label: name.to_owned(), ..found }),
                         Err(more) => problems.0.extend(more.0),
                     },
                     None => unknown.push(text.no_point(record.line(), name, format!("a {kind}: not read"))),
@@ -190,9 +194,9 @@ fn feature(
     record: &Record,
     kind: &Kind,
     fields: &[Part],
-    directions: Directions,
+    directions: DirectionNotation,
     unit: Unit,
-) -> Result<Feature> {
+) -> Result<DmisFeature> {
     let is_word = |part: &&Part| part.text.starts_with(|c: char| c.is_ascii_alphabetic());
     let words: Vec<&Part> = fields.iter().take_while(is_word).collect();
     if let Some(word) = words.iter().find(|word| word.text.eq_ignore_ascii_case("POL")) {
@@ -223,7 +227,7 @@ fn feature(
         })?,
         false => None,
     };
-    Ok(Feature {
+    Ok(DmisFeature {
         line: record.line(),
         label: String::new(),
         kind: kind.name.to_owned(),
@@ -234,7 +238,7 @@ fn feature(
 }
 
 /// A direction as it is stated to be written; three zeros are none.
-fn direction(written: Vector, directions: Directions) -> std::result::Result<Option<Vector>, Message> {
+fn direction(written: Vector, directions: DirectionNotation) -> std::result::Result<Option<Vector>, Message> {
     if written == [0.0; 3] {
         return Ok(None);
     }
@@ -242,12 +246,14 @@ fn direction(written: Vector, directions: Directions) -> std::result::Result<Opt
     // a unit vector as angles would be three cosines near 1; no three numbers are both
     let (vector, angles) = ((norm(written) - 1.0).abs() < 0.01, (norm(cosines) - 1.0).abs() < 0.01);
     match (directions, vector, angles) {
-        (Directions::Vectors, true, _) => Ok(Some(written)),
-        (Directions::Angles, false, true) => Ok(Some(cosines)),
-        (Directions::Vectors, false, true) => Err(Message::error("the direction is written as angles in degrees")
-            .expected("a unit vector, as DMIS has it")
-            .hint("state `format = \"geopak_dmis\"` if Mitutoyo's GEOPAK wrote the file")),
-        (Directions::Angles, true, _) => Err(Message::error("the direction is written as a unit vector")
+        (DirectionNotation::Vectors, true, _) => Ok(Some(written)),
+        (DirectionNotation::Angles, false, true) => Ok(Some(cosines)),
+        (DirectionNotation::Vectors, false, true) => {
+            Err(Message::error("the direction is written as angles in degrees")
+                .expected("a unit vector, as DMIS has it")
+                .hint("state `format = \"geopak_dmis\"` if Mitutoyo's GEOPAK wrote the file"))
+        }
+        (DirectionNotation::Angles, true, _) => Err(Message::error("the direction is written as a unit vector")
             .expected("angles in degrees, as GEOPAK writes them")
             .hint("state `format = \"dmis\"`")),
         _ => Err(Message::error("the direction is neither a unit vector nor angles to the axes in degrees")),

@@ -4,7 +4,7 @@
 //! probing direction. The plane gives the order of the coordinates: `YZ(X)` has Y, Z, X. Heads are optional: without them
 //! the plane is XY(Z) and the unit MM. Source: format sheet of R. Boesch, Mitutoyo, 1999.
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
@@ -27,9 +27,9 @@ impl ExportFormat for GeopakGws {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         let length = how.unit_in(&[(Unit::Millimetre, "MM"), (Unit::Inch, "Inch")])?;
-        let point = |row: &Row| format!("#02:{}\n#03: {}\n", row.label, how.list(row, " "));
+        let point = |row: &ExportRow| format!("#02:{}\n#03: {}\n", row.label, how.list(row, " "));
         let points: String = rows.iter().map(point).collect();
         Ok(format!("#00:GEOPAK-WIN Scanning\n#04:XY(Z)\n#05:Opn\n#06:{length}\n{points}"))
     }

@@ -4,7 +4,7 @@
 //! refused.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, Row, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Text, Writing};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
@@ -23,7 +23,7 @@ impl ExportFormat for Inspec {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         Ok(rows.iter().map(|row| format!("\"{}: 3D MCS Points\",{}\n", row.label, how.list(row, ","))).collect())
     }
 }

@@ -1,11 +1,11 @@
 //! Lists of stationary points measured through Leica's emScon interface.
 
 use super::Recognised;
-use super::delimited::Named;
-use crate::dialect::{AngleUnit, ColumnAt, Columns, Delimiter, Dialect, Header, Role};
+use super::delimited::NamedDialect;
+use crate::dialect::{AngleUnit, ColumnAt, ColumnRole, Columns, Delimiter, Dialect, Header};
 use std::collections::BTreeMap;
 
-pub(super) const LEICA_EMSCON: Named = Named {
+pub(super) const LEICA_EMSCON: NamedDialect = NamedDialect {
     name: "leica-emscon",
     recognise: |text| {
         let header = |line: &str| line.starts_with("coordsystype,") && line.contains(",val1,val2,val3,");
@@ -19,22 +19,22 @@ pub(super) const LEICA_EMSCON: Named = Named {
 /// angle, distance), angles in rad.
 fn dialect() -> Dialect {
     let names = [
-        (Role::Label, "point_name"),
-        (Role::C1, "val1"),
-        (Role::C2, "val2"),
-        (Role::C3, "val3"),
-        (Role::Type, "coordsystype"),
-        (Role::U1, "std1"),
-        (Role::U2, "std2"),
-        (Role::U3, "std3"),
+        (ColumnRole::Label, "point_name"),
+        (ColumnRole::C1, "val1"),
+        (ColumnRole::C2, "val2"),
+        (ColumnRole::C3, "val3"),
+        (ColumnRole::Type, "coordsystype"),
+        (ColumnRole::U1, "std1"),
+        (ColumnRole::U2, "std2"),
+        (ColumnRole::U3, "std3"),
     ];
     Dialect {
         delimiter: Some(Delimiter::Comma),
         header: Header::Rows(1),
         columns: Columns::Named(names.map(|(role, name)| (role, ColumnAt::Name(name.to_owned()))).to_vec()),
         types: BTreeMap::from([
-            ("0".to_owned(), vec![Role::X, Role::Y, Role::Z]),
-            ("7".to_owned(), vec![Role::Azimuth, Role::Zenith, Role::Distance]),
+            ("0".to_owned(), vec![ColumnRole::X, ColumnRole::Y, ColumnRole::Z]),
+            ("7".to_owned(), vec![ColumnRole::Azimuth, ColumnRole::Zenith, ColumnRole::Distance]),
         ]),
         angle_unit: Some(AngleUnit::Rad),
         ..Dialect::default()

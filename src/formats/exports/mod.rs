@@ -76,7 +76,7 @@ pub(crate) trait ExportFormat: Sync {
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems);
 
     /// The text of an export of these rows.
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message>;
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message>;
 
     /// What the fast reader needs to know of a file that begins like this, if it may read it.
     fn plain(&self, _dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
@@ -207,7 +207,13 @@ impl Format {
     }
 
     /// The text of an export.
-    pub fn write(&self, rows: &[Row], unit: Unit, decimals: usize, skipped: &[String]) -> Result<String, Message> {
+    pub fn write(
+        &self,
+        rows: &[ExportRow],
+        unit: Unit,
+        decimals: usize,
+        skipped: &[String],
+    ) -> Result<String, Message> {
         let about = self.about();
         self.kind.write(rows, &Writing { about, dialect: &self.dialect, unit, decimals, skipped })
     }
@@ -286,7 +292,7 @@ impl<'de> Deserialize<'de> for Format {
 
 /// A row to write, in the unit of the export.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct ExportRow {
     /// Label of the point.
     pub label: String,
     /// Target of the robot that was measured.
@@ -319,7 +325,7 @@ impl Writing<'_> {
     }
 
     /// The coordinates of a row.
-    pub fn list(&self, row: &Row, separator: &str) -> String {
+    pub fn list(&self, row: &ExportRow, separator: &str) -> String {
         row.xyz.map(|value| self.number(value)).join(separator)
     }
 

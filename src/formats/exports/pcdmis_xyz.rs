@@ -2,7 +2,7 @@
 //! separated by commas: 3 are a point, 4 a point and a diameter, 6 a point and a vector, 7 both and a diameter; 5, 8 and more
 //! have numbers that mean nothing. Source: PC-DMIS 2019 R1, "Notes on XYZ Files".
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
@@ -24,7 +24,7 @@ impl ExportFormat for PcdmisXyz {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         let head = how.unit_in(&[(Unit::Millimetre, "XYZIJK    METRIC"), (Unit::Inch, "XYZIJK")])?;
         let points: String = rows.iter().map(|row| how.list(row, ",") + "\n").collect();
         Ok(format!("{head}\n{points}"))

@@ -1,6 +1,6 @@
 //! PLY, text or binary: its vertices are points without labels. Their unit is nowhere in the file.
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
@@ -23,7 +23,7 @@ impl ExportFormat for Ply {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         let count = rows.len();
         let properties = "property double x\nproperty double y\nproperty double z\n";
         let vertices: String = rows.iter().map(|row| how.list(row, " ") + "\n").collect();

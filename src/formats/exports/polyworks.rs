@@ -1,7 +1,7 @@
 //! PolyWorks point text: `[name] x y z [i j k]`, blank-separated, no header, decimal point.
 
 use super::delimited::columns_in;
-use super::{About, ExportFormat, Plain, Row, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Plain, Text, Writing};
 use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
 use crate::lexer::{self, each_row, number};
 use crate::points::{Line, Names, Point};
@@ -20,8 +20,8 @@ impl ExportFormat for Polyworks {
         rows(text.file, text.whole, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
-        let line = |row: &Row| format!("{} {}\n", lexer::blank(&row.label, false), how.list(row, " "));
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+        let line = |row: &ExportRow| format!("{} {}\n", lexer::blank(&row.label, false), how.list(row, " "));
         Ok(rows.iter().map(line).collect())
     }
 

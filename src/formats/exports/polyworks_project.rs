@@ -1,7 +1,7 @@
 //! PolyWorks|Inspector project description: blocks `BEGIN OBJECT 1 ... END OBJECT 1` of lines `KEY = values`, separated by
 //! tabs. Point primitives are its points; names that are not ASCII are `UNICODE( hexadecimal UTF-16 )`.
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
@@ -28,8 +28,8 @@ impl ExportFormat for PolyworksProject {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
-        let object = |(i, row): (usize, &Row)| {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+        let object = |(i, row): (usize, &ExportRow)| {
             let (name, point) = (utf_16(&row.label), how.list(row, "\t"));
             format!(
                 "BEGIN OBJECT {i}\nCLASS\t=\tPrimitive\nTYPE\t=\tPoint\nNAME\t=\t{name}\nPOINT\t=\t{point}\nEND OBJECT {i}\n\n"

@@ -5,7 +5,7 @@
 //! (`Surface Point X`). Layout from a quoted report and a vendor page; no whole real file was found.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, Recognised, Row, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
 use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
 use crate::lexer::{Row as Fields, number, split};
 use crate::{Point, lexer};
@@ -31,12 +31,12 @@ impl ExportFormat for PolyworksReport {
         rows(text, dialect.decimal, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> std::result::Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> std::result::Result<String, Message> {
         // a decimal comma goes with semicolons
         let delimiter = if how.dialect.decimal == Decimal::Comma { Delimiter::Semicolon } else { Delimiter::Comma };
         let line = |fields: [&str; 8]| lexer::line(&fields.map(str::to_owned), delimiter, None);
         let mut all = line(["Name", "Control", "Nom", "Meas", "Tol", "Dev", "Test", "Out Tol"])?;
-        for Row { label, xyz, .. } in rows {
+        for ExportRow { label, xyz, .. } in rows {
             for (axis, value) in ["X", "Y", "Z"].into_iter().zip(xyz) {
                 all += &line([label, axis, "", &how.number(*value), "±1", "", "", ""])?;
             }

@@ -1,10 +1,10 @@
 //! Tables of drilled holes of plates of the Sloan Digital Sky Survey, in columns of fixed width.
 
 use super::Recognised;
-use super::delimited::Named;
-use crate::dialect::{Dialect, Header, Role};
+use super::delimited::NamedDialect;
+use crate::dialect::{ColumnRole, Dialect, Header};
 
-pub(super) const SDSS_PLATE: Named = Named {
+pub(super) const SDSS_PLATE: NamedDialect = NamedDialect {
     name: "sdss-plate",
     recognise: |text| {
         let mark = text.lines().take(5).any(|line| line.contains("Meas X    Meas Y     Nom X"));
@@ -12,7 +12,7 @@ pub(super) const SDSS_PLATE: Named = Named {
     },
     dialect: || Dialect {
         widths: vec![10, 10, 10, 10, 10, 10, 8, 8, 8],
-        columns: vec![Role::X, Role::Y].into(),
+        columns: vec![ColumnRole::X, ColumnRole::Y].into(),
         header: Header::Words(vec!["Meas X".to_owned(), "Nom X".to_owned()]),
         ..Dialect::default()
     },

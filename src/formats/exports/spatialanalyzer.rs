@@ -2,9 +2,9 @@
 //! working frame and columns. The label is `collection::group::target`: the same target name occurs in several groups.
 
 use super::delimited::point_rows;
-use super::{About, ExportFormat, Recognised, Row, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
 use crate::Point;
-use crate::dialect::{Delimiter, Dialect, Role, Unit};
+use crate::dialect::{ColumnRole, Delimiter, Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems};
 use std::sync::Arc;
 
@@ -29,10 +29,10 @@ impl ExportFormat for SpatialAnalyzer {
         rows(text.file, text.whole, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
         // label parts between `::` are collection and group
         let head = format!("// AXES = CARTESIAN: X,  Y,  Z ({})\n", how.unit.name());
-        let line = |row: &Row| format!("{},  {}\n", row.label.replace("::", ",  "), how.list(row, ",  "));
+        let line = |row: &ExportRow| format!("{},  {}\n", row.label.replace("::", ",  "), how.list(row, ",  "));
         Ok(head + &rows.iter().map(line).collect::<String>())
     }
 
@@ -106,28 +106,28 @@ fn axes_disagree(axes: &str, unit: Unit) -> Option<Message> {
 }
 
 /// Columns by the comment that names them: `Collection,  Group,  Point,  X,  Y,  Z`.
-fn named(comment: &str) -> Option<Vec<Role>> {
+fn named(comment: &str) -> Option<Vec<ColumnRole>> {
     let names: Vec<&str> = comment.split(',').map(str::trim).collect();
     let x = names.windows(3).position(|w| w == ["X", "Y", "Z"]).filter(|x| *x <= 3)?;
     let known = ["Collection", "Group", "Point", "Target"];
     let label = names[..x].iter().all(|name| known.contains(name));
     label.then(|| {
         let role = |i: usize| match i.checked_sub(x) {
-            None => Role::Label,
-            Some(0) => Role::X,
-            Some(1) => Role::Y,
-            Some(2) => Role::Z,
-            Some(_) => Role::Skip,
+            None => ColumnRole::Label,
+            Some(0) => ColumnRole::X,
+            Some(1) => ColumnRole::Y,
+            Some(2) => ColumnRole::Z,
+            Some(_) => ColumnRole::Skip,
         };
         (0..names.len()).map(role).collect()
     })
 }
 
 /// Columns by their count, where nothing names them: up to three of the name, then x, y, z.
-fn counted(line: &str) -> Result<Vec<Role>, Message> {
+fn counted(line: &str) -> Result<Vec<ColumnRole>, Message> {
     let fields = line.split(',').count();
     match fields {
-        3..=6 => Ok([&vec![Role::Label; fields - 3][..], &[Role::X, Role::Y, Role::Z]].concat()),
+        3..=6 => Ok([&vec![ColumnRole::Label; fields - 3][..], &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]].concat()),
         1 => Err(Message::error("the row has no commas")
             .expected("`collection, group, target, x, y, z`, or the last five, four or three of them")
             .hint("points exported with blanks: state how many columns the name takes, format = { delimiter = \"blank\", \

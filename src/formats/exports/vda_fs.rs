@@ -5,7 +5,7 @@
 //! line. `$$` begins a comment; the file ends with `NAME = END`. Checked with geometry files of others; of measured points no
 //! real file was found.
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
@@ -28,8 +28,8 @@ impl ExportFormat for VdaFs {
         rows(text, unit)
     }
 
-    fn write(&self, rows: &[Row], how: &Writing) -> Result<String, Message> {
-        let point = |row: &Row| format!("{} = POINT / {}\n", row.label, how.list(row, ", "));
+    fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
+        let point = |row: &ExportRow| format!("{} = POINT / {}\n", row.label, how.list(row, ", "));
         let points: String = rows.iter().map(point).collect();
         Ok(format!("SIMULATED = HEADER / 0\n{points}SIMULATED = END\n"))
     }

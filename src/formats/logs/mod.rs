@@ -18,7 +18,7 @@ pub use write::write;
 use super::dialect::{Column, Decimal, Delimiter, Encoding, FromRow};
 use super::exports::Recognised;
 use crate::table::ASSEMBLY;
-use etalon_base::message::{Message, Problems, Result, Stated};
+use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{Refused, Source};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -65,13 +65,13 @@ pub struct Log {
     /// Whether channels with a scale contain raw or scaled values (TwinCAT).
     pub values: Option<ChannelValues>,
     /// Reduces a log recorded during motion to one row of mean joint values for each standstill.
-    pub standstill: Option<Standstill>,
+    pub standstill: Option<StandstillCriterion>,
 }
 
 /// A standstill: no joint moves by more than the stated difference for at least the stated time.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Standstill {
+pub struct StandstillCriterion {
     /// Least duration of a standstill.
     pub at_least_s: f64,
     /// Largest difference of two values of a revolute joint in a standstill.
@@ -167,7 +167,14 @@ pub(crate) trait LogFormat: Sync {
     }
 
     /// Reads the wanted columns.
-    fn read(&self, stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+    fn read(
+        &self,
+        stated: SourceText,
+        log: &Log,
+        wanted: &[Wanted],
+        text: &str,
+        source: &mut Source,
+    ) -> Result<Columns> {
         sheet::read(stated, log, wanted, text, source)
     }
 
@@ -303,7 +310,7 @@ impl Wanted<'_> {
 
 /// Reads a log, and gives the remarks on it. Where the campaign states when the robot stands, each standstill is one
 /// row.
-pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
+pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
     let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;
     let mut read = JointLog { name: log.name.clone(), file: log.file.get_ref().clone(), ..JointLog::default() };
     let mut names = vec!["row", "line"];
@@ -352,7 +359,7 @@ pub fn read(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Resul
 }
 
 /// Reads the columns that the campaign wants of a log.
-pub(super) fn columns(stated: Stated, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
+pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
     match log.format.0.read(stated, log, &wanted, text, source) {
@@ -365,7 +372,7 @@ pub(super) fn columns(stated: Stated, log: &Log, text: &str, source: &mut Source
 }
 
 /// What each key of `columns` becomes.
-fn wanted<'a>(stated: Stated, log: &'a Log, problems: &mut Problems) -> Vec<Wanted<'a>> {
+fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<Wanted<'a>> {
     let mut wanted: Vec<Wanted> = Vec::new();
     let clock = log.period_s.is_some().then_some("time_s");
     let numbered = log.pose.is_some().then_some("pose");

@@ -5,7 +5,7 @@ use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
 use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, number, pose_name, rows};
 use crate::table::{ASSEMBLY, LABEL};
-use etalon_base::message::{Message, Place, Problems, Result, Stated};
+use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_documents::Source;
 use std::borrow::Cow;
 
@@ -47,7 +47,13 @@ impl Sheet<'_> {
 }
 
 /// Reads the wanted columns.
-pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+pub(super) fn read(
+    stated: SourceText,
+    log: &Log,
+    wanted: &[Wanted],
+    text: &str,
+    source: &mut Source,
+) -> Result<Columns> {
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas().at(stated.place(&log.file)).into());
     }
@@ -86,7 +92,7 @@ pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, sou
 }
 
 /// Splits the text into a header and rows of one width.
-fn split<'a>(stated: Stated, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
+fn split<'a>(stated: SourceText, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
     let file = log.file.get_ref().as_str();
     let mut all = rows(file, text, log.delimiter())?;
     let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };

@@ -5,11 +5,11 @@
 //! stretches that share a sample are.
 
 use super::joint_log::{DIRECTION, JointLog, LogRow};
-use super::{Log, Standstill};
+use super::{Log, StandstillCriterion};
 use crate::table::{ASSEMBLY, LABEL};
-use etalon_base::message::{Message, Place, Result, Stated};
+use etalon_base::message::{Message, Place, Result, SourceText};
 use etalon_documents::{Source, StandingInterval, StandingJoint};
-use etalon_standards::iso9283::statistics::sample::{self, Spread};
+use etalon_standards::iso9283::statistics::sample::{self, SampleSpread};
 use std::collections::VecDeque;
 
 /// A joint: its values, and how far they may lie apart where it stands, in the same unit.
@@ -96,9 +96,9 @@ impl Range {
 ///
 /// Pose, cycle, label and assembly mode must not change within an interval.
 pub(super) fn reduce(
-    stated: Stated,
+    stated: SourceText,
     log: &Log,
-    still: &Standstill,
+    still: &StandstillCriterion,
     read: JointLog,
     source: &mut Source,
 ) -> Result<JointLog> {
@@ -146,7 +146,11 @@ pub(super) fn reduce(
 }
 
 /// Times of the rows, and how far each joint may move while it stands; or what is wrong with the statement.
-fn limits(log: &Log, still: &Standstill, read: &JointLog) -> std::result::Result<(Vec<f64>, Vec<f64>), Message> {
+fn limits(
+    log: &Log,
+    still: &StandstillCriterion,
+    read: &JointLog,
+) -> std::result::Result<(Vec<f64>, Vec<f64>), Message> {
     let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
     if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
         let message = Message::error("the limits of [log.standstill] must be positive");
@@ -197,7 +201,7 @@ fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
 
 /// Mean, standard deviation (n - 1) and range of a joint while it stands.
 fn spread(name: &str, values: &[f64]) -> StandingJoint {
-    let Spread { mean, deviation } = sample::spread(values);
+    let SampleSpread { mean, deviation } = sample::spread(values);
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
     let standard_deviation = if values.len() > 1 { deviation } else { 0.0 };
     StandingJoint { column: name.to_owned(), mean, standard_deviation, range: high - low }

@@ -7,7 +7,7 @@ use super::{About, ChannelValues, Columns, Log, LogFormat, Values, Wanted, other
 use crate::dialect::{ColumnAt, Decimal, Delimiter};
 use crate::exports::Recognised;
 use crate::lexer::{Row, number};
-use etalon_base::message::{Message, Place, Problems, Result, Stated, count};
+use etalon_base::message::{Message, Place, Problems, Result, SourceText, count};
 use etalon_documents::Source;
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
@@ -32,7 +32,14 @@ impl LogFormat for TwinCat {
         true
     }
 
-    fn read(&self, stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+    fn read(
+        &self,
+        stated: SourceText,
+        log: &Log,
+        wanted: &[Wanted],
+        text: &str,
+        source: &mut Source,
+    ) -> Result<Columns> {
         read(stated, log, wanted, text, source)
     }
 }
@@ -48,7 +55,13 @@ struct Samples {
 }
 
 /// Reads the wanted channels.
-pub(super) fn read(stated: Stated, log: &Log, wanted: &[Wanted], text: &str, source: &mut Source) -> Result<Columns> {
+pub(super) fn read(
+    stated: SourceText,
+    log: &Log,
+    wanted: &[Wanted],
+    text: &str,
+    source: &mut Source,
+) -> Result<Columns> {
     let file = log.file.get_ref().as_str();
     let lines: Vec<&str> = text.lines().collect();
     let header = Header::read(file, &lines, log)?;

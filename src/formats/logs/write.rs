@@ -4,7 +4,7 @@ use super::{JointLog, Log, LogRow, meaning};
 use crate::dialect::{Column, ColumnAt};
 use crate::lexer::{line, written};
 use crate::table::{ASSEMBLY, LABEL};
-use etalon_base::message::{Message, Result, Stated};
+use etalon_base::message::{Message, Result, SourceText};
 
 /// A campaign may number columns, but not without end.
 const MOST_COLUMNS: usize = 1000;
@@ -24,7 +24,7 @@ enum Content {
 }
 
 /// The text of a log with these rows.
-pub fn write(stated: Stated, log: &Log, values: &JointLog) -> Result<String> {
+pub fn write(stated: SourceText, log: &Log, values: &JointLog) -> Result<String> {
     let places = places(log).map_err(|m| m.at(stated.place(&log.file)))?;
     let width = places.iter().map(|p| p.2 + 1).max().unwrap_or(0);
     let mut header: Vec<String> = (1..=width).map(|n| format!("column_{n}")).collect();

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 /// How a table of observations is laid out, where it is not as this program writes one.
 #[derive(Clone, Debug)]
-pub struct Layout {
+pub struct TableLayout {
     /// What separates the columns.
     pub delimiter: Delimiter,
     /// Decimal mark.
@@ -27,14 +27,14 @@ pub struct Layout {
     pub pose: Option<FromRow>,
 }
 
-impl Default for Layout {
+impl Default for TableLayout {
     fn default() -> Self {
         let (delimiter, decimal) = (Delimiter::Comma, Decimal::Point);
         Self { delimiter, decimal, columns: BTreeMap::new(), target: None, pose: None }
     }
 }
 
-impl Layout {
+impl TableLayout {
     /// Gives columns the names that they have here.
     fn rename(&self, file: &str, header: &mut Row) -> Result<()> {
         let mut problems = Problems::default();
@@ -93,15 +93,15 @@ impl Layout {
 /// `pose` holds names of poses, `cycle` whole numbers, columns whose name ends in a unit numbers (empty cells are missing values),
 /// others text. Every row of another width and every cell that does not read is an error with its place.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
-    read(file, text, &Layout::default())
+    read(file, text, &TableLayout::default())
 }
 
 /// [`observations`] in another layout: repeats are 1 where the table has no column `cycle`.
-pub fn observations_with(file: &str, text: &str, layout: &Layout) -> Result<DataFrame> {
+pub fn observations_with(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     layout.complete(file, read(file, text, layout)?)
 }
 
-fn read(file: &str, text: &str, layout: &Layout) -> Result<DataFrame> {
+fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas().at(Place::file(file)).into());
     }

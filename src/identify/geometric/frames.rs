@@ -1,14 +1,14 @@
 //! Frames (thesis 2.6.1, 2.6.2): a plane and a circle in it through measured points; the base frame from the plane of the
 //! rails, the centre of the arc of ball N and the line of ball R; the mobile frame from balls turned with the platform.
 
-use super::uncertain::{Flat, Point, Readings, Scatter, Uncertain, shifts, values};
+use super::uncertain::{Flat, Readings, Scatter, Uncertain, UncertainPoint, shifts, values};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, unit};
 use etalon_base::scalar::Scalar;
 
 /// A plane through points, with axes in it that are fixed but arbitrary.
 #[derive(Clone, Debug)]
-pub struct Plane {
+pub struct FittedPlane {
     /// Centroid of its points.
     pub point_mm: Vector,
     /// Two directions in the plane and its normal, right-handed.
@@ -19,11 +19,11 @@ pub struct Plane {
     pub scatter: Scatter,
 }
 
-impl Plane {
+impl FittedPlane {
     /// The plane of least squares through three points or more; `up` decides which way the normal points.
-    pub fn through(readings: &mut Readings, points: &[Point], up: impl Fn(Vector) -> bool) -> Result<Self> {
+    pub fn through(readings: &mut Readings, points: &[UncertainPoint], up: impl Fn(Vector) -> bool) -> Result<Self> {
         let p = values(points);
-        let fitted = etalon_fit::plane(&p, &etalon_fit::Settings::default())?;
+        let fitted = etalon_fit::plane(&p, &etalon_fit::FitSettings::default())?;
         let found = fitted.direction.unwrap_or([0.0, 0.0, 1.0]);
         let normal = if up(found) { found } else { found.map(|v| -v) };
         let side = if normal[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
@@ -39,7 +39,7 @@ impl Plane {
     }
 
     /// A point projected into the plane, along its two directions from the centroid (mm).
-    pub fn project(&self, p: &Point) -> Flat {
+    pub fn project(&self, p: &UncertainPoint) -> Flat {
         let [e1, e2, e3] = self.axes;
         let c = self.point_mm;
         Uncertain::of([&p[0], &p[1], &p[2], &self.tilt[0], &self.tilt[1]], |[x, y, z, t1, t2]| {
@@ -57,7 +57,7 @@ impl Plane {
 
 /// A circular arc and its centre.
 #[derive(Clone, Debug)]
-pub struct Circle {
+pub struct FittedArc {
     /// Centre.
     pub centre: Flat,
     /// How much of the turn has points.
@@ -66,11 +66,11 @@ pub struct Circle {
     pub scatter: Scatter,
 }
 
-impl Circle {
+impl FittedArc {
     /// The circle of least squares through `flat`, which come from `points`.
-    pub fn through(readings: &mut Readings, flat: &[Flat], points: &[Point]) -> Result<Self> {
+    pub fn through(readings: &mut Readings, flat: &[Flat], points: &[UncertainPoint]) -> Result<Self> {
         let p = values(flat);
-        let fitted = etalon_fit::circle2d(&p, &etalon_fit::Settings::default())?;
+        let fitted = etalon_fit::circle2d(&p, &etalon_fit::FitSettings::default())?;
         let [x, y, _] = fitted.point_mm;
         let radial = |p: &[f64; 2]| {
             let (dx, dy) = (p[0] - x, p[1] - y);
@@ -107,9 +107,9 @@ pub struct BaseMeasurements {
 #[derive(Clone, Debug)]
 pub struct Base {
     /// Its xy plane.
-    pub plane: Plane,
+    pub plane: FittedPlane,
     /// The arc of ball N; its centre is the origin O.
-    pub arc: Circle,
+    pub arc: FittedArc,
     /// O in the world frame: from ball R at home, axes parallel to the base's (thesis 3.4.1).
     pub origin_in_world: Flat,
     /// Angle of the y axis in the axes of the plane.
@@ -120,7 +120,7 @@ pub struct Base {
 #[derive(Clone, Debug)]
 pub struct Axes {
     /// Its xy plane.
-    pub plane: Plane,
+    pub plane: FittedPlane,
     /// Ball R at home, in the plane.
     home: Flat,
     /// Angle of the y axis in the axes of the plane.
@@ -136,7 +136,7 @@ impl Axes {
         let (from, to) = (home.each_ref().map(|c| c.value), end.each_ref().map(|c| c.value));
         // x = y × z points towards actuator 3
         let up = |normal: Vector| dot(cross(minus(to, from), normal), minus(measured.towards, from)) > 0.0;
-        let plane = Plane::through(readings, &rails, up)?;
+        let plane = FittedPlane::through(readings, &rails, up)?;
         let (home, end) = (plane.project(&home), plane.project(&end));
         let travelled = (end[0].value - home[0].value).hypot(end[1].value - home[1].value);
         if !(travelled > 0.0 && travelled.is_finite()) {
@@ -162,7 +162,7 @@ impl Base {
         let Axes { plane, home, y_axis_rad } = axes;
         let points = readings.add(arc);
         let flat: Vec<Flat> = points.iter().map(|p| plane.project(p)).collect();
-        let arc = Circle::through(readings, &flat, &points)?;
+        let arc = FittedArc::through(readings, &flat, &points)?;
         let origin_in_world = express(&arc.centre, &home, &y_axis_rad);
         Ok(Self { plane, arc, origin_in_world, y_axis_rad })
     }
@@ -173,7 +173,7 @@ impl Base {
     }
 
     /// A measured point, projected into the plane and expressed in the base frame.
-    pub fn locate(&self, p: &Point) -> Flat {
+    pub fn locate(&self, p: &UncertainPoint) -> Flat {
         self.express(&self.plane.project(p))
     }
 }
@@ -188,7 +188,7 @@ fn express(p: &Flat, origin: &Flat, y_axis_rad: &Uncertain) -> Flat {
 }
 
 /// The mean of readings of one point.
-pub(super) fn mean(points: &[Point]) -> Point {
+pub(super) fn mean(points: &[UncertainPoint]) -> UncertainPoint {
     [0, 1, 2].map(|k| Uncertain::mean(points.iter().map(|p| &p[k])))
 }
 
@@ -207,14 +207,14 @@ pub struct Turned {
 #[derive(Clone, Debug)]
 pub struct Mobile {
     /// The circle of ball I in the frame of K and L; its centre is C.
-    pub circle: Circle,
+    pub circle: FittedArc,
     /// Mean distance of K and L in the plane.
     pub l_kl: Uncertain,
 }
 
 impl Mobile {
     /// C from the platform turned about it.
-    pub fn determine(readings: &mut Readings, plane: &Plane, turned: &[Turned]) -> Result<Self> {
+    pub fn determine(readings: &mut Readings, plane: &FittedPlane, turned: &[Turned]) -> Result<Self> {
         let (mut points, mut flat, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for t in turned {
             let three = [t.k, t.l, t.i].map(|p| readings.add_one(p));
@@ -229,7 +229,7 @@ impl Mobile {
             lengths.push(length);
             points.extend(three);
         }
-        let circle = Circle::through(readings, &flat, &points)?;
+        let circle = FittedArc::through(readings, &flat, &points)?;
         Ok(Self { circle, l_kl: Uncertain::mean(&lengths) })
     }
 

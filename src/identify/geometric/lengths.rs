@@ -113,7 +113,7 @@ impl Shaft {
     /// The cylinder through points that were probed on the shaft.
     pub fn through(readings: &mut Readings, base: &Base, probed: &[Vector]) -> Result<Self> {
         let points = readings.add(probed);
-        let fitted = etalon_fit::cylinder(probed, &etalon_fit::Settings::default())?;
+        let fitted = etalon_fit::cylinder(probed, &etalon_fit::FitSettings::default())?;
         let foot = fitted.point_mm;
         let d = fitted.direction.unwrap_or([1.0, 0.0, 0.0]);
         let side = if d[2].abs() < 0.9 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };

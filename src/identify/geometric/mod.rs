@@ -10,11 +10,11 @@ mod lengths;
 mod uncertain;
 mod workspace;
 
-pub use frames::{Axes, Base, BaseMeasurements, Circle, Mobile, Plane, Turned};
+pub use frames::{Axes, Base, BaseMeasurements, FittedArc, FittedPlane, Mobile, Turned};
 pub use lengths::{
     Lead, LeadMeasurements, OffsetMeasurements, ScaleBar, Shaft, ShaftMeasurements, intersection, scale_bar,
 };
-pub use uncertain::{Flat, Point, Readings, Repeated, Repeats, Scatter, Uncertain, mean_and_sd};
+pub use uncertain::{Flat, Readings, Repeated, Repeats, Scatter, Uncertain, UncertainPoint, mean_and_sd};
 pub use workspace::{Polygon, Workspace, area_mm2};
 
 use etalon_base::message::{Message, Problems, Result};
@@ -61,7 +61,7 @@ pub struct Steps {
     /// Actuators 1, 2 and 3.
     pub leads: [Option<Lead>; 3],
     /// The plane of the rails, where an arc or a turn was measured.
-    pub plane: Option<Plane>,
+    pub plane: Option<FittedPlane>,
     /// The base frame, where the arc of ball N was measured.
     pub base: Option<Base>,
     /// The mobile frame, where balls were turned with the platform.

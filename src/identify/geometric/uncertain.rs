@@ -100,7 +100,7 @@ impl Uncertain {
 }
 
 /// A measured point.
-pub type Point = [Uncertain; 3];
+pub type UncertainPoint = [Uncertain; 3];
 
 /// A point in a plane.
 pub type Flat = [Uncertain; 2];
@@ -138,12 +138,12 @@ impl Readings {
     }
 
     /// Adds points (mm).
-    pub fn add(&mut self, points: &[Vector]) -> Vec<Point> {
+    pub fn add(&mut self, points: &[Vector]) -> Vec<UncertainPoint> {
         points.iter().map(|&p| self.add_one(p)).collect()
     }
 
     /// Adds a point (mm).
-    pub fn add_one(&mut self, p: Vector) -> Point {
+    pub fn add_one(&mut self, p: Vector) -> UncertainPoint {
         let first = self.standard_uncertainties_mm.len();
         self.standard_uncertainties_mm.extend([self.stated_mm; 3]);
         [0, 1, 2].map(|k| Uncertain::coordinate(p[k], first + k))
@@ -156,7 +156,13 @@ impl Readings {
 
     /// Judges residuals whose uncertainties are those of `moves`: where chi-square rejects the stated uncertainty,
     /// that of `points` is enlarged to what the residuals say.
-    pub fn judge(&mut self, residuals_mm: &[f64], moves: &[Uncertain], fitted: usize, points: &[Point]) -> Scatter {
+    pub fn judge(
+        &mut self,
+        residuals_mm: &[f64],
+        moves: &[Uncertain],
+        fitted: usize,
+        points: &[UncertainPoint],
+    ) -> Scatter {
         let u = &self.standard_uncertainties_mm;
         let variances: Vec<f64> = moves.iter().map(|m| m.covariance(m, u)).collect();
         let squares: f64 = residuals_mm.iter().map(|r| r * r).sum();

@@ -183,7 +183,7 @@ impl Shape {
             std::array::from_fn(|i| self.centred[k][i] + if i < d { e[k * d + i] } else { 0.0 })
         };
         let places: Vec<Vector> = (0..self.targets.len()).map(found).collect();
-        let off = |pair: &Pair| (pair.distance_mm(&places) - pair.distance_mm(&self.centred)).abs();
+        let off = |pair: &TargetPair| (pair.distance_mm(&places) - pair.distance_mm(&self.centred)).abs();
         let worst = self.part.pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
         Some(self.part.contradicted(worst, worst.distance_mm(&places), "the identification gives without it"))
     }
@@ -207,14 +207,14 @@ pub(crate) fn turn_of(fixed: &[Vector], places: &[Vector], moved: &[Vector]) -> 
 
 /// Indices of two targets of a part.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair {
+pub struct TargetPair {
     /// The first.
     pub first: usize,
     /// The second.
     pub second: usize,
 }
 
-impl Pair {
+impl TargetPair {
     /// Their distance, mm.
     pub fn distance_mm(self, places_mm: &[Vector]) -> f64 {
         norm(minus(places_mm[self.first], places_mm[self.second]))
@@ -223,12 +223,12 @@ impl Pair {
 
 impl RigidPart {
     /// All pairs of targets.
-    pub fn pairs(&self) -> impl Iterator<Item = Pair> {
-        (0..self.targets.len()).flat_map(|second| (0..second).map(move |first| Pair { first, second }))
+    pub fn pairs(&self) -> impl Iterator<Item = TargetPair> {
+        (0..self.targets.len()).flat_map(|second| (0..second).map(move |first| TargetPair { first, second }))
     }
 
     /// The distance of two targets, as found `by` a measurement, against the stated places.
-    pub fn contradicted(&self, pair: Pair, found_mm: f64, by: &'static str) -> Contradicted {
+    pub fn contradicted(&self, pair: TargetPair, found_mm: f64, by: &'static str) -> Contradicted {
         let stated_mm = pair.distance_mm(&self.places_mm);
         Contradicted {
             targets: self.targets.clone(),

@@ -11,7 +11,7 @@ mod study;
 
 pub use criterion::{Criterion, Pool};
 pub use search::Choice;
-pub use study::{PlaceError, Setting, Study, point_of, study};
+pub use study::{PlaceError, Setting, SizeStudy, point_of, study};
 
 use crate::Result;
 use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};

@@ -48,7 +48,7 @@ pub struct PlaceError {
 
 /// What a number of positions comes to.
 #[derive(Clone, Debug)]
-pub struct Study {
+pub struct SizeStudy {
     /// Positions measured.
     pub positions: usize,
     /// Configurations in them.
@@ -73,7 +73,7 @@ pub fn study(
     everywhere: &[Observation],
     settings: &Settings,
     setting: &Setting,
-) -> Result<Vec<Study>> {
+) -> Result<Vec<SizeStudy>> {
     let pool = pool_of(&plan.sensitivity, &plan.members, Criterion::D);
     let mut order: Vec<usize> = Vec::new();
     let mut studies = Vec::new();
@@ -88,7 +88,7 @@ pub fn study(
             let identified = calibrate(robot, &chosen, settings, setting, draw)?;
             Ok(errors(robot, order.len(), chosen.len(), identified, everywhere, setting))
         };
-        match (0..setting.draws).into_par_iter().map(draw).collect::<Result<Vec<Study>>>() {
+        match (0..setting.draws).into_par_iter().map(draw).collect::<Result<Vec<SizeStudy>>>() {
             Ok(drawn) => studies.extend(middle(drawn)),
             Err(more) if order.len() == plan.chosen.len() => return Err(more),
             Err(_) => {}
@@ -98,12 +98,13 @@ pub fn study(
 }
 
 /// The first of the draws with the medians of all.
-fn middle(drawn: Vec<Study>) -> Option<Study> {
-    let median =
-        |of: fn(&Study) -> f64| middle_pair(drawn.iter().map(of)).map_or(f64::NAN, |[low, high]| 0.5 * (low + high));
+fn middle(drawn: Vec<SizeStudy>) -> Option<SizeStudy> {
+    let median = |of: fn(&SizeStudy) -> f64| {
+        middle_pair(drawn.iter().map(of)).map_or(f64::NAN, |[low, high]| 0.5 * (low + high))
+    };
     let (rms, max) = (median(|s| s.rms_mm.1), median(|s| s.max_mm.1));
     let first = drawn.into_iter().next()?;
-    Some(Study { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })
+    Some(SizeStudy { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })
 }
 
 /// Mean of the parameters identified in all runs of one draw; an error where they are not all identifiable.
@@ -145,7 +146,7 @@ fn errors(
     identified: Vec<f64>,
     everywhere: &[Observation],
     setting: &Setting,
-) -> Study {
+) -> SizeStudy {
     let nominal = robot.nominal();
     let centre = ToolPoint::centre(robot);
     let mut places: BTreeMap<PoseName, PlaceError> = BTreeMap::new();
@@ -174,7 +175,7 @@ fn errors(
         }
     }
     let rms = |sum: f64| (sum / f64::max(count, 1.0)).sqrt();
-    Study {
+    SizeStudy {
         positions,
         configurations,
         identified,

@@ -242,8 +242,8 @@ fn anchored(
     let residuals = all.of_others(settings, &free, start)?;
     let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
     let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
-    let prior = |(parameter, i)| etalon_math::Prior { parameter, value: x[parameter], weight: weight(i) };
-    let priors: Vec<etalon_math::Prior> = free.iter().enumerate().map(prior).collect();
+    let prior = |(parameter, i)| etalon_math::ParameterPrior { parameter, value: x[parameter], weight: weight(i) };
+    let priors: Vec<etalon_math::ParameterPrior> = free.iter().enumerate().map(prior).collect();
     let solution =
         etalon_math::solve(&WithPriors::new(&residuals, &priors), &x, Options { step: 1e-3, ..Options::default() });
     if !solution.termination.is_success() {

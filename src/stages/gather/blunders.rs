@@ -7,7 +7,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Rigid};
 use etalon_documents::{Refused, Source, contradicted_places};
 use etalon_formats::Point;
-use etalon_identify::{OF_MEDIAN, Pair, chi_square_exceeds};
+use etalon_identify::{OF_MEDIAN, TargetPair, chi_square_exceeds};
 use etalon_math::statistics::median;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
@@ -183,7 +183,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
     let part = rigid.shape()?;
     let u_at = |i: usize| campaign.file.instrument.standard_uncertainty_at_mm(points[i].xyz_mm);
     let u_mm = groups.values().flatten().flatten().map(|&i| u_at(i)).fold(0.0, f64::max);
-    let deviation = |pair: Pair| {
+    let deviation = |pair: TargetPair| {
         let measured = |seen: &Vec<Option<usize>>| {
             Some(norm(minus(points[seen[pair.first]?].xyz_mm, points[seen[pair.second]?].xyz_mm)))
         };

@@ -4,7 +4,7 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::Iso9283ComplianceDocument;
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
-use etalon_standards::iso9283::load::{self, DIRECTIONS, Reading};
+use etalon_standards::iso9283::load::{self, DIRECTIONS, LoadReading};
 
 /// Compliance from a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`.
 pub fn evaluate(table: NamedTable) -> Result<Iso9283ComplianceDocument> {
@@ -14,7 +14,7 @@ pub fn evaluate(table: NamedTable) -> Result<Iso9283ComplianceDocument> {
     Ok(document)
 }
 
-fn readings(table: NamedTable) -> Result<Vec<Reading>> {
+fn readings(table: NamedTable) -> Result<Vec<LoadReading>> {
     let columns = ["direction", "cycle", "force_n"].map(str::to_owned);
     table::require(table.frame, &columns).map_err(|p| table.place(p))?;
     let (names, forces) = (table.texts("direction")?, table.texts("force_n")?);
@@ -40,7 +40,7 @@ fn readings(table: NamedTable) -> Result<Vec<Reading>> {
             problems.0.push(table.at_row(message, i).expected("newtons, zero or more: the direction gives the sign"));
         }
         if let (Some(direction), Some(force_n)) = (direction, force_n) {
-            all.push(Reading { direction, cycle: cycles[i], force_n, position_mm });
+            all.push(LoadReading { direction, cycle: cycles[i], force_n, position_mm });
         }
     }
     problems.0.truncate(20);

@@ -12,7 +12,7 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_campaign::{Campaign, Limits, PosesDefinition};
 use etalon_documents::*;
-use etalon_standards::iso9283::pose::{DRAWS, Settings};
+use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use pose::{PoseTables, PreparedTest};
 use repeatability::Commanded;
 use toml::Spanned;
@@ -78,7 +78,7 @@ pub fn evaluate(
         (Some(attained), Some(definition), _) => Some(of_tables(attained, definition, settings)?),
         (None, _, Some(labelled)) => {
             let drift_set = labelled.drift_set.as_ref().map(|set| *set.get_ref());
-            let settings = Settings { drift_set, ..settings };
+            let settings = PoseTestSettings { drift_set, ..settings };
             let commanded = data.commanded.as_ref();
             Some(repeatability::evaluate(campaign, labelled, &gathered.points, commanded, frames, &settings)?)
         }
@@ -135,13 +135,17 @@ fn read_poses(files: &mut CampaignTables, definition: &PosesDefinition) -> Resul
     if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
         attained.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;
     }
-    let found = of_tables(&attained, definition, Settings { draws: 0, ..settings(campaign) })?;
+    let found = of_tables(&attained, definition, PoseTestSettings { draws: 0, ..settings(campaign) })?;
     judged(campaign, &found.poses)?;
     Ok(attained)
 }
 
-fn of_tables(attained: &PreparedTest, definition: &PosesDefinition, settings: Settings) -> Result<Iso9283Document> {
-    let mut document = attained.evaluate(&Settings {
+fn of_tables(
+    attained: &PreparedTest,
+    definition: &PosesDefinition,
+    settings: PoseTestSettings,
+) -> Result<Iso9283Document> {
+    let mut document = attained.evaluate(&PoseTestSettings {
         drift_set: definition.drift_set.as_ref().map(|set| *set.get_ref()),
         rotation_order: definition.rotation_order.clone(),
         seed: definition.seed,
@@ -155,9 +159,9 @@ fn of_tables(attained: &PreparedTest, definition: &PosesDefinition, settings: Se
 }
 
 /// What the campaign states for all tests of poses.
-fn settings(campaign: &Campaign) -> Settings {
+fn settings(campaign: &Campaign) -> PoseTestSettings {
     let instrument = &campaign.file.instrument;
-    Settings {
+    PoseTestSettings {
         expanded_uncertainty_mm: Some(COVERAGE_FACTOR * instrument.standard_uncertainty_mm()),
         position_uncertainty_mm: instrument.position_uncertainty_mm().map(|u| COVERAGE_FACTOR * u),
         drift_set: None,

@@ -7,7 +7,7 @@ use etalon_campaign::PosesDefinition;
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use etalon_formats::tables::pose_test::pose_test;
 use etalon_formats::tables::reference_targets::{SetupDrift, compensate_setup_drift};
-use etalon_standards::iso9283::pose::Settings;
+use etalon_standards::iso9283::pose::PoseTestSettings;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
 use std::path::Path;
@@ -117,7 +117,7 @@ fn misshapen(epoch: &Iso9283Epoch, expanded_mm: f64) -> Option<Message> {
 
 impl PreparedTest {
     /// All characteristics.
-    pub fn evaluate(&self, settings: &Settings) -> Result<Iso9283Document> {
+    pub fn evaluate(&self, settings: &PoseTestSettings) -> Result<Iso9283Document> {
         let Self { test, drift } = self;
         let mut document = Iso9283Document::evaluate(test, settings)?;
         if !drift.epochs.is_empty() {

@@ -11,7 +11,7 @@ use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso92
 use etalon_formats::Point;
 use etalon_formats::table::ANGLES;
 use etalon_formats::tables::recording::commanded_poses;
-use etalon_standards::iso9283::pose::Settings;
+use etalon_standards::iso9283::pose::PoseTestSettings;
 use etalon_standards::iso9283::pose::coplanarity::from_the_others;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
@@ -25,7 +25,7 @@ pub fn evaluate(
     points: &[Point],
     commanded: Option<&Commanded>,
     frames: &FramesDocument,
-    settings: &Settings,
+    settings: &PoseTestSettings,
 ) -> Result<Iso9283Document> {
     let [frame] = &frames.world.poses[..] else {
         let message = Message::error("[repeatability] needs a world frame that is measured once");
@@ -44,7 +44,7 @@ pub fn evaluate(
         );
     }
     if let Some(homings) = &gathered.homings {
-        let settings = Settings { drift_set: None, ap_limit_mm: None, ..settings.clone() };
+        let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings.clone() };
         let homing = Iso9283Document::evaluate(homings, &settings)?.poses.pop();
         document.messages.extend(homing.as_ref().and_then(too_coarse));
         document.homing = homing;

@@ -1,7 +1,7 @@
 //! What a command or a campaign states of a recorded motion, checked the same for both.
 
 use etalon_base::message::{Message, Problems, Result};
-use etalon_standards::iso9283::motion::Settings;
+use etalon_standards::iso9283::motion::MotionSettings;
 use etalon_standards::iso9283::motion::standstill::Stillness;
 use etalon_standards::iso9283::path::PathSettings;
 use etalon_standards::iso9283::path::commanded::CommandedPath;
@@ -10,7 +10,7 @@ use etalon_standards::iso9283::pose::test::CommandedPose;
 
 /// Statements under the names that they have in `campaign.toml`; options of the command are named alike.
 #[derive(Clone, Debug)]
-pub struct Stated<'a> {
+pub struct TestStatement<'a> {
     /// Sampling rate, instead of time stamps.
     pub rate_hz: Option<f64>,
     /// Standing: all positions within this distance of their mean.
@@ -37,7 +37,7 @@ pub struct Stated<'a> {
     pub weave_across: &'a [f64],
 }
 
-impl Stated<'_> {
+impl TestStatement<'_> {
     /// Statements that mean nothing; `name` makes a key what its reader wrote.
     pub fn check(&self, name: impl Fn(&str) -> String) -> Result<()> {
         let numbers = [
@@ -85,7 +85,12 @@ impl Stated<'_> {
     }
 
     /// What was stated, with the poses and the path that were read.
-    pub fn settings(&self, poses: Option<Vec<CommandedPose>>, path: Option<CommandedPath>, seed: u64) -> Settings {
+    pub fn settings(
+        &self,
+        poses: Option<Vec<CommandedPose>>,
+        path: Option<CommandedPath>,
+        seed: u64,
+    ) -> MotionSettings {
         let weave = match (self.weave_stroke_mm, self.weave_hz, self.weave_across) {
             (Some(stroke_mm), Some(frequency_hz), &[x, y, z]) => {
                 Some(Weave { across: [x, y, z], stroke_mm, frequency_hz })
@@ -99,7 +104,7 @@ impl Stated<'_> {
             central: self.central_percent / 100.0,
             weave,
         });
-        Settings {
+        MotionSettings {
             still: Stillness { radius_mm: self.still_mm, duration_s: self.still_s },
             near_mm: self.near_mm,
             band_mm: self.band_mm,

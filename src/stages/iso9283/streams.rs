@@ -1,12 +1,12 @@
 //! Recorded motions of a campaign: files become characteristics of ISO 9283.
 
-use super::stated::Stated;
+use super::stated::TestStatement;
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::{Campaign, StreamDefinition};
 use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
-use etalon_standards::iso9283::motion::Settings;
+use etalon_standards::iso9283::motion::MotionSettings;
 use etalon_standards::iso9283::motion::stream::Recording;
 use std::collections::BTreeSet;
 use toml::Spanned;
@@ -18,7 +18,7 @@ const SEED: u64 = 1;
 #[derive(Clone, Debug)]
 pub(super) struct Ready {
     recording: Recording,
-    settings: Settings,
+    settings: MotionSettings,
 }
 
 /// Reads all recordings with what they are compared with; reports everything that is wrong with them.
@@ -94,8 +94,8 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
 }
 
 /// What the campaign states of a motion.
-fn stated(stream: &StreamDefinition) -> Stated<'_> {
-    Stated {
+fn stated(stream: &StreamDefinition) -> TestStatement<'_> {
+    TestStatement {
         rate_hz: stream.rate_hz,
         still_mm: stream.still_mm,
         still_s: stream.still_s,

@@ -4,7 +4,7 @@ use etalon_base::message::Message;
 
 /// Offsets at which every measurement falls into a standstill.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClockOffset {
+pub struct OffsetRange {
     /// Time of the measurement minus time of the log: the middle of those offsets.
     pub offset_s: f64,
     /// Half the width of those offsets: how far the middle may be from the truth.
@@ -16,7 +16,7 @@ pub struct ClockOffset {
 ///
 /// An offset suits a time t if it is within [t - to, t - from] of some standstill; one that suits all is in what the sets of
 /// all times share. No such offset, or several ranges of them, are errors.
-pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<ClockOffset, Message> {
+pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetRange, Message> {
     let suits =
         |t: &f64| -> Vec<(f64, f64)> { standstills.iter().rev().map(|(from, to)| (t - to, t - from)).collect() };
     let mut times: Vec<f64> = times_s.iter().copied().filter(|t| t.is_finite()).collect();
@@ -38,7 +38,7 @@ pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<ClockOffset
         shared = left;
     }
     match shared[..] {
-        [(low, high)] => Ok(ClockOffset { offset_s: 0.5 * (low + high), half_width_s: 0.5 * (high - low) }),
+        [(low, high)] => Ok(OffsetRange { offset_s: 0.5 * (low + high), half_width_s: 0.5 * (high - low) }),
         _ => {
             let ranges: Vec<String> =
                 shared.iter().take(6).map(|(low, high)| format!("{low:.3} to {high:.3} s")).collect();

@@ -1,7 +1,7 @@
 //! Observations of a campaign: measured positions with the joint values of a log, or a table of any kinds.
 
 use super::{Row, listed};
-use crate::stages::kinds::{self, Observed, Stated};
+use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::positions;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
@@ -55,7 +55,7 @@ impl Observations {
     pub fn observed(
         &self,
         robot: &mut dyn Robot,
-        without: Stated,
+        without: RowDefaults,
         settings: Settings,
         messages: &mut Vec<Message>,
     ) -> Result<Observed> {

@@ -56,7 +56,7 @@ pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
 const FEWEST_SEEN: usize = 3;
 /// What is stated of all rows: standard uncertainties of those that have none, and the order of angles.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Stated {
+pub struct RowDefaults {
     /// Of a coordinate, a distance, a contact, mm.
     pub length_mm: Option<f64>,
     /// Of a rotation about any axis, rad.
@@ -177,7 +177,7 @@ pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
 pub fn observed(
     robot: &mut dyn Robot,
     observations: &DataFrame,
-    without: Stated,
+    without: RowDefaults,
     mut settings: Settings,
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {

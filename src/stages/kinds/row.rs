@@ -1,7 +1,7 @@
 //! Rows of a table of observations of several kinds.
 
 use super::cells::{ByColumn, Cell, Cells, STATION, check_fixed, names, text};
-use super::{KINDS, RowKind, Stated, kind};
+use super::{KINDS, RowDefaults, RowKind, kind};
 use crate::stages::orientations::{AngleOrder, Written, written};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
@@ -74,7 +74,7 @@ fn cells(observations: &DataFrame) -> Result<Vec<ByColumn>> {
 
 impl Row {
     /// The rows of a table.
-    pub fn read(robot: &dyn Robot, observations: &DataFrame, without: Stated) -> Result<Vec<Self>> {
+    pub fn read(robot: &dyn Robot, observations: &DataFrame, without: RowDefaults) -> Result<Vec<Self>> {
         let cells = cells(observations)?;
         let (poses, cycles) = (row_poses(observations)?, row_cycles(observations)?);
         table::texts(observations, "target")?;

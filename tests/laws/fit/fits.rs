@@ -4,7 +4,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm};
-use etalon::fit::{self, Element, Fit, Settings};
+use etalon::fit::{self, Element, Fit, FitSettings};
 
 /// Points on an element about z through the origin, seen over `turn_rad`, and its true sizes.
 pub(super) fn points_on(element: Element, turn_rad: f64) -> Vec<Vector> {
@@ -48,7 +48,7 @@ fn in_space() -> impl Iterator<Item = Element> {
 }
 
 fn fitted(element: Element, points: &[Vector]) -> Fit {
-    fit::element(element, points, &Settings::default()).unwrap_or_else(|e| panic!("{element}: {e}"))
+    fit::element(element, points, &FitSettings::default()).unwrap_or_else(|e| panic!("{element}: {e}"))
 }
 
 /// The quantities in the order of a covariance.
@@ -149,7 +149,7 @@ fn weights_count_like_repeated_points_and_held_values_stay() {
         let twice: Vec<Vector> =
             points.iter().zip(&weights).flat_map(|(p, w)| std::iter::repeat_n(*p, *w as usize)).collect();
         let weighted =
-            fit::element(element, &points, &Settings { weights: Some(&weights), ..Settings::default() }).unwrap();
+            fit::element(element, &points, &FitSettings { weights: Some(&weights), ..FitSettings::default() }).unwrap();
         let (a, b) = (quantities(&weighted), quantities(&fitted(element, &twice)));
         for (i, (a, b)) in a.iter().zip(&b).enumerate() {
             assert!((a - b).abs() < 1e-9, "{element} quantity {i}: {a} {b}");
@@ -157,7 +157,7 @@ fn weights_count_like_repeated_points_and_held_values_stay() {
     }
     for element in [Element::Circle2d, Element::Circle3d, Element::Sphere, Element::Cylinder] {
         let points = disturbed(&points_on(element, 1.0), 0.01, 5);
-        let settings = Settings { radius_mm: Some(40.0), ..Settings::default() };
+        let settings = FitSettings { radius_mm: Some(40.0), ..FitSettings::default() };
         let held = fit::element(element, &points, &settings).unwrap();
         let free = fitted(element, &points);
         assert!((held.radius_mm.unwrap() - 40.0).abs() < 1e-13, "{element}");
@@ -167,7 +167,7 @@ fn weights_count_like_repeated_points_and_held_values_stay() {
     for element in [Element::Plane, Element::Line, Element::Circle3d, Element::Cylinder, Element::Cone, Element::Torus]
     {
         let points = disturbed(&points_on(element, 1.0), 0.01, 6);
-        let settings = Settings { axis: Some([0.0, 0.0, 2.0]), ..Settings::default() };
+        let settings = FitSettings { axis: Some([0.0, 0.0, 2.0]), ..FitSettings::default() };
         let held = fit::element(element, &points, &settings).unwrap();
         assert_eq!(held.direction.map(|d| d.map(f64::abs)), Some([0.0, 0.0, 1.0]), "{element}");
         assert_eq!(held.standard_uncertainty().unwrap().direction_rad, Some(0.0), "{element}");
@@ -194,7 +194,7 @@ fn a_rigid_best_fit_finds_the_motion_and_its_uncertainty() {
     let (mut centroid, mut stated, mut worst_axis, mut stated_angle) = (0.0, 0.0, 0.0, 0.0);
     let middle = etalon::base::pose::centroid(&from).unwrap();
     // the axis about which the points lie closest: about it a rotation is known least
-    let spread = fit::line(&from, &Settings::default()).unwrap();
+    let spread = fit::line(&from, &FitSettings::default()).unwrap();
     let trials = 6000;
     for trial in 0..trials {
         let fit = fit::rigid(&from, &disturbed(&to, 1e-3, trial)).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::fit::fits::{disturbed, points_on, quantities};
 use etalon::base::pose::{Pose, Vector, centroid, dot, minus};
-use etalon::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
+use etalon::fit::{self, CircleMethod, Element, Fit, FitSettings, Probe, Side};
 use rayon::prelude::*;
 
 const TRIALS: u64 = 10_000;
@@ -11,7 +11,7 @@ type Matrix = [[f64; N]; N];
 type Drawn = ([f64; N], Matrix);
 
 /// 5 % of what the two quantities vary; what is stated as fixed does not vary.
-fn is_what_repetition_shows(element: Element, settings: Settings) {
+fn is_what_repetition_shows(element: Element, settings: FitSettings) {
     // a turned frame, so that no component is zero by luck; noise small against the size: to first order
     let turned = Pose::from_xyz_rpy([30.0, -20.0, 10.0], [0.4, 0.8, -0.5]);
     let flat = matches!(element, Element::Line2d | Element::Circle2d);
@@ -68,14 +68,14 @@ fn error_and_covariance(fit: &Fit, truth: &Fit) -> Drawn {
     (error, std::array::from_fn(|i| std::array::from_fn(|j| sign(i) * sign(j) * c[i][j])))
 }
 
-fn by_probe(side: Side) -> Settings<'static> {
-    Settings { probe: Some(Probe { radius_mm: 8.0, side }), ..Settings::default() }
+fn by_probe(side: Side) -> FitSettings<'static> {
+    FitSettings { probe: Some(Probe { radius_mm: 8.0, side }), ..FitSettings::default() }
 }
 
 #[test]
 fn of_straight_elements_with_and_without_a_probe() {
     for element in [Element::Line2d, Element::Line, Element::Plane] {
-        is_what_repetition_shows(element, Settings::default());
+        is_what_repetition_shows(element, FitSettings::default());
         is_what_repetition_shows(element, by_probe(Side::Towards([1.0, 2.0, 3.0])));
     }
 }
@@ -83,19 +83,22 @@ fn of_straight_elements_with_and_without_a_probe() {
 #[test]
 fn of_circles_and_spheres() {
     for element in [Element::Circle2d, Element::Circle3d, Element::Sphere] {
-        is_what_repetition_shows(element, Settings::default());
+        is_what_repetition_shows(element, FitSettings::default());
     }
-    is_what_repetition_shows(Element::Circle3d, Settings { circle: CircleMethod::Orthogonal, ..Settings::default() });
+    is_what_repetition_shows(
+        Element::Circle3d,
+        FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() },
+    );
 }
 
 #[test]
 fn of_a_cylinder() {
-    is_what_repetition_shows(Element::Cylinder, Settings::default());
+    is_what_repetition_shows(Element::Cylinder, FitSettings::default());
 }
 
 #[test]
 fn of_a_cone() {
-    is_what_repetition_shows(Element::Cone, Settings::default());
+    is_what_repetition_shows(Element::Cone, FitSettings::default());
 }
 
 #[test]
@@ -105,5 +108,5 @@ fn of_a_cone_by_a_probe() {
 
 #[test]
 fn of_a_torus() {
-    is_what_repetition_shows(Element::Torus, Settings::default());
+    is_what_repetition_shows(Element::Torus, FitSettings::default());
 }

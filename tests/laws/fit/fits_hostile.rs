@@ -2,9 +2,9 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
-use etalon::fit::{self, CircleMethod, Element, Settings};
+use etalon::fit::{self, CircleMethod, Element, FitSettings};
 
-fn is_sound(what: &str, element: Element, points: &[Vector], settings: &Settings) {
+fn is_sound(what: &str, element: Element, points: &[Vector], settings: &FitSettings) {
     match fit::element(element, points, settings) {
         Err(problems) => {
             let message = problems.0.first().unwrap_or_else(|| panic!("{element} of {what}: an error without words"));
@@ -92,13 +92,13 @@ fn hostile_sets() -> Vec<(String, Vec<Vector>)> {
 fn every_element_of_every_hostile_set() {
     for (what, points) in hostile_sets() {
         for element in Element::ALL {
-            is_sound(&what, element, &points, &Settings::default());
+            is_sound(&what, element, &points, &FitSettings::default());
         }
         is_sound(
             &what,
             Element::Circle3d,
             &points,
-            &Settings { circle: CircleMethod::Orthogonal, ..Settings::default() },
+            &FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() },
         );
     }
 }
@@ -108,19 +108,24 @@ fn held_values_and_weights_that_make_no_sense_are_refused_or_harmless() {
     for (what, points) in hostile_sets() {
         for element in Element::ALL {
             let weights: Vec<f64> = (0..points.len()).map(|i| 10f64.powi(i as i32 % 9)).collect();
-            is_sound(&what, element, &points, &Settings { weights: Some(&weights), ..Settings::default() });
+            is_sound(&what, element, &points, &FitSettings { weights: Some(&weights), ..FitSettings::default() });
         }
     }
     let points: Vec<Vector> = hostile_sets().pop().map(|s| s.1).unwrap_or_default();
     for element in Element::ALL {
         for radius in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300, 1e300, 5.0] {
-            is_sound("a held radius", element, &points, &Settings { radius_mm: Some(radius), ..Settings::default() });
+            is_sound(
+                "a held radius",
+                element,
+                &points,
+                &FitSettings { radius_mm: Some(radius), ..FitSettings::default() },
+            );
         }
         for axis in [[0.0; 3], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 0.0, 0.0], [1e-200, 0.0, 0.0], [1.0, 2.0, 2.0]] {
-            is_sound("a held axis", element, &points, &Settings { axis: Some(axis), ..Settings::default() });
+            is_sound("a held axis", element, &points, &FitSettings { axis: Some(axis), ..FitSettings::default() });
         }
         for weights in [vec![], vec![0.0; points.len()], vec![-1.0; points.len()], vec![f64::NAN; points.len()]] {
-            let settings = Settings { weights: Some(&weights), ..Settings::default() };
+            let settings = FitSettings { weights: Some(&weights), ..FitSettings::default() };
             assert!(fit::element(element, &points, &settings).is_err(), "{element}: {weights:?}");
         }
     }

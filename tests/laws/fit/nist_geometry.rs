@@ -6,7 +6,7 @@
 
 use etalon::base::message::Result;
 use etalon::base::pose::{Vector, cross, dot, minus, norm};
-use etalon::fit::{self, CircleMethod, Fit, Settings};
+use etalon::fit::{self, CircleMethod, Fit, FitSettings};
 use std::path::Path;
 
 /// One reference pair: points and published answer.
@@ -72,7 +72,7 @@ fn against_nist(
     element: &str,
     prefix: &str,
     count: usize,
-    fit: impl Fn(&[Vector], &Settings) -> Result<Fit>,
+    fit: impl Fn(&[Vector], &FitSettings) -> Result<Fit>,
     errors: impl Fn(&Fit, &[f64]) -> [f64; 3],
 ) {
     let Some(geom) = crate::reference_data("geom") else { return };
@@ -83,7 +83,7 @@ fn against_nist(
     let mut most = 0;
     for name in names {
         let pair = pair(&folder, &name);
-        let fit = fit(&pair.points, &Settings::default()).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let fit = fit(&pair.points, &FitSettings::default()).unwrap_or_else(|e| panic!("{name}: {e}"));
         most = most.max(fit.iterations);
         worst.worst(&pair.name, errors(&fit, &pair.answer), 1e-9);
     }
@@ -141,7 +141,7 @@ fn coordinate_plane(normal: &[f64]) -> (usize, usize, usize) {
 fn circle_in_its_plane(pair: &Pair) -> (Result<Fit>, [f64; 2]) {
     let (i, j, _) = coordinate_plane(&pair.answer[3..6]);
     let flat: Vec<[f64; 2]> = pair.points.iter().map(|p| [p[i], p[j]]).collect();
-    (fit::circle2d(&flat, &Settings::default()), [pair.answer[i], pair.answer[j]])
+    (fit::circle2d(&flat, &FitSettings::default()), [pair.answer[i], pair.answer[j]])
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn short_arcs_in_space_by_both_definitions() {
         let pair = pair(&folder, &name);
         let full = numbers(&folder.join(format!("{name}.odr3d.fit")));
         for (circle, answer) in [(CircleMethod::Projected, &pair.answer), (CircleMethod::Orthogonal, &full)] {
-            let fit = fit::circle3d(&pair.points, &Settings { circle, ..Settings::default() }).unwrap();
+            let fit = fit::circle3d(&pair.points, &FitSettings { circle, ..FitSettings::default() }).unwrap();
             let location = norm(minus(fit.point_mm, vector(answer)));
             let direction = angle_between_lines(fit.direction.unwrap(), vector(&answer[3..]));
             let size = (fit.radius_mm.unwrap() - answer[6] / 2.0).abs();
@@ -233,7 +233,7 @@ fn lines_in_space() {
     assert!(!names.is_empty());
     for name in names {
         let pair = pair(&folder, &name);
-        let fit = fit::line(&pair.points, &Settings::default()).unwrap();
+        let fit = fit::line(&pair.points, &FitSettings::default()).unwrap();
         let (point, axis) = (vector(&pair.answer), vector(&pair.answer[3..]));
         let (off, direction) = (off_line(fit.point_mm, point, axis), angle_between_lines(fit.direction.unwrap(), axis));
         println!("{name}: off {off:.1e} mm, direction {direction:.1e} rad");
@@ -246,7 +246,7 @@ fn what_a_person_must_know_is_said() {
     let Some(geom) = crate::reference_data("geom") else { return };
     let said = |fit: &Fit, words: &str| fit.warnings.iter().any(|w| w.what.contains(words) && w.hint.is_some());
     // six points: two cones go through all of them, and NIST says that its answer may not be the only one
-    let cone = fit::cone(&pair(&geom.join("nist_ats/Cone"), "con7").points, &Settings::default()).unwrap();
+    let cone = fit::cone(&pair(&geom.join("nist_ats/Cone"), "con7").points, &FitSettings::default()).unwrap();
     assert!(said(&cone, "a different cone") && said(&cone, "no redundant point"), "{:?}", cone.warnings);
     assert!(cone.covariance.is_none() && cone.degrees_of_freedom == 0);
     // ten degrees of arc with 0.8 mm of noise on a radius of 163 mm
@@ -254,12 +254,13 @@ fn what_a_person_must_know_is_said() {
     assert!(said(&arc, "the radius"), "{:?}", arc.warnings);
     // and nothing where there is nothing to say
     for (folder, name) in [("Cone", "con1"), ("Cone", "con30")] {
-        let fit = fit::cone(&pair(&geom.join("nist_ats").join(folder), name).points, &Settings::default()).unwrap();
+        let fit = fit::cone(&pair(&geom.join("nist_ats").join(folder), name).points, &FitSettings::default()).unwrap();
         assert!(fit.warnings.is_empty(), "{name}: {:?}", fit.warnings);
     }
     let fit = circle_in_its_plane(&pair(&geom.join("derived_short_arc"), "circle2d_nist22_35deg")).0.unwrap();
     assert!(fit.warnings.is_empty() && (fit.coverage_deg().unwrap() - 35.0).abs() < 1.0, "{:?}", fit.warnings);
-    let cylinder = fit::cylinder(&pair(&geom.join("nist_ats/Cylinder"), "cyl1").points, &Settings::default()).unwrap();
+    let cylinder =
+        fit::cylinder(&pair(&geom.join("nist_ats/Cylinder"), "cyl1").points, &FitSettings::default()).unwrap();
     assert!(cylinder.warnings.is_empty(), "{:?}", cylinder.warnings);
 }
 
@@ -279,20 +280,20 @@ fn published_small_sets() {
         ("scipycookbook6.csv", [10.500_086_213_944_377, 9.659_949_505_836_43], 23.333_527_646_182_877),
     ];
     for (name, center, radius) in circles {
-        let fit = fit::circle2d(&flat(name), &Settings::default()).unwrap();
+        let fit = fit::circle2d(&flat(name), &FitSettings::default()).unwrap();
         let off = (fit.point_mm[0] - center[0]).hypot(fit.point_mm[1] - center[1]);
         let size = (fit.radius_mm.unwrap() - radius).abs();
         println!("{name}: centre {off:.1e}, radius {size:.1e}");
         assert!(off < 1e-9 && size < 1e-9, "{name}: {off:e} {size:e}");
     }
     // a line of the imagingbook, A x + B y + C = 0
-    let line = fit::line2d(&flat("line2d_burger5.csv"), &Settings::default()).unwrap();
+    let line = fit::line2d(&flat("line2d_burger5.csv"), &FitSettings::default()).unwrap();
     let (p, d) = (line.point_mm, line.direction.unwrap());
     let (a, b, c) = (-0.496_890_043_790_261_8, -0.867_813_507_835_705_2, 7.244_827_854_073_206);
     assert!((a * d[0] + b * d[1]).abs() < 1e-12 && (a * p[0] + b * p[1] + c).abs() < 1e-12, "{p:?} {d:?}");
     // the cylinder on which SciPy ended at R = 69.9 (issue 21720)
     let points: Vec<Vector> = read("scipy21720_cylinder18.csv").iter().map(|row| vector(row)).collect();
-    let fit = fit::cylinder(&points, &Settings::default()).unwrap();
+    let fit = fit::cylinder(&points, &FitSettings::default()).unwrap();
     let axis = [0.240_617_938_604_659_03, -0.874_686_150_287_861_48, 0.420_745_940_106_669_51];
     let foot = [-69.714_201_690_161_028, -265.575_359_072_883_57, -39.377_789_038_400_328];
     let errors = [

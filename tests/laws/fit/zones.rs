@@ -3,7 +3,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon::fit::{self, Element, MinimumZone, Settings, minimum_zone};
+use etalon::fit::{self, Element, FitSettings, MinimumZone, minimum_zone};
 
 const ELEMENTS: [Element; 3] = [Element::Line2d, Element::Plane, Element::Circle2d];
 
@@ -53,7 +53,7 @@ fn by_force(element: Element, points: &[Vector]) -> (f64, f64) {
 
 /// Infinite where there is no least-squares circle: scattered points may have none.
 fn least_squares_form(element: Element, points: &[Vector]) -> f64 {
-    fit::element(element, points, &Settings::default()).map_or(f64::INFINITY, |fit| fit.form_mm())
+    fit::element(element, points, &FitSettings::default()).map_or(f64::INFINITY, |fit| fit.form_mm())
 }
 
 /// Points all about, or near to the element with form deviations of `noise_mm`.

@@ -5,7 +5,7 @@
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon::fit::{self, Element, MinimumZone, Settings, minimum_zone};
+use etalon::fit::{self, Element, FitSettings, MinimumZone, minimum_zone};
 
 const ELEMENTS: [Element; 3] = [Element::Sphere, Element::Cylinder, Element::Cone];
 const HALF_ANGLE: f64 = 0.35;
@@ -138,7 +138,7 @@ fn multipliers_and_random_neighbours_agree_that_none_is_narrower() {
             let turn = [std::f64::consts::TAU, 3.0][seed as usize / 3 % 2];
             let points = deviating(element, count, [0.005, 0.3][seed as usize / 6 % 2], turn, seed);
             let zone = minimum_zone(element, &points).unwrap_or_else(|e| panic!("{element} {seed}: {e}"));
-            let least_squares = fit::element(element, &points, &Settings::default()).unwrap().form_mm();
+            let least_squares = fit::element(element, &points, &FitSettings::default()).unwrap().form_mm();
             assert!(zone.form_mm <= least_squares + 1e-12, "{element} {seed}: {} {least_squares}", zone.form_mm);
             all += 1;
             global += usize::from(zone.verified);

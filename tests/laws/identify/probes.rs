@@ -3,7 +3,7 @@
 #![allow(non_snake_case)] // frames in names
 
 use etalon::base::pose::{Pose, Vector, cross, dot, minus, norm};
-use etalon::fit::{self, CircleMethod, Element, Fit, Probe, Settings, Side};
+use etalon::fit::{self, CircleMethod, Element, Fit, FitSettings, Probe, Side};
 
 const PROBE_MM: f64 = 2.5;
 const HALF_ANGLE_RAD: f64 = 0.3;
@@ -52,7 +52,7 @@ fn sides(element: Element) -> [(Side, f64); 2] {
 }
 
 fn probed(element: Element, points: &[Vector], side: Side) -> Fit {
-    let settings = Settings { probe: Some(Probe { radius_mm: PROBE_MM, side }), ..Settings::default() };
+    let settings = FitSettings { probe: Some(Probe { radius_mm: PROBE_MM, side }), ..FitSettings::default() };
     fit::element(element, points, &settings).unwrap_or_else(|e| panic!("{element} {side:?}: {e}"))
 }
 
@@ -102,7 +102,7 @@ fn centres_on_the_parallel_surface_give_the_surface_from_both_sides() {
                 close("a touched point", fit.residual_mm(place.apply(touched)), 100.0);
             }
             let before = fit.compensation.unwrap();
-            let raw = fit::element(element, &points, &Settings::default()).unwrap();
+            let raw = fit::element(element, &points, &FitSettings::default()).unwrap();
             assert_eq!((before.point_mm, before.radius_mm), (raw.point_mm, raw.radius_mm), "{element}");
             assert_eq!(fit.residuals, raw.residuals, "{element}: no point is moved");
         }
@@ -115,7 +115,7 @@ fn the_held_radius_is_that_of_what_was_touched() {
         for circle in [CircleMethod::Projected, CircleMethod::Orthogonal] {
             for (side, lift) in sides(element) {
                 let probe = Some(Probe { radius_mm: PROBE_MM, side });
-                let settings = Settings { radius_mm: Some(40.0), probe, circle, ..Settings::default() };
+                let settings = FitSettings { radius_mm: Some(40.0), probe, circle, ..FitSettings::default() };
                 let fit = fit::element(element, &touches(element, lift), &settings).unwrap();
                 assert!((fit.radius_mm.unwrap() - 40.0).abs() < 1e-13, "{element} {side:?}");
                 assert!(fit.max_mm() < 1e-12, "{element} {side:?}: {:e}", fit.max_mm());
@@ -128,7 +128,7 @@ fn the_held_radius_is_that_of_what_was_touched() {
 fn a_wrong_side_and_a_probe_that_does_not_fit_are_refused_with_a_hint() {
     let refused = |element: Element, radius_mm: f64, side: Side, held: Option<f64>, expected: &str| {
         let probe = Some(Probe { radius_mm, side });
-        let settings = Settings { probe, radius_mm: held, ..Settings::default() };
+        let settings = FitSettings { probe, radius_mm: held, ..FitSettings::default() };
         let message = fit::element(element, &touches(element, 0.0), &settings).unwrap_err().to_string();
         assert!(message.contains(expected) && message.contains("hint:"), "{element} {side:?}: {message}");
     };

@@ -2,7 +2,7 @@
 
 #![allow(clippy::excessive_precision)] // digits as computed
 
-use etalon::math::{Loss, Options, Prior, Problem, WithPriors, solve, svd};
+use etalon::math::{Loss, Options, ParameterPrior, Problem, WithPriors, solve, svd};
 
 /// y = a + b t.
 struct Line {
@@ -114,8 +114,10 @@ fn a_loss_that_no_residual_reaches_is_least_squares() {
 #[test]
 fn priors_are_rows_and_count_in_chi_square() {
     let line = line();
-    let priors =
-        [Prior { parameter: 0, value: 2.0, weight: 1.0 / 0.1 }, Prior { parameter: 1, value: 0.4, weight: 1.0 / 0.02 }];
+    let priors = [
+        ParameterPrior { parameter: 0, value: 2.0, weight: 1.0 / 0.1 },
+        ParameterPrior { parameter: 1, value: 0.4, weight: 1.0 / 0.02 },
+    ];
     let solution = solve(&WithPriors::new(&line, &priors), &[0.0, 0.0], Options::default());
     // the closed solution: (JᵀJ + P)⁻¹ (Jᵀy + P p)
     let (mut a, mut b, mut c, mut g, mut h) = (100.0, 0.0, 2500.0, 200.0, 1000.0);
@@ -141,7 +143,10 @@ fn priors_are_rows_and_count_in_chi_square() {
 fn no_loss_weighs_a_prior_down() {
     // the prior lies ten of its uncertainties away: with a loss on it, it would hardly count
     let flat = Line { t: vec![0.0, 0.0, 0.0], y: vec![0.0, 0.1, -0.1] };
-    let priors = [Prior { parameter: 0, value: 10.0, weight: 1.0 }, Prior { parameter: 1, value: 0.0, weight: 1.0 }];
+    let priors = [
+        ParameterPrior { parameter: 0, value: 10.0, weight: 1.0 },
+        ParameterPrior { parameter: 1, value: 0.0, weight: 1.0 },
+    ];
     let squares = solve(&WithPriors::new(&flat, &priors), &[0.0, 0.0], Options::default());
     assert!((squares.x[0] - 2.5).abs() < 1e-14);
     for loss in [Loss::Cauchy(2.385), Loss::Cauchy(3.0)] {
@@ -156,7 +161,7 @@ fn a_prior_settles_what_the_residuals_leave_open() {
     let one = Line { t: vec![1.0, 1.0], y: vec![3.0, 3.0] };
     let open = solve(&one, &[0.0, 0.0], Options::default());
     assert_eq!(svd(open.factor.as_ref().unwrap()).rank(1e-13), 1);
-    let prior = [Prior { parameter: 1, value: 2.0, weight: 1.0 / 0.5 }];
+    let prior = [ParameterPrior { parameter: 1, value: 2.0, weight: 1.0 / 0.5 }];
     let settled = solve(&WithPriors::new(&one, &prior), &[0.0, 0.0], Options::default());
     assert!((settled.x[0] - 1.0).abs() < 1e-14 && (settled.x[1] - 2.0).abs() < 1e-14);
     let settled = svd(settled.factor.as_ref().unwrap());

@@ -7,7 +7,7 @@ use etalon_base::pose::{Vector, unit};
 
 /// Values of a feature, as far as they are stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Geometry {
+pub struct FeatureGeometry {
     /// Location, or the point of the axis.
     pub point_mm: Option<Vector>,
     /// Unit normal or direction of the axis.
@@ -20,7 +20,7 @@ pub struct Geometry {
     pub apex_angle_rad: Option<f64>,
 }
 
-impl Geometry {
+impl FeatureGeometry {
     /// Of a feature of this kind, whose values stand in `nodes` (nominal values in two: location and size).
     pub(super) fn of<'t, 'a: 't>(
         kind: &str,

@@ -9,13 +9,13 @@ mod points;
 mod rows;
 mod units;
 
-pub use geometry::Geometry;
+pub use geometry::FeatureGeometry;
 use rows::rows;
 
-use super::{About, ExportFormat, Recognised, Row, Text, Writing, head};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
-use crate::xml::{Node, Tree};
+use crate::xml::{Elements, Node};
 use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::Vector;
 use etalon_fit::Element;
@@ -39,7 +39,7 @@ impl ExportFormat for Qif {
         rows(text.file, text.whole, unit)
     }
 
-    fn write(&self, _rows: &[Row], _how: &Writing) -> std::result::Result<String, Message> {
+    fn write(&self, _rows: &[ExportRow], _how: &Writing) -> std::result::Result<String, Message> {
         let message = Message::error("simulate writes no QIF");
         Err(message.hint("state `polyworks` or a delimited format for this export"))
     }
@@ -88,9 +88,9 @@ pub struct MeasuredFeature {
     /// What the points are.
     pub touch: Touch,
     /// Measured values that the file states.
-    pub stated: Geometry,
+    pub stated: FeatureGeometry,
     /// Nominal values.
-    pub nominal: Geometry,
+    pub nominal: FeatureGeometry,
     /// Whether it is a bore (`INTERNAL`) or a shaft (`EXTERNAL`), where that is stated.
     pub internal: Option<bool>,
     /// Where it stands in the file.
@@ -141,7 +141,7 @@ pub fn is_xml(text: &str) -> bool {
 /// # Errors
 /// If it is not well-formed QIF 2.x or 3.x document, states no unit, or holds a number that is none.
 pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
-    let tree = Tree::read(file, text, |name| NOT_READ.contains(&name))?;
+    let tree = Elements::read(file, text, |name| NOT_READ.contains(&name))?;
     let Some(root) = tree.root().filter(|r| r.name() == "QIFDocument") else {
         let message = tree.error(0, "the file is no QIF document");
         return Err(message.expected("XML with the document element `QIFDocument`").into());
@@ -242,9 +242,9 @@ fn feature<'t, 'a>(
         _ => None,
     });
     let read = |nodes: &[Option<Node>], messages: &mut Vec<Message>| {
-        Geometry::of(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
+        FeatureGeometry::of(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
             messages.push(message);
-            Geometry::default()
+            FeatureGeometry::default()
         })
     };
     let stated = read(&[Some(node)], messages);

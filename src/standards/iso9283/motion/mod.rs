@@ -24,7 +24,7 @@ use std::ops::Range;
 
 /// What the recording does not state.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct MotionSettings {
     /// What counts as standing.
     pub still: Stillness,
     /// How near a standstill is to its pose, and an attained path to the commanded one.
@@ -68,7 +68,7 @@ pub struct Standing {
 }
 
 /// Every standstill of a recording, in the order of time.
-pub fn standing(recording: &Recording, settings: &Settings) -> Result<Vec<Standing>> {
+pub fn standing(recording: &Recording, settings: &MotionSettings) -> Result<Vec<Standing>> {
     let stream = &recording.stream;
     let stood = standstills(stream, &settings.still)?;
     let places: Vec<CommandedPose> = match &settings.poses {

@@ -7,12 +7,13 @@ mod reach;
 pub use reach::{Reach, UnknownReach, Unreached, reach};
 
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 
 /// What the user states.
 #[derive(Clone, Debug)]
-pub struct Request {
+pub struct TestRequest {
     /// Smallest and largest corner of the workspace; of planar robots with the same z.
     pub workspace_mm: [Vector; 2],
     /// Name of the test plane, one of [`PLANES`]; planar robots have no choice.
@@ -25,29 +26,29 @@ pub struct Request {
 
 /// Test laid into a workspace.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct TestPlan {
     /// `true` for planar robots: neither z nor angles a and b.
     pub planar: bool,
     /// Cube, test plane and poses.
     pub layout: Layout,
     /// Places to visit.
-    pub places: Vec<Places>,
+    pub places: Vec<CommandedPoses>,
 }
 
 /// Poses, or a path.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Places {
+pub struct CommandedPoses {
     /// Name of the list.
     pub name: &'static str,
     /// Characteristics that it is for.
     pub purpose: &'static str,
     /// The places in order.
-    pub points: Vec<Place>,
+    pub points: Vec<CommandedPose>,
 }
 
 /// Commanded pose.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct CommandedPose {
     /// Position; z is zero for planar robots.
     pub position_mm: Vector,
     /// Angles a, b, c, of planar robots c alone; empty where none are stated.
@@ -75,15 +76,14 @@ impl From<Problems> for PlanError {
 }
 
 /// Lays out the test.
-pub fn plan(request: &Request) -> std::result::Result<Plan, PlanError> {
+pub fn plan(request: &TestRequest) -> std::result::Result<TestPlan, PlanError> {
     let [low, high] = request.workspace_mm;
     let planar = low[2] == high[2];
     let number = plane(request.plane.as_deref(), planar)?;
     let angles: &[&str] = if planar { &ANGLES[2..] } else { &ANGLES };
     for (option, given) in [("orientation", &request.orientation_deg), ("reorientation", &request.reorientation_deg)] {
         if !(given.is_empty() || given.len() == angles.len()) || given.iter().any(|v| !v.is_finite()) {
-            let message = Message::error(format!("the {option} has {} angles", given.len()));
-            return Err(Problems::from(message.expected(angles.join(", "))).into());
+            return Err(Problems::from(error!("angle-count", option, count = given.len(), angles)).into());
         }
     }
     if request.orientation_deg.is_empty() && !request.reorientation_deg.is_empty() {
@@ -94,11 +94,11 @@ pub fn plan(request: &Request) -> std::result::Result<Plan, PlanError> {
         let change = |k: usize| request.reorientation_deg.get(k).copied().unwrap_or_default();
         let turn = |(k, angle): (usize, &f64)| angle + turned * change(k);
         let angles_deg = request.orientation_deg.iter().enumerate().map(turn).collect();
-        Place { position_mm: if planar { [p[0], p[1], 0.0] } else { p }, angles_deg }
+        CommandedPose { position_mm: if planar { [p[0], p[1], 0.0] } else { p }, angles_deg }
     };
     let still = |name, purpose, points: Vec<Vector>| {
         let points = points.into_iter().map(|p| place(p, 0.0)).collect();
-        Places { name, purpose, points }
+        CommandedPoses { name, purpose, points }
     };
     let [large, small] = test.circles(CHORDS);
     let mut places = vec![
@@ -114,18 +114,18 @@ pub fn plan(request: &Request) -> std::result::Result<Plan, PlanError> {
         let at = |(share, turned): (f64, f64)| place([0, 1, 2].map(|k| from[k] + share * (to[k] - from[k])), turned);
         let points = [(0.0, 0.0), (0.25, 1.0), (0.5, 0.0), (0.75, -1.0), (1.0, 0.0)].map(at).to_vec();
         let purpose = "path accuracy on reorientation: P2 to P4, turned there and back";
-        places.push(Places { name: "reorientation", purpose, points });
+        places.push(CommandedPoses { name: "reorientation", purpose, points });
     }
-    Ok(Plan { planar, layout: test, places })
+    Ok(TestPlan { planar, layout: test, places })
 }
 
 fn plane(name: Option<&str>, planar: bool) -> Result<usize> {
     match name {
-        Some(_) if planar => Err(Message::error("a planar robot has one test plane").hint("leave it out").into()),
-        Some(name) => PLANES.iter().position(|(known, _)| *known == name).ok_or_else(|| {
-            let message = Message::error(format!("`{name}` is not a test plane"));
-            message.expected(PLANES.map(|(known, _)| known).join(", ")).into()
-        }),
+        Some(_) if planar => Err(error!("planar-test-plane").into()),
+        Some(name) => PLANES
+            .iter()
+            .position(|(known, _)| *known == name)
+            .ok_or_else(|| error!("test-plane-unknown", name, planes = PLANES.map(|(known, _)| known)).into()),
         None => Ok(0),
     }
 }

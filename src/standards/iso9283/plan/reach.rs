@@ -1,6 +1,6 @@
 //! Whether a robot reaches the places of a test, within what its file states, and with which joint values.
 
-use crate::iso9283::plan::{Place, Places, Plan};
+use crate::iso9283::plan::{CommandedPose, CommandedPoses, TestPlan};
 use etalon_robots::{PlanarPose, Quantity, Robot};
 use std::f64::consts::{PI, TAU};
 
@@ -34,7 +34,7 @@ pub struct UnknownReach;
 /// Joint values of every place, and which places are out of reach and why. Models without an
 /// inverse that holds everywhere are refused. Of several working modes one is kept along a list,
 /// the one that reaches most of it.
-pub fn reach(plan: &Plan, robot: &dyn Robot) -> Result<Reach, UnknownReach> {
+pub fn reach(plan: &TestPlan, robot: &dyn Robot) -> Result<Reach, UnknownReach> {
     if robot.platform().is_none() && robot.inverse_all(&robot.nominal(), [0.0; 3]).is_none() {
         return Err(UnknownReach);
     }
@@ -50,7 +50,7 @@ pub fn reach(plan: &Plan, robot: &dyn Robot) -> Result<Reach, UnknownReach> {
 }
 
 /// Joint values of every way to a place that is within the limits.
-fn ways(robot: &dyn Robot, point: &Place) -> Vec<Vec<f64>> {
+fn ways(robot: &dyn Robot, point: &CommandedPose) -> Vec<Vec<f64>> {
     let within = |q: &Vec<f64>| robot.limit_violation(&robot.nominal(), q).is_none();
     match robot.platform() {
         Some(_) => at_pose(robot, point).filter(within).into_iter().collect(),
@@ -59,7 +59,7 @@ fn ways(robot: &dyn Robot, point: &Place) -> Vec<Vec<f64>> {
 }
 
 /// Joint values that bring a platform to a place, whatever their limits.
-fn at_pose(robot: &dyn Robot, point: &Place) -> Option<Vec<f64>> {
+fn at_pose(robot: &dyn Robot, point: &CommandedPose) -> Option<Vec<f64>> {
     let (platform, parameters) = (robot.platform()?, robot.nominal());
     let [x, y, _] = point.position_mm;
     let [x_mm, y_mm] = platform.in_base(&parameters, [x, y]);
@@ -68,13 +68,13 @@ fn at_pose(robot: &dyn Robot, point: &Place) -> Option<Vec<f64>> {
     q.iter().all(|v| v.is_finite()).then_some(q)
 }
 
-fn reason(robot: &dyn Robot, point: &Place) -> String {
+fn reason(robot: &dyn Robot, point: &CommandedPose) -> String {
     let violation = at_pose(robot, point).and_then(|q| robot.limit_violation(&robot.nominal(), &q));
     violation.unwrap_or_else(|| "no working mode reaches it within the limits".to_owned())
 }
 
 /// Joint values along a list without leaving the working mode: of all ways to begin the one that misses least.
-fn way(robot: &dyn Robot, places: &Places) -> Vec<Option<Vec<f64>>> {
+fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
     let all: Vec<Vec<Vec<f64>>> = places.points.iter().map(|point| ways(robot, point)).collect();
     let starts = all.iter().find(|ways| !ways.is_empty()).cloned().unwrap_or_default();
     let follow = |start: Vec<f64>| -> Vec<Option<Vec<f64>>> {

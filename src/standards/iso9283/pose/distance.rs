@@ -1,14 +1,15 @@
 //! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified against a bought copy).
 
-use crate::iso9283::pose::test::{Pair, PoseTest};
-use crate::iso9283::statistics::sample::{Spread, coordinates, spread, unwrapped, wrapped};
-use etalon_base::message::{Message, Result};
+use crate::iso9283::pose::test::{PosePair, PoseTest};
+use crate::iso9283::statistics::sample::{SampleSpread, coordinates, spread, unwrapped, wrapped};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 
 /// How well a commanded distance is driven.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Distance {
+pub struct DistanceAccuracy {
     /// Mean attained distance.
     pub mean_mm: f64,
     /// AD_p: mean attained minus commanded distance.
@@ -29,7 +30,7 @@ pub struct PairDistance {
     /// Cycles that have both.
     pub cycles: usize,
     /// AD and RD of the position.
-    pub position: Distance,
+    pub position: DistanceAccuracy,
     /// AD of each angle of the test.
     pub ad_angles_rad: Vec<f64>,
     /// RD of each angle of the test.
@@ -55,7 +56,7 @@ pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
             if pairs.len() < 2 {
                 continue;
             }
-            let positions = |of: fn(&Pair) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
+            let positions = |of: fn(&PosePair) -> Vector| pairs.iter().map(of).collect::<Vec<_>>();
             let (first, second) = (positions(|v| v.from.position_mm), positions(|v| v.to.position_mm));
             let position = distance(&first, &second, [from, to])?;
             let turned = (0..test.angles.len()).map(|k| {
@@ -72,18 +73,17 @@ pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
 }
 
 /// Distance between two poses that were visited in the same cycles, in order: at least two.
-pub fn distance(first_mm: &[Vector], second_mm: &[Vector], commanded_mm: [Vector; 2]) -> Result<Distance> {
+pub fn distance(first_mm: &[Vector], second_mm: &[Vector], commanded_mm: [Vector; 2]) -> Result<DistanceAccuracy> {
     crate::iso9283::statistics::sample::positions(first_mm, 2, "distance")?;
     crate::iso9283::statistics::sample::positions(second_mm, 2, "distance")?;
     if first_mm.len() != second_mm.len() {
-        let message = Message::error(format!("distance: {} and {} positions", first_mm.len(), second_mm.len()));
-        return Err(message.expected("both poses in the same cycles").into());
+        return Err(error!("distance-counts-differ", first = first_mm.len(), second = second_mm.len()).into());
     }
     let attained: Vec<Vector> = first_mm.iter().zip(second_mm).map(|(p, q)| minus(*p, *q)).collect();
     let commanded = minus(commanded_mm[0], commanded_mm[1]);
     let total = spread(&attained.iter().map(|&d| norm(d)).collect::<Vec<_>>());
-    let axes: [Spread; 3] = [0, 1, 2].map(|k| spread(&attained.iter().map(|d| d[k].abs()).collect::<Vec<_>>()));
-    Ok(Distance {
+    let axes: [SampleSpread; 3] = [0, 1, 2].map(|k| spread(&attained.iter().map(|d| d[k].abs()).collect::<Vec<_>>()));
+    Ok(DistanceAccuracy {
         mean_mm: total.mean,
         ad_mm: total.mean - norm(commanded),
         ad_axis_mm: [0, 1, 2].map(|k| axes[k].mean - commanded[k].abs()),

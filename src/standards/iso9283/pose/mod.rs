@@ -29,7 +29,7 @@ use std::collections::btree_map::{BTreeMap, Entry};
 
 /// What the data do not say.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct PoseTestSettings {
     /// Expanded uncertainty of a measured coordinate (k = 2).
     pub expanded_uncertainty_mm: Option<f64>,
     /// Expanded uncertainty of a measured position (k = 2) where it is not that of its coordinates together.
@@ -98,7 +98,7 @@ pub struct Assessed {
 }
 
 /// AP and RP of every pose of a test of one robot.
-pub fn characteristics(test: &PoseTest, settings: &Settings) -> Result<Vec<PoseCharacteristics>> {
+pub fn characteristics(test: &PoseTest, settings: &PoseTestSettings) -> Result<Vec<PoseCharacteristics>> {
     let mut bootstraps = BTreeMap::new();
     test.poses.iter().map(|p| of_pose(test, p, settings, &mut bootstraps)).collect()
 }
@@ -106,7 +106,7 @@ pub fn characteristics(test: &PoseTest, settings: &Settings) -> Result<Vec<PoseC
 fn of_pose(
     test: &PoseTest,
     p: &TestedPose,
-    settings: &Settings,
+    settings: &PoseTestSettings,
     bootstraps: &mut BTreeMap<usize, Bootstrap>,
 ) -> Result<PoseCharacteristics> {
     let positions = p.positions_mm(|_| true);

@@ -98,7 +98,7 @@ pub fn from_pose(pose: PoseName) -> String {
 
 /// A pair of poses that were attained in the same cycle.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair<'a> {
+pub struct PosePair<'a> {
     /// Of the first pose.
     pub from: &'a AttainedPose,
     /// Of the second.
@@ -107,7 +107,7 @@ pub struct Pair<'a> {
 
 impl TestedPose {
     /// Pairs with another pose, of the cycles that have each of the two once.
-    pub fn pairs<'a>(&'a self, other: &'a Self) -> Vec<Pair<'a>> {
+    pub fn pairs<'a>(&'a self, other: &'a Self) -> Vec<PosePair<'a>> {
         let once = |p: &'a Self| {
             let mut by_cycle: BTreeMap<(&str, i64), Vec<&AttainedPose>> = BTreeMap::new();
             p.attained.iter().for_each(|v| by_cycle.entry((v.robot.as_str(), v.cycle)).or_default().push(v));
@@ -115,7 +115,7 @@ impl TestedPose {
             by_cycle
         };
         let others = once(other);
-        once(self).into_iter().filter_map(|(key, v)| Some(Pair { from: v[0], to: others.get(&key)?[0] })).collect()
+        once(self).into_iter().filter_map(|(key, v)| Some(PosePair { from: v[0], to: others.get(&key)?[0] })).collect()
     }
 }
 

@@ -1,24 +1,33 @@
 //! Means and standard deviations that are exact where all values are equal, and angles without jumps.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 use std::f64::consts::TAU;
 
 /// Refuses fewer than `least` positions, or one that is not finite.
-pub(crate) fn positions(points: &[Vector], least: usize, what: &str) -> Result<()> {
+pub(crate) fn positions(points: &[Vector], least: usize, characteristic: &str) -> Result<()> {
     if points.len() < least {
-        let message = Message::error(format!("{what}: {} attained positions", points.len()));
-        return Err(message.expected(format!("at least {least}")).into());
+        return Err(error!(
+            "too-few-positions",
+            of = phrase!("characteristic", name = characteristic),
+            count = points.len(),
+            least
+        )
+        .into());
     }
     match points.iter().position(|&p| !norm(p).is_finite()) {
-        Some(i) => Err(Message::error(format!("{what}: position {} is not finite", i + 1)).into()),
+        Some(i) => {
+            let of = phrase!("characteristic", name = characteristic);
+            Err(error!("position-not-finite", of, number = i + 1).into())
+        }
         None => Ok(()),
     }
 }
 
 /// Mean and standard deviation of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
+pub struct SampleSpread {
     /// Mean; NaN without values.
     pub mean: f64,
     /// Standard deviation with n - 1; NaN with fewer than two values.
@@ -26,13 +35,13 @@ pub struct Spread {
 }
 
 /// Mean and standard deviation, computed about the first value.
-pub fn spread(values: &[f64]) -> Spread {
+pub fn spread(values: &[f64]) -> SampleSpread {
     let n = values.len() as f64;
     let first = values.first().copied().unwrap_or(f64::NAN);
     let mean = first + values.iter().map(|v| v - first).sum::<f64>() / n;
     let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
     let deviation = if values.len() < 2 { f64::NAN } else { (squares / (n - 1.0)).sqrt() };
-    Spread { mean, deviation }
+    SampleSpread { mean, deviation }
 }
 
 /// Coordinates that exist: x, y and, in space, z.
