@@ -27,7 +27,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 5] = files!["base", "cli", "controllers", "fit", "standards"];
+pub const FILES: [(&str, [&str; 3]); 6] = files!["base", "cli", "compare", "controllers", "fit", "standards"];
 
 /// Named arguments of a text.
 pub type Arguments = BTreeMap<String, Argument>;
@@ -58,9 +58,9 @@ impl Eq for Argument {}
 /// ```
 /// use etalon_base::phrase;
 ///
-/// let rows = phrase!("rows", count = 2);
-/// assert_eq!(rows.to_string(), "2 rows");
-/// assert_eq!(rows.text("de"), "2 Zeilen");
+/// let approaches = phrase!("approaches", count = 2);
+/// assert_eq!(approaches.to_string(), "2 approaches");
+/// assert_eq!(approaches.text("de"), "2 Anfahrrichtungen");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Phrase {
@@ -399,12 +399,12 @@ mod tests {
     #[test]
     fn an_unknown_id_or_language_does_no_harm() {
         assert_eq!(Phrase::new("no-such-id").text("de"), "no-such-id");
-        assert_eq!(crate::phrase!("rows", count = 1).text("it"), "1 row");
+        assert_eq!(crate::phrase!("approaches", count = 1).text("it"), "1 approach");
     }
 
     #[test]
     fn arguments_read_back_as_they_were_written() {
-        let inner = crate::phrase!("rows", count = 3);
+        let inner = crate::phrase!("approaches", count = 3);
         let phrase =
             Phrase::new("x").with("a", &1).with("b", &1.0).with("c", "1").with("d", &["p", "q"]).with("e", &inner);
         let text = toml::to_string(&phrase).unwrap();

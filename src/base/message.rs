@@ -135,7 +135,7 @@ impl Place {
         let snippet = Snippet::source(shown.clone()).line_start(line).fold(false);
         match marked {
             Some(marked) => vec![snippet.path(file).annotation(AnnotationKind::Primary.span(marked)).into()],
-            None => vec![Origin::path(file).line(line).into(), snippet.into()],
+            None => vec![snippet.path(format!("{file}:{line}")).into()],
         }
     }
 
@@ -394,9 +394,16 @@ impl fmt::Display for Message {
         if !self.id.is_empty() {
             title = title.id(self.id.as_ref());
         }
-        let group = Group::with_title(title).elements(self.place.iter().flat_map(|place| place.elements()));
-        let expected = self.expected.iter().map(|text| Level::NOTE.with_name("expected").message(printable(text)));
-        let mut groups = vec![group.elements(expected)];
+        let mut group = Group::with_title(title).elements(self.place.iter().flat_map(|place| place.elements()));
+        let mut groups = Vec::new();
+        if let Some(text) = &self.expected {
+            let expected = Level::NOTE.with_name("expected");
+            match self.place {
+                Some(_) => group = group.element(expected.message(printable(text))),
+                None => groups.push(Group::with_title(expected.secondary_title(printable(text)))),
+            }
+        }
+        groups.insert(0, group);
         groups.extend(
             self.hint
                 .iter()
@@ -556,8 +563,52 @@ mod tests {
         let message = Message::error("unknown key `robto`")
             .at(Place::span("campaign.toml", source, 11..16))
             .hint_names("robto", ["robot", "name"]);
-        let text = "error: unknown key `robto`\n  --> campaign.toml:2:1\n    2 | robto = 1\n      | ^^^^^\n\nhint: did you mean `robot`?";
-        assert_eq!(message.to_string(), text);
+        let lines = [
+            "error: unknown key `robto`",
+            " --> campaign.toml:2:1",
+            "  |",
+            "2 | robto = 1",
+            "  | ^^^^^",
+            "  |",
+            "hint: did you mean `robot`?",
+        ];
+        assert_eq!(message.to_string(), lines.join("\n"));
+        assert_eq!(message.texts("de").hint.as_deref(), Some("meinten Sie `robot`?"));
+    }
+
+    #[test]
+    fn a_line_is_shown_whole_where_no_column_is_known() {
+        let message = crate::error!("locked", process = "17", file = "a.csv").at(Place::line("a.csv", 7, "3;10,5"));
+        let lines = [
+            "error[locked]: process 17 is writing `a.csv`",
+            " --> a.csv:7",
+            "  |",
+            "7 | 3;10,5",
+            "  |",
+            "  = expected: nothing",
+            "hint: wait until it has ended",
+        ];
+        assert_eq!(message.expected("nothing").to_string(), lines.join("\n"));
+        let unplaced = crate::error!("counts-too-large", of = "rows", counts = "3", most = 2).to_string();
+        assert_eq!(unplaced, "error[counts-too-large]: too many rows: 3\nexpected: at most 2");
+        let file = crate::error!("cannot-encode", format = "CSV", reason = "r").at(Place::file("a.csv"));
+        assert_eq!(file.to_string(), "error[cannot-encode]: cannot write CSV: r\n--> a.csv");
+    }
+
+    #[test]
+    fn a_message_and_what_is_around_it_have_every_language() {
+        let message = crate::error!("counts-too-large", of = "rows", counts = "3 poses", most = 2).within(phrase!(
+            "also-in-lines",
+            second = 3,
+            third = 4,
+            more = 1
+        ));
+        assert!(message.is("counts-too-large", &[("most", &2)]) && !message.is("counts-too-large", &[("most", &3)]));
+        assert_eq!(message.texts("en").what, message.what);
+        let german = message.texts("de");
+        assert_eq!(german.what, "zu viele rows: 3 poses; ebenso in den Zeilen 3, 4 und 1 weiteren Zeile");
+        assert_eq!(german.expected.as_deref(), Some("höchstens 2"));
+        assert_eq!(Message::error("free").hint("text").texts("fr").hint.as_deref(), Some("text"));
     }
 
     #[test]

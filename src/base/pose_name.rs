@@ -248,8 +248,6 @@ impl JsonSchema for PoseName {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::IntoArgument;
-    use crate::catalogue::{Argument, IntoArgument};
 
     fn named(name: &str) -> PoseName {
         PoseName::new(name).unwrap()

@@ -3,6 +3,7 @@
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_documents::*;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
@@ -53,13 +54,11 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         trends.push(of_estimates((family, p.name.clone(), &p.unit), &estimates));
     }
     if !held.is_empty() {
-        let what = format!("not every campaign identified {}", held.join(", "));
-        messages.push(Message::warning(what).hint("others that act alike may have taken up what these were held from"));
+        messages.push(warning!("parameters-not-in-all", parameters = held));
     }
     if !redrawn.is_empty() {
         let names: Vec<String> = redrawn.into_iter().collect();
-        let what = format!("nominal values differ between the robot files: {}", names.join(", "));
-        messages.push(Message::warning(what).hint("what is held at its nominal value acts on the others"));
+        messages.push(warning!("nominal-values-differ", parameters = names));
     }
     trends.sort_by_key(|t| t.family);
     trends
@@ -83,15 +82,7 @@ pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], 
         change.p = None;
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
-    (!wrong.is_empty()).then(|| {
-        let what = format!(
-            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
-             are no evidence of a change, and have no p value",
-            named.join(", ")
-        );
-        Message::warning(what)
-            .hint("identify with a model that describes the robot, and measure the same poses each time")
-    })
+    (!wrong.is_empty()).then(|| warning!("model-misfits", campaigns = named))
 }
 
 /// Whether the robot's parameters changed, all together: Δᵀ (C₁ + C₂)⁻¹ Δ, which sees changes along directions that single

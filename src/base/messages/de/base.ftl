@@ -1,10 +1,5 @@
 ### Meldungen von base; Erklärungen in en/base.ftl.
 
-rows = { $count ->
-        [one] 1 Zeile
-       *[other] { $count } Zeilen
-    }
-
 also-in-lines = { $message }; ebenso in den Zeilen { $second }, { $third } und { $more ->
         [one] 1 weiteren Zeile
        *[other] { $more } weiteren Zeilen

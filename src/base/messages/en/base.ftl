@@ -1,10 +1,5 @@
 ### Messages of base. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
-rows = { $count ->
-        [one] 1 row
-       *[other] { $count } rows
-    }
-
 also-in-lines = { $message }; also in lines { $second }, { $third } and { $more ->
         [one] 1 more row
        *[other] { $more } more rows

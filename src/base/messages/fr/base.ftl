@@ -1,10 +1,5 @@
 ### Messages de base ; explications dans en/base.ftl.
 
-rows = { $count ->
-        [one] { $count } ligne
-       *[other] { $count } lignes
-    }
-
 also-in-lines = { $message } ; également aux lignes { $second }, { $third } et { $more ->
         [one] { $more } autre ligne
        *[other] { $more } autres lignes
