@@ -253,5 +253,5 @@ fn calls_are_found_wherever_they_are() {
     let mut calls = Calls::default();
     calls.read(source.parse().unwrap());
     let ids: Vec<(&str, usize)> = calls.of_catalogue.iter().map(|(_, id, all)| (id.as_str(), all.len())).collect();
-    assert_eq!((ids, calls.free), (vec![("b", 0), ("a", 2)], 2));
+    assert_eq!((ids, calls.free), (vec![("a", 2), ("b", 0)], 2));
 }

@@ -409,7 +409,9 @@ impl fmt::Display for Message {
                 .iter()
                 .map(|text| Group::with_title(Level::HELP.with_name("hint").secondary_title(printable(text)))),
         );
-        f.write_str(&Renderer::plain().render(&groups))
+        // groups that are drawn together are joined by an empty line
+        let drawn = groups.into_iter().map(|group| Renderer::plain().render(&[group]));
+        f.write_str(&drawn.collect::<Vec<_>>().join("\n"))
     }
 }
 
@@ -569,7 +571,6 @@ mod tests {
             "  |",
             "2 | robto = 1",
             "  | ^^^^^",
-            "  |",
             "hint: did you mean `robot`?",
         ];
         assert_eq!(message.to_string(), lines.join("\n"));

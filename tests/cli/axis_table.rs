@@ -266,7 +266,7 @@ fn tables_that_would_mislead_a_control_are_refused() {
         (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik", "--sign", "add"], "--sign is for tables"),
         (
             &["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:25", "--to", "beckhoff-plane", "--sign", "add"],
-            "same distance",
+            "error[plane-steps-differ]",
         ),
         (&["--axis", "q1_mm=0:100:30"], "not whole steps"),
         (&["--axis", "q1_mm=0:100:50", "--axis", "q1_mm=0:100:50"], "one base axis or two"),
@@ -274,7 +274,7 @@ fn tables_that_would_mislead_a_control_are_refused() {
         (&["--axis", "q1_mm=0:100:50", "--corrected", "x"], "all of x_mm, y_mm, z_mm, or all joints"),
         (&["--axis", "q1_deg=0:100:50"], "joints q1_mm, q2_mm"),
         (&["--axis", "q1_mm=0:100:50", "--at", "q3_mm=1"], "has no axis `q3_mm`"),
-        (&["--axis", "q1_mm=0:300:1", "--to", "linuxcnc"], "too many for LinuxCNC"),
+        (&["--axis", "q1_mm=0:300:1", "--to", "linuxcnc"], "error[axis-table-too-long]"),
     ] {
         let (out, code, said) = cross.table(arguments);
         assert!(code == Some(2) && out.is_empty() && said.contains(why), "{arguments:?}: {said}");

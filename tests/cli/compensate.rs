@@ -283,11 +283,11 @@ fn g_code_keeps_its_modal_words() {
         }
     }
     for (program, part) in [
-        ("G21 G90\nG0 X200 Y150 C0\nG2 X1 Y1 I1 J1\n", "G2 is not compensated"),
-        ("G20\nG0 X1 Y1 C0\n", "G20 is not compensated"),
-        ("G91\nG0 X1 Y1 C0\n", "G91 is not compensated"),
-        ("G0 X200 Y150\n", "`C` has no value yet"),
-        ("G0 X[#1+2] Y150 C0\n", "`X` is not a number"),
+        ("G21 G90\nG0 X200 Y150 C0\nG2 X1 Y1 I1 J1\n", "error[movement-not-compensated]: `G2`"),
+        ("G20\nG0 X1 Y1 C0\n", "error[movement-not-compensated]: `G20`"),
+        ("G91\nG0 X1 Y1 C0\n", "error[movement-not-compensated]: `G91`"),
+        ("G0 X200 Y150\n", "error[coordinate-unknown]: `C`"),
+        ("G0 X[#1+2] Y150 C0\n", "error[coordinate-not-number]: `X`"),
         ("G55 G0 X200 Y150 C0\n", "the program uses `G55`"),
         ("G0 X900 Y150 C0\n", "target line 1: rho1 = "),
     ] {
@@ -307,8 +307,8 @@ fn programs_that_cannot_be_compensated_target_by_target_are_refused() {
             format!("MoveL {target},v10,fine,tool0\\WObj:=w1;\nMoveL {target},v10,fine,tool0\\WObj:=w2;"),
             "each as a program",
         ),
-        ("a.mod", target.replace("0.6", "0.9"), "has the length 1.2"),
-        ("a.src", "PTP {X 300}\n".to_owned(), "states a part of X, Y, Z"),
+        ("a.mod", target.replace("0.6", "0.9"), "error[quaternion-length]"),
+        ("a.src", "PTP {X 300}\n".to_owned(), "error[move-incomplete]"),
         ("a.src", "FOLD {TOOL_NO 3,BASE_NO 0}\nPTP {X 300,Y 0,Z 500,A 0,B 0,C 0}".to_owned(), "uses `TOOL_NO 3`"),
         ("a.script", "set_tcp(p[0,0,0.1,0,0,0])\nmovel(p[0.3,0.1,0.5,3.0,0.5,0])".to_owned(), "uses `p[0,0,0.1"),
     ] {
@@ -338,9 +338,9 @@ fn programs_of_mecaprol_and_galil_have_other_targets_alone() {
     assert_eq!(new, bytes(&expected), "{}", String::from_utf8_lossy(&new));
     for (program, more, part) in [
         ("MoveC X40 Y330;", &[][..], "--start"),
-        ("MoveC X40;", &start, "has not both X and Y"),
+        ("MoveC X40;", &start, "error[move-incomplete]"),
         ("WCS X20 Y60 Z0 W0;\nMoveC X40 Y330;", &start, "uses `WCS X20 Y60 Z0 W0`"),
-        ("MoveC X40 Y330 M1;\nMoveC X40 Y330 M2;", &start, "changes the working mode"),
+        ("MoveC X40 Y330 M1;\nMoveC X40 Y330 M2;", &start, "error[working-mode-changes]"),
         ("MoveC X4000 Y330;", &start, "out of reach"),
     ] {
         let (new, code, said) = five_bar.compensate("face.mp", program.as_bytes(), more);
