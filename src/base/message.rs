@@ -472,6 +472,11 @@ impl Problems {
         if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
     }
 
+    /// The same messages within a text that has the argument `message`.
+    pub fn within(self, around: &Phrase) -> Self {
+        Self(self.0.into_iter().map(|message| message.within(around.clone())).collect())
+    }
+
     /// The value of a result; its problems are added to these.
     pub fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
         result.map_err(|more| self.0.extend(more.0)).ok()

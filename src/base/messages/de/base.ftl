@@ -51,3 +51,5 @@ output-is-input = `{ $output }` würde die Eingabe `{ $input }` überschreiben
     .hint = eine andere Ausgabedatei angeben
 
 cannot-write-folder = der Ordner `{ $folder }` kann nicht geschrieben werden: { $reason }
+
+cannot-encode = { $format } kann nicht geschrieben werden: { $reason }

@@ -43,8 +43,6 @@ file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason
 covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json hat keine Kovarianz davon
     .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne sie neu
 
-cannot-encode = { $format } kann nicht geschrieben werden: { $reason }
-
 parameters-not-converged = die Parameter sind für eine Steuerung nicht geeignet: { $termination }
     .hint = vor dem Export neu identifizieren
 

@@ -108,3 +108,9 @@ output-is-input = `{ $output }` would overwrite the input `{ $input }`
 # Do: Check the permissions and the free space, and close programs that hold files of the folder.
 # Example: an output folder that is read-only
 cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
+
+# Means: A document cannot be written in its format.
+# Matters: No file is written.
+# Do: Report the error: the input should not be able to cause it.
+# Example: a value that JSON cannot hold
+cannot-encode = cannot write { $format }: { $reason }

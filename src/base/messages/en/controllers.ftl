@@ -69,12 +69,6 @@ file-worse-than-nominal = format `{ $format }` is not written: { $reason }
 covariance-missing = format `{ $format }` does not hold { $parameters }, and parameters.json has no covariance of them
     .hint = run the campaign with `controllers = ["{ $format }"]`: it identifies again without them
 
-# Means: A document cannot be written in its format.
-# Matters: No file is written.
-# Do: Report the error: the input should not be able to cause it.
-# Example: a value that JSON cannot hold
-cannot-encode = cannot write { $format }: { $reason }
-
 # Means: The solver did not converge.
 # Matters: The parameters are not the solution; a robot that uses them may be less accurate than
 # before.

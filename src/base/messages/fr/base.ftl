@@ -51,3 +51,5 @@ output-is-input = `{ $output }` écraserait l’entrée `{ $input }`
     .hint = indiquer un autre fichier de sortie
 
 cannot-write-folder = impossible d’écrire le dossier `{ $folder }` : { $reason }
+
+cannot-encode = impossible d’écrire { $format } : { $reason }

@@ -43,8 +43,6 @@ file-worse-than-nominal = le format `{ $format }` n’est pas écrit : { $reason
 covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json n’en a pas la covariance
     .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans eux
 
-cannot-encode = impossible d’écrire { $format } : { $reason }
-
 parameters-not-converged = les paramètres ne conviennent pas à une commande : { $termination }
     .hint = identifier de nouveau avant l’export
 
