@@ -85,7 +85,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (good.clone(), "--band-mm -1", "unexpected argument"),
         (good.clone(), "--near-mm inf", "--near-mm must be positive"),
         (good.clone(), "--path path.csv --path-points 1", "--path-points must be"),
-        (good.clone(), "--path far.csv", "no pass of the commanded path"),
+        (good.clone(), "--path far.csv", "error[path-without-pass]"),
         (good.clone(), "--path spatial.csv", "different coordinates"),
         (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
         (good.clone(), "--path nowhere.csv", "error[cannot-read-file]: cannot read `nowhere.csv`"),
