@@ -32,6 +32,7 @@ mod verify;
 
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
 use etalon_report::Faces;
@@ -186,7 +187,7 @@ fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
 fn check_positive(option: &str, stated: Option<f64>) -> Result<(), Problems> {
     match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
         true => Ok(()),
-        false => Err(Message::error(format!("{option} must be positive")).into()),
+        false => Err(error!("option-not-positive", option).into()),
     }
 }
 

@@ -1,7 +1,8 @@
 //! `etalon schema`
 
 use super::{Verdict, print};
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 
 /// Print the JSON Schema of an input file or of a JSON document
 #[derive(Debug, clap::Args)]
@@ -27,7 +28,7 @@ impl Schema {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let all = [etalon_campaign::schemas(), etalon_documents::schema::all()].concat();
         let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
-            let message = Message::error(format!("there is no schema `{}`", self.name));
+            let message = error!("schema-unknown", name = self.name);
             Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))
         })?;
         print(text)?;

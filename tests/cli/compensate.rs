@@ -126,7 +126,7 @@ fn targets_that_the_robot_does_not_reach_are_refused_by_name() {
     assert!(code == Some(1) && said.contains("target far: out of reach"), "{said}");
     // what does not go together
     for (more, part) in [
-        (&["--format", "mecaprol"][..], "Mecaprol commands a five-bar"),
+        (&["--format", "mecaprol"][..], "error[mecaprol-other-robot]"),
         (&["--format", "galil"], "--counts-per-unit"),
         (&["--tool", "1,2"], "expected x,y,z"),
         (&["--tool", "1,2,3,1,1,0,0"], "unit quaternion"),
@@ -256,7 +256,7 @@ fn programs_have_other_targets_and_nothing_else_changed() {
     }
     // what a program computes from a target is named
     let (name, program, _) = &irb120_programs()[0];
-    assert!(real.compensate(name, program, &[]).2.contains("poses of Offs are left as they are"));
+    assert!(real.compensate(name, program, &[]).2.contains("warning[poses-computed-by-program]: poses of Offs "));
 }
 
 #[test]
@@ -366,10 +366,10 @@ fn programs_of_mecaprol_and_galil_have_other_targets_alone() {
     let expected = expected.replace("90000,-220000,56000", &n(1).join(","));
     assert_eq!(text(&new), expected);
     for (program, part) in [
-        ("PA 100000,-200000\n", "not a position of every axis"),
-        ("PA AX,AY,AZ\n", "not a position of every axis"),
-        ("PAX=100\n", "not a position of every axis"),
-        ("PA 1000,-2000,500;PR 1,1,1\n", "`PR 1,1,1` is not compensated"),
+        ("PA 100000,-200000\n", "error[move-incomplete]"),
+        ("PA AX,AY,AZ\n", "error[move-incomplete]"),
+        ("PAX=100\n", "error[move-incomplete]"),
+        ("PA 1000,-2000,500;PR 1,1,1\n", "error[movement-not-compensated]: `PR 1,1,1`"),
         ("PA 900000000,-200000,52000\n", "target line 1: "),
     ] {
         let (new, code, said) = table.compensate("table.dmc", program.as_bytes(), &counts);
@@ -391,7 +391,7 @@ fn a_command_in_another_configuration_is_named() {
         let ([x, y, z], [w, a, b, c]) = (pose.translation_mm, pose.quaternion());
         let target = format!("[[{x},{y},{z}],[{w},{a},{b},{c}],[{quarter},0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
         let (_, code, said) = real.compensate("a.mod", format!("MoveL {target},v10,fine,tool0;").as_bytes(), &[]);
-        assert_eq!(code == Some(1), said.contains("the command is in another configuration"), "{said}");
+        assert_eq!(code == Some(1), said.contains("warning[configuration-changed]"), "{said}");
         codes.push(code);
     }
     // the correction of joint 1 has one sign

@@ -90,7 +90,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
         (good.clone(), "--path nowhere.csv", "error[cannot-read-file]: cannot read `nowhere.csv`"),
         (good.clone(), "--commanded twice.csv", "pose 1 is commanded twice"),
-        (good.clone(), "--columns x,y --delimiter comma", "do not say their length unit"),
+        (good.clone(), "--columns x,y --delimiter comma", "error[option-unit-missing]"),
         (
             good.clone(),
             "--path path.csv --weave-stroke-mm 2 --weave-hz 3 --weave-across 1,0,0",
@@ -188,13 +188,13 @@ fn a_plan_writes_tables_that_the_command_takes_and_targets() {
 
     for (options, said) in [
         ("", "--workspace-mm"),
-        (" --workspace-mm 1,2,3", "has 3 numbers"),
+        (" --workspace-mm 1,2,3", "error[workspace-numbers]"),
         (" --workspace-mm 0,0,0,0,0,0", "error[workspace-not-box]"),
         (" --workspace-mm 0,0,0,NaN,1,1", "error[workspace-not-box]"),
         (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "error[test-plane-unknown]"),
         (" --workspace-mm 0,0,1,1 --test-plane C1-C2-C7-C8", "error[planar-test-plane]"),
         (" --workspace-mm 0,0,0,1,1,1 --orientation-deg 1,2", "error[angle-count]"),
-        (" --workspace-mm 0,0,0,1,1,1 --reorientation-deg 1,2,3", "without an orientation"),
+        (" --workspace-mm 0,0,0,1,1,1 --reorientation-deg 1,2,3", "error[reorientation-alone]"),
     ] {
         let refused = run(here, &format!("iso9283 --plan{options}"));
         assert_eq!(refused.status.code(), Some(2), "{options}");

@@ -97,7 +97,11 @@ fn init_takes_the_robot_of_a_urdf() {
 fn init_has_the_geometry_of_robots() {
     let folder = tempfile::tempdir().unwrap();
     let unknown = text(&etalon(folder.path(), &["init", "x", "--robot", "ur6"]).stderr);
-    let names = unknown.lines().find_map(|line| line.split_once("expected: ").map(|(_, names)| names)).expect("names").to_owned();
+    let names = unknown
+        .lines()
+        .find_map(|line| line.split_once("expected: ").map(|(_, names)| names))
+        .expect("names")
+        .to_owned();
     assert!(names.split(", ").count() >= 19, "{names}");
     for name in names.split(", ") {
         let made = etalon(folder.path(), &["init", name, "--robot", name]);
@@ -456,7 +460,10 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     let all = run(&["--json", "--all", "--expanded-uncertainty-um", "30"]);
     // 30 µm are more than a quarter of 0.1 mm
     let said = text(&all.stderr);
-    assert!(all.status.success() && said.contains("warning[instrument-too-coarse]") && said.contains("at pose 1, 2"), "{said}");
+    assert!(
+        all.status.success() && said.contains("warning[instrument-too-coarse]") && said.contains("at pose 1, 2"),
+        "{said}"
+    );
     let document: etalon::documents::Iso9283Document = serde_json::from_slice(&all.stdout).unwrap();
     assert_eq!((document.distances[0].poses, document.distances[0].cycles), ([1.into(), 2.into()], 4));
     assert!(document.conventions.iter().any(|c| c.contains("not stated")));

@@ -196,11 +196,7 @@ fn no_output_is_written_over_an_input() {
     write("c.csv", "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,20,30\n2,20,10,5\n3,40,40,20\n");
     let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "c.csv", "--positions", "2"];
     kept("c.csv", &[&plan[..], &["--poses", "./c.csv"]].concat(), "error[output-is-input]");
-    kept(
-        "campaign/robot.toml",
-        &[&plan[..], &["--report", "campaign/robot.toml"]].concat(),
-        "does not end like a report",
-    );
+    kept("campaign/robot.toml", &[&plan[..], &["--report", "campaign/robot.toml"]].concat(), "error[not-a-report]");
     std::fs::copy(scratch.path().join("robot.toml"), scratch.path().join("robot.html")).unwrap();
     let plan = plan.map(|argument| if argument.ends_with("robot.toml") { "campaign/robot.html" } else { argument });
     kept("campaign/robot.html", &[&plan[..], &["--report", "campaign/robot.html"]].concat(), "error[output-is-input]");
