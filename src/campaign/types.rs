@@ -459,6 +459,12 @@ pub struct WorldDefinition {
     /// The coordinates of the export are those of the world.
     #[serde(default)]
     pub as_exported: bool,
+    /// Nominal places of labels or targets, of the frame or of the plate that carries them, in any one frame: three or more. A point that is
+    /// off by more than `tolerance_mm` and its expanded uncertainty is an error.
+    #[serde(default)]
+    pub nominal_mm: BTreeMap<String, [f64; 3]>,
+    /// How far a point may be from its place in `nominal_mm`.
+    pub tolerance_mm: Option<f64>,
 }
 
 impl WorldDefinition {
@@ -500,7 +506,8 @@ pub struct Identify {
     #[serde(default)]
     pub prior: PriorRule,
     /// Effects of the robot itself that are identified: a list of `zeros`, `geometry`, `gains`, `harmonics`, `backlash`, `coupling`,
-    /// `bending`; `usual`, which is the default: all that the robot file states, without the gains of turning joints of arms; or `all`.
+    /// `bending`; `usual`, which is the default: all that the robot file states, without the gains of turning joints of arms; `all`; or `proven`:
+    /// those that make calibration poses better which are left out of the identification, as `etalon recommend` chooses them.
     #[serde(default)]
     pub effects: EffectRule,
     /// Readings that are left out, each with its reason, which the report shows.
@@ -531,6 +538,8 @@ pub enum NamedEffects {
     Usual,
     /// All that the model has.
     All,
+    /// Those that the data prove by poses that are left out.
+    Proven,
 }
 
 impl Default for EffectRule {
@@ -543,7 +552,8 @@ impl From<&EffectRule> for Effects {
     fn from(rule: &EffectRule) -> Self {
         match rule {
             EffectRule::Named(NamedEffects::Usual) => Self::Usual,
-            EffectRule::Named(NamedEffects::All) => Self::All,
+            // which are proven follows from the data
+            EffectRule::Named(NamedEffects::All | NamedEffects::Proven) => Self::All,
             EffectRule::These(chosen) => Self::These(chosen.iter().map(|&effect| effect.into()).collect()),
         }
     }

@@ -1,9 +1,9 @@
 //! Parameters over campaigns.
 
+use etalon_base::warning;
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
-use etalon_base::warning;
 use etalon_documents::*;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
@@ -73,13 +73,13 @@ fn misfits((parameters, _): &Identified) -> bool {
         && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
 }
 
-/// Takes the probabilities of changes of parameters and mean errors from or to a campaign in which the model misfits: by chance is then
-/// not by noise, but by where the poses lie. `names` are those of the campaigns.
+/// Takes the probabilities and intervals of changes of parameters and mean errors from or to a campaign in which the model misfits: by
+/// chance is then not by noise, but by where the poses lie. `names` are those of the campaigns.
 pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
     let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
     let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
     for change in trends.iter_mut().flat_map(|trend| &mut trend.changes).filter(touches) {
-        change.p = None;
+        (change.p, change.low, change.high) = (None, None, None);
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
     (!wrong.is_empty()).then(|| warning!("model-misfits", campaigns = named))

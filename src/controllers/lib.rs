@@ -36,8 +36,8 @@ pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
 
-use etalon_base::catalogue::Phrase;
 use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
@@ -408,6 +408,7 @@ fn status_word(parameter: &ParameterEntry) -> &'static str {
         ParameterStatus::Identified => "identified",
         ParameterStatus::Fixed => "fixed",
         ParameterStatus::NotIdentifiable => "not_identifiable",
+        ParameterStatus::PlacedByValidation => "placed_by_validation",
     }
 }
 

@@ -1,7 +1,7 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
-use super::{Figure, ReadingReliability, ToolFrame, UncertaintySource};
+use super::{Effect, Figure, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -26,6 +26,13 @@ pub struct AccuracyDocument {
     /// How far the validation poses lie from those of the calibration: the errors hold among poses like these.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub validation_distance: Option<ValidationDistance>,
+    /// Targets and fixtures that no calibration pose shows: placed by their own readings at validation poses, with all identified parameters
+    /// held.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub placed_apart: Vec<PlacedApart>,
+    /// Effects of the robot that poses prove which were left out: those chosen by `effects = "proven"`, and those that are not identified.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub effects: Vec<EffectProof>,
     /// Standard uncertainties of the position errors of the validation poses after calibration; empty without a validation or a covariance.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
@@ -43,6 +50,44 @@ pub struct AccuracyDocument {
     /// What is given, where the parameters were not identified from these data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given: Option<GivenSummary>,
+}
+
+/// A target or fixture that its own readings at validation poses place. Each error of such a reading counts in the statistics over √r, because
+/// the placement makes it smaller; without redundancy it does not count.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlacedApart {
+    /// Its name.
+    pub name: String,
+    /// Readings that place it.
+    pub readings: usize,
+    /// Mean redundancy number r of these: the share of its error that a reading shows. n positions of a target have r = 1 − 1/n.
+    pub redundancy: f64,
+    /// `true` if errors of its readings are counted: r is at least 0.1 for one of them.
+    pub is_assessed: bool,
+}
+
+/// What an effect of the robot is worth at calibration poses that are left out of the identification.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EffectProof {
+    /// The effect.
+    pub effect: Effect,
+    /// Joints of its parameters.
+    pub joints: Vec<String>,
+    /// `true` if it is identified; `false` if it would prove itself and is not.
+    pub is_identified: bool,
+    /// Line of robot.toml that describes it; absent if robot.toml does so already.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot_key: Option<String>,
+    /// Root mean square position error at poses that were left out, without the effect, mm.
+    pub without_mm: f64,
+    /// The same with the effect, mm.
+    pub with_mm: f64,
+    /// By how much the mean square becomes smaller, over its standard uncertainty.
+    pub gain_over_u: Option<f64>,
+    /// p value of the F test of what the effect explains.
+    pub p_value: Option<f64>,
 }
 
 /// An F test of errors after identification: of a parabola of one quantity against a constant, all coordinates of the poses' means together.
@@ -314,4 +359,23 @@ pub struct PointError {
     /// How well the other readings of the calibration control it; absent of validation poses.
     #[serde(default)]
     pub reliability: Option<ReadingReliability>,
+    /// Redundancy number of a reading that places its own target or fixture, which no calibration pose shows; absent of all others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_redundancy: Option<f64>,
+}
+
+/// Redundancy number below which nothing controls a reading (Förstner 1987, Reliability analysis of parameter estimation).
+const UNCONTROLLED: f64 = 0.1;
+
+/// What an error is divided by in statistics whose reading places its own target with this redundancy number: √r; `None` where nothing
+/// controls the reading.
+pub fn counted_share(redundancy: f64) -> Option<f64> {
+    (redundancy >= UNCONTROLLED).then(|| redundancy.sqrt())
+}
+
+impl PointError {
+    /// What the error is divided by in statistics: 1, or [`counted_share`] where the reading places its own target.
+    pub fn own_share(&self) -> Option<f64> {
+        self.own_redundancy.map_or(Some(1.0), counted_share)
+    }
 }

@@ -20,6 +20,21 @@ pub struct CheckDocument {
     pub warnings: Vec<Finding>,
     /// Files that were read, and the rows refused by rule; empty where reading found errors.
     pub sources: Vec<Source>,
+    /// How far the joints move in the calibration poses; empty where these are not known.
+    #[serde(default)]
+    pub joints: Vec<JointTravel>,
+}
+
+/// Least and largest value of a joint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointTravel {
+    /// Column of the joint, which has its unit: `q1_deg`, `rho1_mm`.
+    pub column: String,
+    /// Least value.
+    pub lowest: f64,
+    /// Largest value.
+    pub highest: f64,
 }
 
 /// One error or warning. What does not apply is null.
@@ -67,7 +82,7 @@ impl From<&Message> for Finding {
 
 impl CheckDocument {
     /// Errors and warnings apart.
-    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>) -> Self {
+    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>, joints: Vec<JointTravel>) -> Self {
         let of = |severity| messages.iter().filter(|m| m.severity == severity).map(Finding::from).collect();
         Self {
             schema: "etalon/check/1".to_owned(),
@@ -75,6 +90,7 @@ impl CheckDocument {
             errors: of(Severity::Error),
             warnings: of(Severity::Warning),
             sources,
+            joints,
         }
     }
 }

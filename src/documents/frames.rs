@@ -52,6 +52,21 @@ pub struct FramesDocument {
     pub schema: String,
     /// The world frame; `export_T_world` for every pose where it is measured again at each.
     pub world: WorldFrame,
+    /// What no reading of the campaign can show, with the keys that would control it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_controlled: Vec<Uncontrolled>,
+}
+
+/// An error that no reading would show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Uncontrolled {
+    /// The error, in words.
+    pub what: String,
+    /// Labels, features or targets that it is of; empty where it is of all readings.
+    pub points: Vec<String>,
+    /// Keys that would control it.
+    pub keys: Vec<String>,
 }
 
 /// The world frame in the coordinates of the exports.

@@ -41,7 +41,7 @@ pub struct EffectStep {
     pub effect: Option<Effect>,
     /// Parameters that are identified with it.
     pub identified: usize,
-    /// Root mean square of the residuals of all calibration poses, mm.
+    /// Root mean square position error of all calibration poses, from which it is identified, mm: the measure of `held_out_rms_mm`.
     pub rms_mm: f64,
     /// F statistic of what it explains more than the step before.
     pub f: Option<f64>,

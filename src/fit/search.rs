@@ -4,13 +4,13 @@
 //! One start is not enough: on an arc of 90 degrees the sum of squares has several minima over the axes, and a
 //! method that trusts the plane's normal or the longest spread ends in the wrong one.
 
+use etalon_base::{error, warning};
 use super::chart::Chart;
 use super::cloud::Cloud;
 use super::element::Element;
 use super::solver::{Refined, Surface, descend};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, dot};
-use etalon_base::{error, warning};
 
 /// Directions tried over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;
@@ -28,6 +28,9 @@ const PATIENCE: usize = 80;
 
 /// A surface about an axis, its first parameters (a, b, h, u, v).
 pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
+    /// The surface whose parameters are in `chart`.
+    fn on(chart: Chart) -> Self;
+
     /// The chart that the parameters are in.
     fn chart(&self) -> &Chart;
 
@@ -50,7 +53,6 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     free: [bool; N],
     about: impl Fn(&[Vector], Chart) -> Vec<(f64, [f64; N])>,
     upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
-    element: impl Fn(Chart) -> S,
 ) -> Option<Found<S, N>> {
     let few = cloud.thinned(SEARCHED);
     let judged: Vec<Vector> = cloud.thinned(JUDGED).points().collect();
@@ -73,7 +75,7 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         proper
     };
     // a short walk from each start, and only those that may still win go on to their minimum
-    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, element(Chart::new(axis)), start));
+    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, S::on(Chart::new(axis)), start));
     let mut walked = settled(starts.collect());
     let best = walked.first().map_or(0.0, |w| w.0);
     walked.retain(|w| w.0 <= HOPELESS * HOPELESS * best);

@@ -241,6 +241,11 @@ pub trait Robot: Send + Sync {
         None
     }
 
+    /// Parameters of effects that the robot's description may add, whether it does so or not.
+    fn optional_parameters(&self) -> Vec<OptionalParameter> {
+        Vec::new()
+    }
+
     /// Index of a parameter by name.
     fn index(&self, name: &str) -> Option<usize> {
         self.parameters().iter().position(|p| p.name == name)
@@ -260,6 +265,19 @@ pub trait Robot: Send + Sync {
         p[..d].copy_from_slice(&all[target * d..][..d]);
         p
     }
+}
+
+/// A parameter that a key of the description adds for some joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OptionalParameter {
+    /// Its name.
+    pub name: String,
+    /// The key.
+    pub key: &'static str,
+    /// The joints that the key names, by number or name.
+    pub joints: Vec<String>,
+    /// `true` if the key takes the joints as a pair.
+    pub is_pair: bool,
 }
 
 /// Gives loads at joint values.

@@ -67,14 +67,21 @@ pub(crate) fn place(
     for o in &mut few {
         others.iter().for_each(|&k| o.targets[k] = None);
     }
-    let of_others: BTreeSet<usize> =
-        others.iter().flat_map(|&k| (0..3).map(move |i| (k, i))).map(|(k, i)| arm.target_place(k) + i).collect();
-    let places: Vec<usize> = places.iter().copied().filter(|i| !of_others.contains(i)).collect();
+    // a target without a reading here has nothing to place either
+    let shown: BTreeSet<usize> = targets.iter().flat_map(|t| target_parameters(arm, t.0)).collect();
+    let of_targets: BTreeSet<usize> = (0..robot.targets().len()).flat_map(|k| target_parameters(arm, k)).collect();
+    let places: Vec<usize> = places.iter().copied().filter(|i| shown.contains(i) || !of_targets.contains(i)).collect();
     let mut placed = place_all(robot, arm, &few, nominal, &places)?;
     if let Some(placed) = &mut placed {
         place_targets(arm, observations, &others, &mut placed.values);
     }
     Ok(placed)
+}
+
+/// Indices of the three coordinates of a target among the parameters.
+fn target_parameters(arm: &dyn FreeBase, target: usize) -> std::ops::Range<usize> {
+    let first = arm.target_place(target);
+    first..first + 3
 }
 
 /// Targets with at least one reading, and how many each has.

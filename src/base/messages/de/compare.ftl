@@ -51,5 +51,5 @@ parameters-not-in-all = nicht jede Kampagne hat { $parameters } identifiziert
 nominal-values-differ = Nennwerte unterscheiden sich zwischen den Roboterdateien: { $parameters }
     .hint = dieselbe Roboterdatei verwenden: auf Nennwerten festgehaltene Parameter wirken auf die anderen
 
-model-misfits = Residuen von { $campaigns } übersteigen die Unsicherheit des Messgeräts: Unterschiede von Parametern und mittleren Fehlern belegen keine Änderung und haben keinen p-Wert
+model-misfits = Residuen von { $campaigns } übersteigen die Unsicherheit des Messgeräts: Unterschiede von Parametern und mittleren Fehlern belegen keine Änderung und haben weder Intervall noch p-Wert
     .hint = mit einem Modell identifizieren, das den Roboter beschreibt, und jedes Mal dieselben Posen messen

@@ -120,5 +120,5 @@ nominal-values-differ = nominal values differ between the robot files: { $parame
 # that differences are no evidence of a change.
 # Do: Identify with a model that describes the robot, and measure the same poses each time.
 # Example: an arm with bending links, identified without bending
-model-misfits = residuals of { $campaigns } exceed the uncertainty of the instrument: differences of parameters and mean errors are no evidence of a change and have no p value
+model-misfits = residuals of { $campaigns } exceed the uncertainty of the instrument: differences of parameters and mean errors are no evidence of a change and have neither interval nor p value
     .hint = identify with a model that describes the robot, and measure the same poses each time

@@ -51,5 +51,5 @@ parameters-not-in-all = toutes les campagnes n’ont pas identifié { $parameter
 nominal-values-differ = les valeurs nominales diffèrent entre les fichiers de robot : { $parameters }
     .hint = utiliser le même fichier de robot : les paramètres imposés à leur valeur nominale agissent sur les autres
 
-model-misfits = les résidus de { $campaigns } dépassent l’incertitude de l’instrument : les différences de paramètres et d’erreurs moyennes ne prouvent pas un changement et n’ont pas de valeur p
+model-misfits = les résidus de { $campaigns } dépassent l’incertitude de l’instrument : les différences de paramètres et d’erreurs moyennes ne prouvent pas un changement et n’ont ni intervalle ni valeur p
     .hint = identifier avec un modèle qui décrit le robot, et mesurer chaque fois les mêmes poses
