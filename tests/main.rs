@@ -4,6 +4,7 @@
 mod architecture;
 mod browser;
 mod campaigns;
+mod catalogue;
 mod cli;
 mod dependencies;
 mod golden;

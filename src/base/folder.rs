@@ -1,6 +1,7 @@
 //! A folder of results that is written beside the earlier one and exchanged with it whole: a stop at any moment leaves the one
 //! or the other.
 
+use crate::error;
 use super::files::{Lock, beside, parent, write_synced};
 use super::message::{Message, Problems, Result};
 use std::fs;
@@ -68,7 +69,7 @@ impl FolderLock {
 }
 
 fn cannot_write(folder: &Path, e: &io::Error) -> Message {
-    Message::error(format!("cannot write the folder `{}`: {e}", folder.display()))
+    error!("cannot-write-folder", folder = folder.display().to_string(), reason = e.to_string())
 }
 
 /// Takes away what a run left that was stopped while it wrote.

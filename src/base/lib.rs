@@ -3,6 +3,7 @@
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 pub mod bounds;
+pub mod catalogue;
 pub mod cell;
 pub mod country;
 pub mod date;

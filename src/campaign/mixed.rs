@@ -1,5 +1,6 @@
 //! Exports that carry joint values beside the points: each row is joined with itself.
 
+use etalon_base::error;
 use super::{CampaignFile, Join, JoinBy};
 use etalon_base::message::{Message, SourceText};
 use etalon_formats::dialect::{ColumnRole, Delimiter, FromRow, Header};
@@ -21,10 +22,7 @@ impl CampaignFile {
             _ => None,
         };
         let (Some(delimiter), Some(header), None) = (dialect.delimiter, header, &dialect.comment) else {
-            let message = Message::error("`joints` are read of delimited text with one row of names at most")
-                .at(stated.place(&export.file));
-            let hint = "state `format = { delimiter = .., header = 1, columns = .. }`; of other files name the joints in a [log]";
-            return Some(message.hint(hint));
+            return Some(error!("joints-need-delimited-text").at(stated.place(&export.file)));
         };
         self.logs.push(log_of(export, delimiter, header));
         let named = |role| export.format.dialect.columns.contains(role);
@@ -43,17 +41,12 @@ impl CampaignFile {
         let mut mixed = self.exports.iter().filter(|export| !export.joints.is_empty());
         let export = mixed.next()?;
         if let Some(other) = mixed.next() {
-            let message = Message::error("two exports carry joints, and a campaign has one such file");
-            return Some((message.hint("put their rows into one file"), &other.file));
+            return Some((error!("two-exports-with-joints"), &other.file));
         }
         if let Some(log) = self.logs.iter().find(|log| log.file.span() != export.file.span()) {
-            let what = format!("the joints are stated twice: in `joints` of `{}` and in [log]", export.file.get_ref());
-            return Some((Message::error(what).hint("leave one of them out"), &log.file));
+            return Some((error!("joints-twice", file = export.file.get_ref()), &log.file));
         }
-        (self.join_by() != Some(JoinBy::Row)).then(|| {
-            let message = Message::error("an export with `joints` is joined by its rows");
-            (message.hint("state `by = \"row\"` in [join], or leave [join] out"), &export.file)
-        })
+        (self.join_by() != Some(JoinBy::Row)).then(|| (error!("joints-joined-by-row"), &export.file))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Parameters over campaigns.
 
+use etalon_base::warning;
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
@@ -53,13 +54,11 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         trends.push(of_estimates((family, p.name.clone(), &p.unit), &estimates));
     }
     if !held.is_empty() {
-        let what = format!("not every campaign identified {}", held.join(", "));
-        messages.push(Message::warning(what).hint("others that act alike may have taken up what these were held from"));
+        messages.push(warning!("parameters-not-in-all", parameters = held));
     }
     if !redrawn.is_empty() {
         let names: Vec<String> = redrawn.into_iter().collect();
-        let what = format!("nominal values differ between the robot files: {}", names.join(", "));
-        messages.push(Message::warning(what).hint("what is held at its nominal value acts on the others"));
+        messages.push(warning!("nominal-values-differ", parameters = names));
     }
     trends.sort_by_key(|t| t.family);
     trends
@@ -100,14 +99,7 @@ pub(super) fn without_evidence(
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
     let largest = between.iter().map(|b| b.birge_ratio).fold(1.0, f64::max);
-    let what = format!(
-        "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
-         are no evidence of a change, and have no p value; intervals of changes of parameters contain what differs between series \
-         (Birge ratio up to {largest:.1})",
-        named.join(", ")
-    );
-    let message = Message::warning(what)
-        .hint("identify with a model that describes the robot, and measure the same poses each time");
+    let message = warning!("model-misfits", campaigns = named, birge = format!("{largest:.1}"));
     (between, Some(message))
 }
 

@@ -1,6 +1,7 @@
 //! What commands answer that make no document of a campaign: `--json` of check, formats, report, export, simulate, init.
 
 use super::{ControllerErrors, Source};
+use etalon_base::catalogue::{Arguments, Entry};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -40,7 +41,13 @@ pub struct JointTravel {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Finding {
-    /// What is wrong, in one sentence.
+    /// Id in the catalogue of messages; `etalon explain ID` explains it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub id: String,
+    /// Arguments of the text in the catalogue.
+    #[serde(default, skip_serializing_if = "Arguments::is_empty")]
+    pub arguments: Arguments,
+    /// What is wrong, in one English sentence.
     pub what: String,
     /// In which file.
     pub file: Option<String>,
@@ -60,6 +67,8 @@ impl From<&Message> for Finding {
     fn from(message: &Message) -> Self {
         let place = message.place.as_deref();
         Self {
+            id: message.id.clone().into_owned(),
+            arguments: message.arguments.clone(),
             what: message.what.clone(),
             file: place.map(|p| p.file.clone()),
             line: place.and_then(|p| p.line),
@@ -83,6 +92,56 @@ impl CheckDocument {
             sources,
             joints,
         }
+    }
+}
+
+/// Explanations of messages: what `etalon explain` answers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ExplanationDocument {
+    /// `etalon/explanation/1`
+    pub schema: String,
+    /// The message that was asked for, or all messages.
+    pub messages: Vec<Explanation>,
+}
+
+/// Explanation of one message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Explanation {
+    /// Id of the message.
+    pub id: String,
+    /// English text; arguments are in braces.
+    pub text: String,
+    /// Expected value or state; null if the text says it.
+    pub expected: Option<String>,
+    /// Hint of the message; null if it has none of its own.
+    pub hint: Option<String>,
+    /// What the message means.
+    pub meaning: String,
+    /// Why it matters.
+    pub reason: String,
+    /// What to do.
+    pub action: String,
+    /// Input that causes the message.
+    pub example: String,
+}
+
+impl ExplanationDocument {
+    /// Explanations of these entries of the catalogue.
+    pub fn new<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Self {
+        let explanation = |entry: &Entry| Explanation {
+            id: entry.id.to_owned(),
+            text: entry.pattern(None).unwrap_or_default(),
+            expected: entry.pattern(Some("expected")),
+            hint: entry.pattern(Some("hint")),
+            meaning: entry.meaning.clone(),
+            reason: entry.reason.clone(),
+            action: entry.action.clone(),
+            example: entry.example.clone(),
+        };
+        let messages = entries.into_iter().map(explanation).collect();
+        Self { schema: "etalon/explanation/1".to_owned(), messages }
     }
 }
 

@@ -8,12 +8,13 @@
 //! a circle's: R² − r² is a linear problem in the centre and grows from here by κ a length at least, R + r by at most 2:
 //! where κ ≥ 2 (R − r), no other centre has a narrower zone.
 
+use etalon_base::error;
 use super::chart::{Chart, length};
 use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, SAMPLE, Source};
 use super::cone::cone;
 use super::cylinder::cylinder;
-use super::element::{Element, FitSettings, refuse};
+use super::element::{Element, FitSettings};
 use super::minimax::{Certificate, Row, best_step, certificate};
 use super::result::largest_component_positive;
 use super::zone::{FARTHEST, MinimumZone, Multipliers, SLACK, sides};
@@ -163,11 +164,7 @@ fn held<const N: usize, R: Round<N>>(
 }
 
 pub(super) fn too_flat(element: Element) -> Problems {
-    refuse(
-        format!("no minimum zone of a {element}: the points lie as close to a plane as to any {element}"),
-        "points on a part of the surface that is higher than its form deviation",
-        "measure more of the surface, or look for the minimum zone of a plane",
-    )
+    error!("zone-flat", element).into()
 }
 
 /// Minimum zone of a sphere, of at least four points that are not in one plane.

@@ -90,6 +90,7 @@ const OF_DOCUMENTS: [&str; 63] = [
 /// One language: the texts of reports, and sentences of documents with places for what differs.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Words {
+    language: Language,
     texts: BTreeMap<String, String>,
     sentences: BTreeMap<String, String>,
 }
@@ -106,7 +107,12 @@ impl Words {
             toml::from_str(text)
                 .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))
         };
-        Ok(Self { texts: table(texts)?, sentences: table(sentences)? })
+        Ok(Self { language, texts: table(texts)?, sentences: table(sentences)? })
+    }
+
+    /// Language as ISO 639-1 names it.
+    pub fn code(&self) -> &'static str {
+        self.language.code()
     }
 
     /// A sentence of a document in this language; `None` where it has no translation.

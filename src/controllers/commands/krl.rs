@@ -1,6 +1,7 @@
 //! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}`, mm and deg, Rz(A) Ry(B) Rx(C); `E6POS`, `POS`, and `{A1 .., A6 ..}` of joints
 //! (KUKA System Software, operating and programming instructions).
 
+use etalon_base::{error, phrase};
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, at_line, line_of, masked, name_of,
     number, slots, word_before,
@@ -103,8 +104,9 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     }
     let line = line_of(text, open);
     if numbers.len() < NAMES.len() {
-        let message = at_line(line, "the target states a part of X, Y, Z, A, B and C");
-        return moves.then(|| message.hint("state all of them: the others are those of the position before it"));
+        let command = format!("{{{}}}", String::from_utf8_lossy(&text[inside]).trim());
+        let coordinates = phrase!("pose-of-six");
+        return moves.then(|| at_line(line, error!("move-incomplete", command, coordinates)));
     }
     found.targets.push(ProgramTarget {
         name: name_of(text, open, "="),

@@ -1,6 +1,7 @@
 //! Mecaprol (DexTAR): `MoveC X.. Y..;`, mm. The working mode (`M`) is left to the program: it stays as it is. By programs that are public
 //! (oKermorgant/ecn_Dextar): `WCS X.. Y.. W..` is the frame of the targets, `TCS Z..` the tool, `!` begins a comment.
 
+use etalon_base::{error, phrase};
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
@@ -61,7 +62,10 @@ impl CommandLanguage for Mecaprol {
                                 configuration: None,
                             });
                         }
-                        _ => problems.push(at_line(i + 1, format!("`{}` has not both X and Y", written()))),
+                        _ => problems.push(at_line(
+                            i + 1,
+                            error!("move-incomplete", command = written(), coordinates = phrase!("x-and-y")),
+                        )),
                     },
                     _ => {}
                 }
@@ -69,8 +73,7 @@ impl CommandLanguage for Mecaprol {
             }
         }
         if modes.len() > 1 {
-            let message = at_line(1, "the program changes the working mode");
-            problems.push(message.hint("give the targets of each working mode as a program of their own"));
+            problems.push(at_line(1, error!("working-mode-changes")));
         }
         super::none(problems)?;
         Ok(found)

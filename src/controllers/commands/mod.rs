@@ -11,6 +11,7 @@ mod urscript;
 
 pub use galil::Galil;
 
+use etalon_base::error;
 use super::Given;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
@@ -62,7 +63,7 @@ pub trait CommandLanguage: Sync {
     /// # Errors
     /// Targets that cannot be compensated one by one, or a language whose programs are not read.
     fn targets(&self, _program: &[u8], _freedoms: Freedoms) -> Result<Program> {
-        Err(Message::error("programs of this language are not read").hint("give the targets as a table").into())
+        Err(error!("program-not-readable").into())
     }
 }
 
@@ -307,9 +308,8 @@ fn slots(numbers: &[Number]) -> Vec<Slot> {
 }
 
 /// An error about a line of a program.
-fn at_line(line: usize, what: impl Into<String>) -> Message {
-    let place = etalon_base::message::Place { line: Some(line), ..Default::default() };
-    Message::error(what).at(place)
+fn at_line(line: usize, message: Message) -> Message {
+    message.at(etalon_base::message::Place { line: Some(line), ..Default::default() })
 }
 
 /// Nothing, or these errors.

@@ -1,5 +1,6 @@
 //! Static compliance (ISO 9283:1998 10).
 
+use etalon_base::warning;
 use super::all;
 use crate::mirror::mirror;
 use etalon_base::message::Message;
@@ -47,7 +48,7 @@ impl Iso9283ComplianceDocument {
     /// Document of the directions in which a robot was loaded.
     pub fn new(found: Vec<DirectionalCompliance>) -> Self {
         let short: Vec<&str> = found.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction).collect();
-        let warning = || Message::warning(format!("fewer than {CYCLES} cycles in direction {}", short.join(", ")));
+        let warning = || warning!("few-cycles-of-direction", least = CYCLES, directions = short);
         Self {
             schema: "etalon/iso9283-compliance/1".to_owned(),
             conventions: vec![

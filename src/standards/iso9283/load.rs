@@ -1,8 +1,9 @@
 //! Static compliance (ISO 9283:1998 10, unverified against a bought copy): how far a loaded robot gives way, in mm/N, along
 //! the force; forces in steps of 10 % up to the rated load, both ways along each axis, three times.
 
+use etalon_base::error;
 use crate::iso9283::statistics::sample::positions;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, dot, minus};
 
 /// A robot pulled along one direction.
@@ -32,10 +33,9 @@ pub struct Loaded {
 /// Compliance along `direction`, a unit vector; at least one reading with a force.
 pub fn compliance(readings: &[Loaded], direction: Vector) -> Result<Compliance> {
     let ends: Vec<Vector> = readings.iter().flat_map(|r| [r.position_mm, r.unloaded_mm]).collect();
-    positions(&ends, 2, "static compliance")?;
+    positions(&ends, 2, "static-compliance")?;
     if readings.iter().any(|r| !(r.force_n > 0.0 && r.force_n.is_finite())) {
-        let message = Message::error("static compliance: a force is not positive");
-        return Err(message.expected("the size of the force; its direction gives the sign").into());
+        return Err(error!("force-not-positive").into());
     }
     let given: Vec<f64> = readings.iter().map(|r| dot(minus(r.position_mm, r.unloaded_mm), direction)).collect();
     let squares: f64 = readings.iter().map(|r| r.force_n * r.force_n).sum();
@@ -100,8 +100,7 @@ pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> 
         for r in of.iter().filter(|r| r.force_n > 0.0) {
             let without = of.iter().filter(|o| o.cycle == r.cycle && o.force_n == 0.0).map(|o| o.position_mm);
             let Some(unloaded_mm) = centroid(&without.collect::<Vec<_>>()) else {
-                let what = format!("direction {name}, cycle {}: no row without force", r.cycle);
-                return Err(Message::error(what).hint("record the unloaded position, force 0").into());
+                return Err(error!("unloaded-position-missing", direction = name, cycle = r.cycle).into());
             };
             loaded.push(Loaded { force_n: r.force_n, position_mm: r.position_mm, unloaded_mm });
         }
@@ -120,7 +119,7 @@ pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> 
         });
     }
     if directions.is_empty() {
-        return Err(Message::error("no row has a force").into());
+        return Err(error!("force-missing").into());
     }
     Ok(directions)
 }

@@ -345,11 +345,9 @@ fn at_and_rt_are_compared_as_by_hand() {
     close(rt.low, 2.0 / factor);
     close(rt.high, 2.0 * factor);
     close(Some(rt.change), 0.019);
-    let said = &document.messages[0].what;
-    assert!(
-        said.starts_with("called changed: AT, square; RT, square. ") && said.contains("a hint, not a proof"),
-        "{said}"
-    );
+    let names = ["AT, square", "RT, square"];
+    let said = &document.messages[0];
+    assert!(said.is("path-change-uncertain", &[("names", &names)]), "{said}");
     let same = compare(&[a.clone(), Compared { folder: "b".to_owned(), ..a.clone() }]).unwrap();
     assert!(same.messages.is_empty() && same.trends.iter().all(|t| t.changes[0].significant == Some(false)));
 
@@ -359,9 +357,9 @@ fn at_and_rt_are_compared_as_by_hand() {
         compare(&[a.clone(), b])
     };
     let few = of(&|p| p.passes = 4).unwrap();
-    assert!(few.messages[0].what.contains("rest on 4 passes"), "{:?}", few.messages);
+    assert!(few.messages[0].is("stream-few-passes", &[("passes", &4)]), "{:?}", few.messages);
     let open = of(&|p| p.at_interval = None).unwrap();
     assert!(trend(&open, "AT, square").changes[0].significant.is_none());
-    let other = of(&|p| p.length_mm = 900.0).unwrap_err().to_string();
-    assert!(other.contains("nothing in common"), "{other}");
+    let other = of(&|p| p.length_mm = 900.0).unwrap_err();
+    assert!(other.0[0].is("nothing-to-compare", &[]), "{other}");
 }

@@ -44,7 +44,7 @@ impl PathBootstrap {
     /// 95 % interval of AT_p, at least three passes: how much more or less the mean path may deviate, as a whole, before what
     /// was found is at either end of what is drawn. Its errors are Student's, alike in shape to what the passes scatter.
     pub fn accuracy(&self, passes: &[Pass], points: &[CommandPoint], found: &PathAccuracy) -> Result<Interval> {
-        check(passes, points, 3, "interval of path accuracy")?;
+        check(passes, points, 3, "path-accuracy-interval")?;
         let chosen = chosen(points.len(), found.worst);
         let deviations: Vec<Vector> = chosen.iter().map(|&i| minus(found.means_mm[i], points[i].position_mm)).collect();
         let rests = rests(passes, &chosen);
@@ -94,7 +94,7 @@ impl PathBootstrap {
         points: &[CommandPoint],
         found: &PathRepeatability,
     ) -> Result<Interval> {
-        check(passes, points, 3, "interval of path repeatability")?;
+        check(passes, points, 3, "path-repeatability-interval")?;
         let chosen = chosen(points.len(), found.worst);
         let rests = rests(passes, &chosen);
         let n = passes.len();

@@ -1,10 +1,11 @@
 //! Cornering deviations (ISO 9283:1998 8.5, unverified against a bought copy): round-off CR, overshoot CO and the length of
 //! path after which the second leg is kept.
 
+use etalon_base::error;
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::{CommandPoint, Corner};
 use crate::iso9283::path::passes::{Pass, check};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 
 /// How a corner is driven, the worst of all passes.
@@ -33,8 +34,7 @@ pub fn cornering(
     let first = points.iter().position(within).filter(|&i| points[i].along_mm < at_mm);
     let last = points.iter().rposition(within).filter(|&i| points[i].along_mm > at_mm);
     let (Some(first), Some(last)) = (first, last) else {
-        let message = Message::error("cornering: no command point on the half of a leg beside the corner");
-        return Err(message.hint("state more command points").into());
+        return Err(error!("corner-without-points").into());
     };
     // towards the far side of the second leg
     let along = dot(corner.incoming, corner.outgoing);

@@ -1,9 +1,10 @@
 //! Passes of a commanded path in a recorded motion: the places where each of them goes through the normal planes of the
 //! command points, one after the other.
 
+use etalon_base::{error, phrase};
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::CommandPoint;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm};
 use std::ops::Range;
 
@@ -48,8 +49,7 @@ pub struct Passes {
 /// the last crossing counts.
 pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<Passes> {
     if points.len() < 2 || near_mm.is_nan() || near_mm <= 0.0 {
-        let message = Message::error("passes of a path need two command points and a distance that is positive");
-        return Err(message.into());
+        return Err(error!("passes-need-points").into());
     }
     let mut found = Passes { complete: Vec::new(), incomplete: 0 };
     // passes begun, the eldest first: on a closed path the next may begin before one is at its end
@@ -106,14 +106,13 @@ fn crossing(stream: &Stream, sample: usize, point: &CommandPoint, forwards: bool
 }
 
 /// Refuses fewer than `least` passes, or passes of other command points.
-pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, what: &str) -> Result<()> {
+pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, characteristic: &str) -> Result<()> {
+    let of = || phrase!("characteristic", name = characteristic);
     if passes.len() < least {
-        let message =
-            Message::error(format!("{what}: {} of the path", etalon_base::message::count(passes.len(), "pass")));
-        return Err(message.expected(format!("at least {least}")).into());
+        return Err(error!("too-few-passes", of = of(), count = passes.len(), least).into());
     }
     if points.is_empty() || passes.iter().any(|pass| pass.crossings.len() != points.len()) {
-        return Err(Message::error(format!("{what}: the passes are of another path")).into());
+        return Err(error!("passes-of-other-path", of = of()).into());
     }
     Ok(())
 }

@@ -1,8 +1,9 @@
 //! Coplanarity of mean positions (thesis 2.4): a planar robot's barycentres should lie in one plane.
 
+use etalon_base::{error, phrase};
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
 
 /// Mean positions against their least-squares plane.
@@ -19,8 +20,8 @@ pub struct Coplanarity {
 /// Coplanarity of at least four poses that do not lie on a line.
 pub fn coplanarity(poses_mm: &[Vec<Vector>]) -> Result<Coplanarity> {
     if poses_mm.len() < 4 {
-        let message = Message::error(format!("coplanarity: {} poses", poses_mm.len()));
-        return Err(message.expected("at least four: three lie in a plane anyhow").into());
+        let of = phrase!("characteristic", name = "coplanarity");
+        return Err(error!("too-few-of", of, sets = phrase!("poses", count = poses_mm.len()), least = 4).into());
     }
     for points in poses_mm {
         crate::iso9283::statistics::sample::positions(points, 1, "coplanarity")?;
@@ -46,8 +47,7 @@ pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
         let normal = cross(ab, ac);
         // three places that a thousandth of their distance takes off a line have a plane
         if norm(normal) <= 1e-3 * norm(ab) * norm(ac) {
-            let message = Message::error("coplanarity: three of the four mean positions lie on a line");
-            return Err(message.hint("name four poses that span a plane").into());
+            return Err(error!("coplanar-poses-on-line").into());
         }
         *distance_mm = unit(normal).map_or(0.0, |n| dot(minus(means[i], a), n).abs());
     }

@@ -1,11 +1,12 @@
 //! RP without the instrument's noise (not of the standard), where every visit was read several times: readings of one visit
 //! differ by the instrument alone, means of visits by the robot and what is left of the instrument.
 
+use etalon_base::error;
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
 use crate::iso9283::pose::test::TestedPose;
 use crate::iso9283::statistics::sample::{covariance, mean_position};
 use crate::iso9283::statistics::scatter::drawn_together;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::symmetric_eigen;
 
@@ -24,15 +25,14 @@ pub struct NoiseFree {
 /// Of at least three visits, each with readings; at least one visit with two or more.
 pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
     for readings in visits_mm {
-        crate::iso9283::statistics::sample::positions(readings, 1, "noise of readings")?;
+        crate::iso9283::statistics::sample::positions(readings, 1, "reading-noise")?;
     }
     let means: Vec<Vector> = visits_mm.iter().map(|readings| mean_position(readings)).collect();
-    crate::iso9283::statistics::sample::positions(&means, 3, "repeatability without noise")?;
+    crate::iso9283::statistics::sample::positions(&means, 3, "rp-without-noise")?;
     let repeated: Vec<&Vec<Vector>> = visits_mm.iter().filter(|readings| readings.len() > 1).collect();
     let degrees: usize = repeated.iter().map(|readings| readings.len() - 1).sum();
     if degrees == 0 {
-        let message = Message::error("repeatability without noise: no visit was read twice");
-        return Err(message.hint("readings of one visit give the instrument's noise").into());
+        return Err(error!("visits-read-once").into());
     }
     let mut noise = [[0.0; 3]; 3];
     for readings in repeated {

@@ -1,7 +1,8 @@
 //! Reference targets (not of the standard): targets that do not move, beside the robot, measured again and again, show how
 //! instrument and foundation moved against each other; what is measured between is carried back.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::{error, phrase};
+use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_fit::rigid;
 
@@ -19,10 +20,11 @@ pub struct Epoch {
 /// The epochs against the first of them: the same targets in the same order in each, at least three, not on one line.
 pub fn epochs(targets_mm: &[Vec<Vector>]) -> Result<Vec<Epoch>> {
     let Some(first) = targets_mm.first() else {
-        return Err(Message::error("reference targets: none was measured").into());
+        let of = phrase!("characteristic", name = "reference-targets");
+        return Err(error!("too-few-of", of, sets = phrase!("epochs", count = 0), least = 1).into());
     };
     let against = |(i, now): (usize, &Vec<Vector>)| -> Result<Epoch> {
-        crate::iso9283::statistics::sample::positions(now, 3, "reference targets")?;
+        crate::iso9283::statistics::sample::positions(now, 3, "reference-targets")?;
         let moved_mm = now.iter().zip(first).map(|(a, b)| norm(minus(*a, *b))).fold(0.0, f64::max);
         let fitted = rigid(now, first)?;
         // the first lies on itself, without rounding
