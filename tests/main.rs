@@ -6,6 +6,7 @@ mod browser;
 mod campaigns;
 mod cli;
 mod dependencies;
+mod formats;
 mod golden;
 mod hostile;
 mod in_memory;
