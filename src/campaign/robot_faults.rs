@@ -9,7 +9,7 @@ pub(super) fn message(fault: &FaultKind, spellings: &dyn Fn(&str) -> Vec<String>
     let spelled = |key: &str| spellings(key).swap_remove(0);
     match fault {
         Kind::NoTarget => Message::error("a robot in space needs at least one target")
-            .hint("name them in `targets` of the campaign, or in a column `target` of the table"),
+            .hint("name them in `targets` of [join], as `target` of the exports, or in a column `target` of the table"),
         Kind::TargetCalledBase => {
             Message::error("no target can be called `base`: its parameters would be those of the robot's base")
                 .hint("give the target another name in label or columns")

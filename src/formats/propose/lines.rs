@@ -82,6 +82,8 @@ impl Proposal<'_> {
         let joints = found.joint_columns();
         if let Some(own) = own::recognise(self, &joints) {
             document.kind = own.kind.to_owned();
+            // rows about fixed points have few numbers
+            document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
             document.reasons.push(format!("its columns are those of {}", own.what));
             document.questions.extend(own.question);
             return own.lines;
@@ -468,7 +470,7 @@ impl Proposal<'_> {
             columns.push(format!("{key} = {}", self.column(at)));
         }
         for (k, at) in self.found.joint_columns().into_iter().enumerate() {
-            let unit = unit_of(at).unwrap_or(self.joint_unit(at));
+            let unit = unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
             columns.push(format!("q{}_{unit} = {}", k + 1, self.column(at)));
         }
         let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));

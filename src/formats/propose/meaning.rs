@@ -337,6 +337,7 @@ impl Interpretation {
             }
             joints.retain(|(i, ..)| self.is_free(*i));
         }
+        self.one_family(table, &mut joints);
         if joints.len() < 2 {
             joints = self.unnamed_joints(table);
         }
@@ -367,6 +368,28 @@ impl Interpretation {
         }
     }
 
+    /// Keeps one family of numbered joints, where several have the same numbers: the measured one, or the first.
+    fn one_family(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
+        let mut tags: Vec<String> = joints.iter().map(|(_, tag, _)| tag.clone()).collect();
+        tags.dedup();
+        let numbers = |tag: &String| joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<Vec<_>>();
+        let again = tags.iter().enumerate().any(|(k, tag)| {
+            let own = numbers(tag);
+            own.len() > 1 && tags[..k].iter().any(|other| numbers(other).iter().filter(|n| own.contains(n)).count() > 1)
+        });
+        if !again {
+            return;
+        }
+        let measured = |tag: &&String| tag.split(' ').any(|word| stands_for(word, Word::Measured));
+        let kept = tags.iter().find(measured).unwrap_or(&tags[0]).clone();
+        for (i, ..) in joints.iter().filter(|(_, tag, _)| *tag != kept) {
+            self.take(*i, Meaning::OtherJoint, format!("the joints are taken from the columns `{kept}`"));
+        }
+        let names: Vec<String> = joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
+        self.doubts.push(format!("{} could be joints as well: `{kept}` is taken", names.join(", ")));
+        joints.retain(|(_, tag, _)| *tag == kept);
+    }
+
     /// A run of columns of one letter and a number each, of which nothing else is known: `C1`, `L2`, `T1`.
     fn unnamed_joints(&mut self, table: &Table) -> Vec<(usize, String, Option<usize>)> {
         let parts = |column: &Column| -> Option<(String, usize)> {
@@ -384,7 +407,10 @@ impl Interpretation {
             .free(table)
             .filter_map(|(i, column)| parts(column).map(|(letter, number)| (i, letter, Some(number))))
             .collect();
-        let one = found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
+        let mut numbers: Vec<usize> = found.iter().filter_map(|(.., number)| *number).collect();
+        numbers.sort_unstable();
+        let from_start = numbers.first().is_some_and(|n| *n < 2) && numbers.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
         if one {
             let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
             self.doubts.push(format!("nothing states that {} are joints: nothing else fits", names.join(", ")));
