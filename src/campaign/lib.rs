@@ -231,7 +231,14 @@ impl Campaign {
             true => vec!["target".to_owned()],
             false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
         };
-        self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
+        let built = match self.robot.build(&targets) {
+            // a robot that has no targets of its own
+            Err(_) if targets.is_empty() && !self.file.stated_targets().is_empty() => {
+                self.robot.build(&self.file.stated_targets())
+            }
+            built => built,
+        };
+        built.map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
     /// The poses of `calibration` and `validation`.

@@ -145,8 +145,8 @@ impl ExplanationDocument {
     }
 }
 
-/// How a delimited text could be read: what `etalon formats` proposes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// How a file could be read: what `etalon formats` proposes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FormatsDocument {
     /// `etalon/formats/1`
@@ -156,6 +156,15 @@ pub struct FormatsDocument {
     /// Name of the format, where the file states it; it needs no reading then.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub format: Option<String>,
+    /// What the file is proposed as: `export`, `export with joints`, `log`, `observations`, `poses`, `commanded`, `recording` ...
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub kind: String,
+    /// Rows of data whose values were looked at.
+    #[serde(default)]
+    pub rows: usize,
+    /// What each column of the first reading is taken for, and why.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub columns: Vec<FormatsColumn>,
     /// The reading that is proposed, then others that explain the file as well.
     pub readings: Vec<Reading>,
     /// Why the first is proposed.
@@ -168,12 +177,34 @@ pub struct FormatsDocument {
     pub toml: String,
 }
 
+/// A column, and what it is taken for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormatsColumn {
+    /// Number, from 1.
+    pub number: usize,
+    /// As the header has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heading: Option<String>,
+    /// Unit that the heading states.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// What the column is taken for.
+    pub taken_for: String,
+    /// What shows it.
+    pub why: String,
+}
+
 /// One reading of a delimited text. The unit of lengths is not part of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reading {
-    /// As `delimiter` states it in the campaign.
-    pub delimiter: String,
+    /// As `delimiter` states it in the campaign; of a sheet of a workbook none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub delimiter: Option<String>,
+    /// As `sheet` states it, of a workbook.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sheet: Option<String>,
     /// As `decimal` states it.
     pub decimal: String,
     /// As `thousands` states it, where numbers have groups of digits.

@@ -217,7 +217,7 @@ fn every_command_that_answers_does_so_in_json() {
     assert_eq!(exported, ["k/controller.csv"]);
     let formats: etalon::documents::FormatsDocument = answer(at, &["formats", "c/exports/poses.txt", "--json"], 0);
     let best = &formats.readings[0];
-    assert_eq!((best.delimiter.as_str(), best.decimal.as_str(), best.header), (";", ",", 1));
+    assert_eq!((best.delimiter.as_deref().unwrap_or(""), best.decimal.as_str(), best.header), (";", ",", 1));
     assert_eq!(best.columns, ["label", "x", "y", "z"]);
     assert!(formats.toml.contains("unit = \"?\""));
     let schema: serde_json::Value = answer(at, &["schema", "check", "--json"], 0);

@@ -9,8 +9,8 @@ campaign-missing = es gibt keine Kampagne `{ $file }`
 joints-need-delimited-text = `joints` werden aus getrenntem Text mit höchstens einer Namenszeile gelesen
     .hint = `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` angeben; bei anderen Dateien die Gelenke in einem [log] nennen
 
-two-exports-with-joints = zwei Exporte enthalten Gelenke, und eine Kampagne hat nur einen solchen
-    .hint = ihre Zeilen in einer Datei zusammenfassen
+joints-differ = zwei Exporte von `{ $file }` geben verschiedene `joints` an
+    .hint = in beiden dieselben Spalten angeben
 
 joints-twice = die Gelenke sind zweimal angegeben: in `joints` von `{ $file }` und in [log]
     .hint = eine Angabe weglassen
@@ -25,7 +25,7 @@ path-outside = `{ $file }` verlässt den Ordner der Kampagne
     .expected = ein Pfad im Ordner der Kampagne oder einer, der mit `$NAME/` beginnt
 
 no-target = ein räumlicher Roboter braucht mindestens eine Zielmarke
-    .hint = sie in `targets` der Kampagne oder in einer Spalte `target` der Tabelle nennen
+    .hint = sie in `targets` von [join], als `target` der Exporte oder in einer Spalte `target` der Tabelle nennen
 
 target-called-base = keine Zielmarke kann `base` heißen: ihre Parameter wären die der Roboterbasis
     .hint = der Zielmarke in Bezeichnung oder Spalten einen anderen Namen geben

@@ -22,12 +22,12 @@ campaign-missing = there is no campaign `{ $file }`
 joints-need-delimited-text = `joints` can be read from delimited text with at most one row of names
     .hint = state `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}`; for other files name the joints in a [log]
 
-# Means: Two exports carry joints.
-# Matters: A campaign has one source of joint values.
-# Do: Put their rows into one file.
-# Example: two [[export]] with `joints`
-two-exports-with-joints = two exports carry joints, and a campaign has one such file
-    .hint = put their rows into one file
+# Means: Two exports of one file state different columns as `joints`.
+# Matters: The joints of a row are the joints of all its points.
+# Do: State the same columns in both exports.
+# Example: `joints` with `J2` in one and `J3` in the other [[export]] of a file
+joints-differ = two exports of `{ $file }` state different `joints`
+    .hint = state the same columns in both
 
 # Means: Joint values are stated in an export and in [log].
 # Matters: It is undefined which values count.
@@ -59,10 +59,10 @@ path-outside = `{ $file }` leaves the folder of the campaign
 
 # Means: The campaign names no target, and the robot is one in space.
 # Matters: Measured points are points of targets on the robot.
-# Do: Name the targets in `targets` of the campaign, or in a column `target` of the table.
+# Do: Name the targets in `targets` of [join], as `target` of the exports, or in a column `target`.
 # Example: a serial arm without `targets`
 no-target = a robot in space needs at least one target
-    .hint = name them in `targets` of the campaign, or in a column `target` of the table
+    .hint = name them in `targets` of [join], as `target` of the exports, or in a column `target` of the table
 
 # Means: A target is called `base`.
 # Matters: Its parameters would have the names of those of the robot's base.

@@ -9,8 +9,8 @@ campaign-missing = il n’y a pas de campagne `{ $file }`
 joints-need-delimited-text = `joints` se lit dans un texte délimité avec au plus une ligne de noms
     .hint = indiquer `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` ; pour d’autres fichiers, nommer les articulations dans un [log]
 
-two-exports-with-joints = deux exports portent des articulations, et une campagne n’en a qu’un
-    .hint = réunir leurs lignes dans un seul fichier
+joints-differ = deux exports de `{ $file }` indiquent des `joints` différents
+    .hint = indiquer les mêmes colonnes dans les deux
 
 joints-twice = les articulations sont indiquées deux fois : dans `joints` de `{ $file }` et dans [log]
     .hint = omettre l’une des deux
@@ -25,7 +25,7 @@ path-outside = `{ $file }` sort du dossier de la campagne
     .expected = un chemin dans le dossier de la campagne, ou qui commence par `$NAME/`
 
 no-target = un robot spatial a besoin d’au moins une cible
-    .hint = les nommer dans `targets` de la campagne, ou dans une colonne `target` du tableau
+    .hint = les nommer dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
 
 target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres seraient ceux de la base du robot
     .hint = donner un autre nom à la cible dans l’étiquette ou les colonnes
