@@ -10,7 +10,7 @@ use etalon::controllers::{self, Description, Exporter, Given};
 use etalon::documents::{ControllersDocument, PoseSet};
 use etalon::identify::Observation;
 use etalon::math::statistics::rms;
-use etalon::robots::{Quantity, Robot, Role};
+use etalon::robots::{Quantity, Robot, Role, base_pose};
 use etalon::run::pipeline::Outcome;
 use etalon::stages::controller_files::identify_again;
 use etalon::stages::evaluate;
@@ -194,8 +194,7 @@ impl File<'_> {
 
     /// The world position of a target on a flange whose pose in the base is known.
     fn in_world(&self, flange: &Pose, k: usize) -> Vector {
-        let base = self.ran.robot.kinematics().unwrap().base_in_world(&self.values).unwrap();
-        base.then(flange).apply(self.target(k))
+        base_pose(&self.values).then(flange).apply(self.target(k))
     }
 
     /// Error of the robot with values that the file lists by name, in their units.
