@@ -1,7 +1,6 @@
 //! Conventions of orientations: a table states them in a unit, an order, a handedness, a direction; each may be another than the columns
 //! say. A slip is named that brings the observed orientations to those of the nominal robot where positions place it.
 
-use crate::stages::kinds::Observed;
 use crate::stages::orientations::{AngleOrder, Form, Written};
 use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, norm};
@@ -32,21 +31,21 @@ struct Slip {
 /// those of the table, in the order of the conditions.
 pub fn wrong(
     robot: &dyn Robot,
-    observed: &Observed,
+    observations: &[Observation],
+    settings: &Settings,
     written: &[Written],
     order: Option<AngleOrder>,
 ) -> Option<Message> {
-    let conditions: Vec<&Condition> = observed.settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
-    if conditions.is_empty() || conditions.len() != written.len() || observed.observations.is_empty() {
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    if conditions.is_empty() || conditions.len() != written.len() || observations.is_empty() {
         return None;
     }
     let every = |count: usize| count.div_ceil(SUBSET).max(1);
     let some = every(conditions.len());
     let conditions: Vec<&Condition> = conditions.into_iter().step_by(some).collect();
     let written: Vec<Written> = written.iter().step_by(some).copied().collect();
-    let positions: Vec<Observation> =
-        observed.observations.iter().step_by(every(observed.observations.len())).cloned().collect();
-    let trial = Trial { robot, conditions, positions, settings: &observed.settings };
+    let positions: Vec<Observation> = observations.iter().step_by(every(observations.len())).cloned().collect();
+    let trial = Trial { robot, conditions, positions, settings };
     let stated: Vec<Option<Pose>> = written.iter().map(|row| row.pose(order).ok()).collect();
     let placed = trial.placed(None)?;
     let stated_rad = trial.misfit_rad(&stated, None, &placed)?;

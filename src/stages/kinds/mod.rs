@@ -234,7 +234,7 @@ pub fn observed(
         return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
     }
     let observed = Observed { observations, settings };
-    match conventions::wrong(robot, &observed, &written, without.order) {
+    match conventions::wrong(robot, &observed.observations, &observed.settings, &written, without.order) {
         Some(wrong) => Err(wrong.at(header()).into()),
         None => Ok(observed),
     }
