@@ -1,7 +1,7 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
-use etalon_base::error;
 use super::Campaign;
+use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::{Format, dialect::Unit};

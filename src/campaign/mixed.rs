@@ -1,7 +1,7 @@
 //! Exports that carry joint values beside the points: each row is joined with itself.
 
-use etalon_base::error;
 use super::{CampaignFile, Join, JoinBy};
+use etalon_base::error;
 use etalon_base::message::{Message, SourceText};
 use etalon_formats::dialect::{Column, ColumnRole, Delimiter, FromRow, Header};
 use etalon_formats::{Export, Log, LogKind};

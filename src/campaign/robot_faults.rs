@@ -1,7 +1,7 @@
 //! Words for contradictions in the description of a robot.
 
-use etalon_base::{error, phrase};
 use etalon_base::message::Message;
+use etalon_base::{error, phrase};
 use etalon_robots::{FaultKind, JointFault, JointRef, TreeFault};
 
 /// A fault in words; `spellings` spells a key with its units, as the file does first, and `file` is the file with links and joints.

@@ -1,9 +1,9 @@
 //! `robot.toml`: the keys of every model, and those of its own model, which that model reads.
 
-use etalon_base::error;
 use super::toml_file::{self, Recovered, UnreadKeys};
 use super::urdf::{self, Urdf};
 use super::{paths, robot_faults, robot_keys};
+use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_robots::{

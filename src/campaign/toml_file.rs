@@ -1,9 +1,9 @@
 //! All problems of a TOML file at once, by the JSON Schema of what it states: an entry that does
 //! not fit is reported and removed, a missing one is reported and filled in, and the rest is read.
 
-use etalon_base::{error, phrase};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
+use etalon_base::{error, phrase};
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::Value;

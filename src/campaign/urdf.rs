@@ -1,9 +1,9 @@
 //! URDF files: links and joints of a robot, in metres and radians. What the program does not need is passed over.
 
-use etalon_base::{error, phrase};
 use super::robot_faults;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
+use etalon_base::{error, phrase};
 use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;

@@ -1,11 +1,11 @@
 //! Characteristics of poses by ISO 9283 over campaigns.
 
-use etalon_base::{warning, phrase};
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{phrase, warning};
 use etalon_documents::*;
 use etalon_standards::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;

@@ -9,8 +9,8 @@ mod paths;
 pub mod significance;
 mod trend;
 
-use etalon_base::{error, warning};
 use etalon_base::message::{Message, Problems, Result, one_line};
+use etalon_base::{error, warning};
 use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;

@@ -1,9 +1,9 @@
 //! Parameters over campaigns.
 
-use etalon_base::warning;
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_documents::*;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};

@@ -1,9 +1,9 @@
 //! AT and RT of recorded motions over campaigns, matched by the name of the stream.
 
-use etalon_base::warning;
 use super::significance::{Difference, Recovered, recovered};
 use super::trend::{changed, pairs};
 use etalon_base::message::{Message, one_line};
+use etalon_base::warning;
 use etalon_documents::*;
 
 /// Paths are one where length, begin and end agree to this share of the length.

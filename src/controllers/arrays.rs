@@ -3,8 +3,8 @@
 //! Both hold `about` (the lines that begin a file), `name`, `unit`, `value` and `nominal` of all parameters, `standard_uncertainty` of those
 //! whose places are in `identified`, and `covariance` of those in `covariance_of`. Places count from 0 in NumPy and from 1 in MATLAB.
 
-use etalon_base::error;
 use super::{Exporter, Given};
+use etalon_base::error;
 use etalon_base::message::Result;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;

@@ -1,9 +1,9 @@
 //! Parameters as a CSV table, for spreadsheets and small scripts. Readers of tables take no comments: what other files begin with are
 //! columns behind the others.
 
-use etalon_base::error;
 use super::{Exporter, Given, status_word};
 use etalon_base::cell::without_formula as text;
+use etalon_base::error;
 use etalon_base::message::Result;
 
 /// CSV, one parameter a row.

@@ -3,11 +3,11 @@
 //! It is neither signed nor that of an accredited laboratory, and says so. What the schema asks for and the campaign does not state is
 //! named as not stated.
 
-use etalon_base::error;
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
 use etalon_base::country::Country;
 use etalon_base::date::date;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::{CampaignSummary, Conditions, Issue, ParameterEntry};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};

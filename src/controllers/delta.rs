@@ -3,11 +3,11 @@
 //!
 //! Any three upright towers are on a circle about a centre of their own: the frame of the controller is there, turned as its towers are.
 
-use etalon_base::{error, phrase};
 use super::template::render;
 use super::{Exporter, Given, value};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use minijinja::context;
 use minijinja::value::Serde;

@@ -4,8 +4,8 @@
 //! The inverse kinematics of a PreXYT hold what multiplies a length a thousand or a million times: a tangent in steps of 1/65536 would be
 //! off by 3 um at a lever of 400 mm.
 
-use etalon_base::error;
 use super::{Exporter, Given, value};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
 use std::fmt::Write;

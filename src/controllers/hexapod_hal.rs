@@ -1,9 +1,9 @@
 //! Kinematics of LinuxCNC's `genhexkins`: the joints of six legs at either end. Lengths at joint value zero go to the joints.
 
-use etalon_base::phrase;
 use super::template::render;
 use super::{Exporter, Given};
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use minijinja::context;
 use minijinja::value::Serde;
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
-use etalon_base::error;
 use super::{Exporter, Given};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterStatus;
 use serde::Serialize;

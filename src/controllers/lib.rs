@@ -36,8 +36,8 @@ pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
 
-use etalon_base::error;
 use etalon_base::catalogue::Phrase;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};

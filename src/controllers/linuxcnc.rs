@@ -3,11 +3,11 @@
 //! They follow from the axes alone, whatever convention they were identified in: `genserkins` has no Hayati angle, so that near-parallel
 //! axes have their exact, distant common normal. What is before the first joint and behind the last is a frame of its own.
 
-use etalon_base::{error, phrase};
 use super::template::render;
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
 use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, phrase};
 use etalon_robots::{JointChain, Parameter};
 use minijinja::context;
 use minijinja::value::Serde;

@@ -3,13 +3,13 @@
 //! Planar robots move in the world, base and target included: x and y of a five-bar; x, y and c of a PreXYT's ball K and of the direction to
 //! ball L (thesis eq. 3.17 to 3.19). Arms in space move their flange in the base frame; x, y, z and c, b, a turn about z, y, x.
 
-use etalon_base::{error, phrase};
 use super::code::{formulas, functions};
 use super::template::render;
 use super::{Exporter, Given, is_in_code, value};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Parameter, Quantity, Robot};
 use minijinja::context;
 use minijinja::value::Serde;

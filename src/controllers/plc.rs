@@ -1,11 +1,11 @@
 //! Parameters as constants of PLCs, LREAL: a list of global constants of TwinCAT (`.TcGVL`), PLCopen XML for CODESYS, and a data block of
 //! Siemens SCL; PLCopen and SCL hold the kinematics as function blocks too, where the robot is named.
 
-use etalon_base::error;
 use super::code::{Kind, Unit, Variable, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
 use super::{Exporter, Given};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterEntry;
 use minijinja::context;

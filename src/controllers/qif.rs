@@ -1,9 +1,9 @@
 //! QIF 3.0 Results (ISO 23952:2020): each parameter as a user-defined characteristic with its nominal value, its measured value and its combined
 //! standard uncertainty. QIF holds no covariance.
 
-use etalon_base::error;
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::{ParameterEntry, ParametersDocument};
 

@@ -1,9 +1,9 @@
 //! `M669 K9` of RepRapFirmware: a five-bar. Its angles are counted from the x axis of the world.
 
-use etalon_base::phrase;
 use super::template::render;
 use super::{Exporter, Given, value};
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_robots::{Parameter, Robot, Role};
 use minijinja::context;

@@ -1,10 +1,10 @@
 //! Statement of a controller file: parameters that the format leaves out, values that the file holds instead, position
 //! errors with these values, and header lines.
 
-use etalon_base::{error, phrase};
 use super::{Exporter, Given, name_of};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
+use etalon_base::{error, phrase};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 

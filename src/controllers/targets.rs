@@ -1,7 +1,7 @@
 //! Poses to measure as targets that a controller loads: JSON by name, or a C header of arrays.
 
-use etalon_base::error;
 use super::template::{comment, identifier, literal};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{Iso9283Places, PlanDocument};

@@ -1,10 +1,10 @@
 //! Calibration of a Universal Robots arm as the ROS description packages load it (`kinematics_params_file`: ur_description,
 //! ur_calibration).
 
-use etalon_base::phrase;
 use super::template::render;
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};

@@ -1,9 +1,9 @@
 //! The URDF that the robot was read from, with calibrated origins: all else, comments too, is as it was.
 
-use etalon_base::{error, phrase};
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Effect, Parameter};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};

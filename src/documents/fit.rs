@@ -1,9 +1,9 @@
 //! What `etalon fit` answers: an element, the probe, and the values that a file states.
 
-use etalon_base::warning;
 use super::Termination;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::warning;
 use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -7,10 +7,10 @@
 //! a time, in registers as wide as the machine has them: what is fused ([`F64x8::plus`]) is so on every machine and nothing
 //! else is, and no width reorders an operation, so sums have the same bytes everywhere.
 
-use etalon_base::error;
 use super::element::{self, Element, FitSettings};
 use super::f64x8::{F64x8, LANES, Points, along};
 use super::packed::PackedPoints;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, unit};
 use etalon_math::symmetric_eigen;

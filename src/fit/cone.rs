@@ -1,6 +1,5 @@
 //! Circular cone, one nappe.
 
-use etalon_base::warning;
 use super::chart::{Chart, length};
 use super::cloud::{Cloud, Source};
 use super::coverage::Arc;
@@ -11,6 +10,7 @@ use super::search::{Axial, no_start, rival_warning, search};
 use super::solver::{Refined, Surface, refine};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::warning;
 use nalgebra::{Matrix5, Vector5};
 use std::f64::consts::PI;
 

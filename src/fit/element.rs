@@ -1,9 +1,9 @@
 //! The elements that points are fitted by, and what may be held or compensated while fitting.
 
-use etalon_base::{error, phrase};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, unit};
+use etalon_base::{error, phrase};
 use std::fmt;
 use std::str::FromStr;
 

@@ -4,7 +4,6 @@
 //! Not least squares: four points at most hold the zone, and a single wrong point moves it. Each answer is held by its
 //! contact points, and states whether it was proved that no other place is narrower.
 
-use etalon_base::error;
 use super::chart::Chart;
 use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};
 use super::cloud::{Cloud, Source};
@@ -13,6 +12,7 @@ use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
 use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 use std::collections::VecDeque;

@@ -6,13 +6,13 @@
 //! by the constant r. So the element is fitted to the centres as they are, and then moved by r: no point is moved,
 //! residuals and their variance stay, and the answer is that of a fit to the contact points.
 
-use etalon_base::{error, warning};
 use super::cloud::{Cloud, Gather};
 use super::element::{Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, warning};
 use etalon_math::{Termination, symmetric_eigen};
 
 /// Number of quantities in a [`Covariance`].

@@ -1,9 +1,9 @@
 //! Best-fit rigid transform between two sets of the same points.
 
-use etalon_base::{error, warning};
 use super::cloud::{Cloud, Source};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, dot, minus, norm};
+use etalon_base::{error, warning};
 use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 

@@ -8,7 +8,6 @@
 //! a circle's: R² − r² is a linear problem in the centre and grows from here by κ a length at least, R + r by at most 2:
 //! where κ ≥ 2 (R − r), no other centre has a narrower zone.
 
-use etalon_base::error;
 use super::chart::{Chart, length};
 use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, SAMPLE, Source};
@@ -18,6 +17,7 @@ use super::element::{Element, FitSettings};
 use super::minimax::{Certificate, Row, best_step, certificate};
 use super::result::largest_component_positive;
 use super::zone::{FARTHEST, MinimumZone, Multipliers, SLACK, sides};
+use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, minus, norm};
 

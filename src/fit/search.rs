@@ -4,13 +4,13 @@
 //! One start is not enough: on an arc of 90 degrees the sum of squares has several minima over the axes, and a
 //! method that trusts the plane's normal or the longest spread ends in the wrong one.
 
-use etalon_base::{error, warning};
 use super::chart::Chart;
 use super::cloud::Cloud;
 use super::element::Element;
 use super::solver::{Refined, Surface, descend};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, dot};
+use etalon_base::{error, warning};
 
 /// Directions tried over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;

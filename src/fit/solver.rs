@@ -12,12 +12,12 @@
 //! After each step the chart is laid about the element anew, so a surface only states its derivatives in
 //! the middle of its chart (as NPL's LSGE turns the axis to z in each iteration).
 
-use etalon_base::error;
 use super::cloud::{Cloud, Gather, SAMPLE};
 use super::coverage::Coverage;
 use super::element::Element;
 use super::f64x8::{F64x8, LANES, Points};
 use super::result::{Fit, QUANTITIES, Residuals, propagate};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::{Factor, Termination, TrustRegion, norm, svd};

@@ -14,6 +14,7 @@ use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
+use crate::stages::solved::Solved;
 use crate::stages::tool::Expected;
 use etalon_base::message::{Message, Place, Problems, Result, Severity, count};
 use etalon_base::pose_name::PoseName;
@@ -205,14 +206,6 @@ fn would_prove(proof: &EffectProof) -> Option<Message> {
         None => format!("add \"{effect}\" to `effects` in [identify], or state `effects = \"proven\"`"),
     };
     Some(Message::warning(what).hint(hint))
-}
-
-/// Parameters of the nominal robot with base and targets fitted, and what the solver finds from there.
-pub struct Solved {
-    /// All parameters before.
-    pub before: Vec<f64>,
-    /// Those after.
-    pub found: Identification,
 }
 
 impl Solved {

@@ -30,6 +30,7 @@ pub mod recommendation;
 pub mod remedies;
 pub mod repeats;
 mod resolution;
+pub mod solved;
 pub(crate) mod table_file;
 pub mod tool;
 mod undescribed;

@@ -1,7 +1,7 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
-use crate::stages::identification::Solved;
 use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
+use crate::stages::solved::Solved;
 use crate::stages::undescribed::undescribed;
 use etalon_base::message::{Message, count};
 use etalon_base::pose::norm;

@@ -11,8 +11,8 @@ pub(super) use c99::{C99, functions};
 pub(super) use python::PythonCode;
 pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, scl, units};
 
-use etalon_base::error;
 use super::Given;
+use etalon_base::error;
 use etalon_base::expression::{Formula, Operation};
 use etalon_base::message::Result;
 use serde::Serialize;

@@ -1,8 +1,8 @@
 //! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
 
-use etalon_base::{error, phrase};
 use super::{Given, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
 use etalon_base::message::Result;
+use etalon_base::{error, phrase};
 use std::fmt::Write;
 
 /// Counts of each axis for a mm or deg of its joint.

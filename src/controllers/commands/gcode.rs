@@ -1,8 +1,8 @@
 //! G-code (ISO 6983, LinuxCNC's dialect): words X Y Z A B C, mm and deg, Rz(C) Ry(B) Rx(A) as LinuxCNC's kinematics modules have it; a robot
 //! in the plane has X, Y, and C where it turns.
 
-use etalon_base::error;
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, Slot, at_line, number};
+use etalon_base::error;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use std::fmt::Write;

@@ -1,13 +1,13 @@
 //! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}`, mm and deg, Rz(A) Ry(B) Rx(C); `E6POS`, `POS`, and `{A1 .., A6 ..}` of joints
 //! (KUKA System Software, operating and programming instructions).
 
-use etalon_base::{error, phrase};
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, at_line, line_of, masked, name_of,
     number, slots, word_before,
 };
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use std::fmt::Write;
 use std::ops::Range;
 

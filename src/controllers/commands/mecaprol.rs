@@ -1,10 +1,10 @@
 //! Mecaprol (DexTAR): `MoveC X.. Y..;`, mm. The working mode (`M`) is left to the program: it stays as it is. By programs that are public
 //! (oKermorgant/ecn_Dextar): `WCS X.. Y.. W..` is the frame of the targets, `TCS Z..` the tool, `!` begins a comment.
 
-use etalon_base::{error, phrase};
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

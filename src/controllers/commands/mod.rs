@@ -11,8 +11,8 @@ mod urscript;
 
 pub use galil::Galil;
 
-use etalon_base::error;
 use super::Given;
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use std::collections::BTreeSet;

@@ -1,11 +1,11 @@
 //! RAPID (ABB): `robtarget` as `[[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax ...]]`, mm and a quaternion
 //! (RAPID reference manual, data types `robtarget`, `jointtarget`, `confdata`).
 
-use etalon_base::error;
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
     skip_blanks, slots,
 };
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use std::fmt::Write;

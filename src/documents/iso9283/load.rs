@@ -1,9 +1,9 @@
 //! Static compliance (ISO 9283:1998 10).
 
-use etalon_base::warning;
 use super::all;
 use crate::mirror::mirror;
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,10 +1,10 @@
 //! Recorded motions (ISO 9283:1998 7.4, 7.5, 9).
 
-use etalon_base::{error, warning};
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};

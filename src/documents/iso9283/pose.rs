@@ -1,12 +1,12 @@
 //! Tests of poses (ISO 9283:1998 7).
 
-use etalon_base::{error, warning};
 use super::{all, degrees};
 use crate::mirror::mirror;
 use crate::{Conformity, LimitQuantity, LimitVerdict};
 use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::decision::DecisionRule;
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};

@@ -3,9 +3,9 @@
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
+use crate::solution::estimation::Estimation;
 use crate::solution::identifiability::Analysis;
 use crate::solution::set_up::set_up_error;
-use crate::solution::solver::Estimation;
 use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;

@@ -1,6 +1,7 @@
 //! Solution: starting values, the solver, and which parameters the observations determine.
 
 pub(crate) mod apart;
+pub(crate) mod estimation;
 pub(crate) mod evidence;
 pub(crate) mod fixtures;
 pub(crate) mod hypotheses;

@@ -4,6 +4,7 @@ use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
+use crate::solution::estimation::Estimation;
 use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
 use crate::{Error, Result};
@@ -26,16 +27,6 @@ const LEAST_NOISE_MM: f64 = 1e-4;
 const BY_NOMINAL: f64 = 0.2;
 /// Relative change of the noise below which nominal values weigh as they should.
 const SETTLED: f64 = 0.02;
-
-/// The parameters that are wanted of a robot, and what they are estimated from.
-#[derive(Clone, Copy)]
-pub(crate) struct Estimation<'a> {
-    pub robot: &'a dyn Robot,
-    pub observations: &'a [Observation],
-    pub settings: &'a Settings,
-    /// Indices of the wanted parameters.
-    pub wanted: &'a [usize],
-}
 
 /// A solution, and what was held to find it.
 pub(crate) struct Identifiable {

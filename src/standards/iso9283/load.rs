@@ -1,8 +1,8 @@
 //! Static compliance (ISO 9283:1998 10, unverified against a bought copy): how far a loaded robot gives way, in mm/N, along
 //! the force; forces in steps of 10 % up to the rated load, both ways along each axis, three times.
 
-use etalon_base::error;
 use crate::iso9283::statistics::sample::positions;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, dot, minus};
 

@@ -7,8 +7,8 @@ use etalon::base::message::{Message, Severity};
 use etalon::identify::{Identification, Prior, Settings, fit_frames, identify_from};
 use etalon::robots::Role;
 use etalon::stages::evaluate::{self, Sets};
-use etalon::stages::identification::Solved;
 use etalon::stages::plausible::plausibility;
+use etalon::stages::solved::Solved;
 use rayon::prelude::*;
 
 /// Shares of a value by the data below which the oracle may hold its parameter.

@@ -13,8 +13,8 @@ use etalon::identify::{Observation, Settings, Systematic};
 use etalon::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::walk;
 use etalon::stages::evaluate::Sets;
-use etalon::stages::identification::Solved;
 use etalon::stages::repeats::stale;
+use etalon::stages::solved::Solved;
 use rayon::prelude::*;
 
 /// A robot, how it is measured, and what a slip looks like on it.

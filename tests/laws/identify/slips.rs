@@ -8,8 +8,8 @@ use etalon::base::noise::Noise;
 use etalon::identify::{Effects, Observation, Prior, Settings, Systematic, chi_square_exceeds};
 use etalon::robots::Robot;
 use etalon::stages::evaluate::Sets;
-use etalon::stages::identification::Solved;
 use etalon::stages::repeats::stale;
+use etalon::stages::solved::Solved;
 use rayon::prelude::*;
 
 /// Words of a message that names a cause.

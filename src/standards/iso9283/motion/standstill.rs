@@ -1,9 +1,9 @@
 //! Standstills in a recorded motion, and which of the poses each of them visits. The standard measures poses after
 //! stabilisation and does not define how standing differs from moving: both thresholds are the user's, and are reported.
 
-use etalon_base::error;
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::statistics::sample::{mean_position, spread};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use std::ops::Range;

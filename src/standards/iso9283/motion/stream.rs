@@ -1,9 +1,9 @@
 //! A recorded motion: positions, and where there are angles, over time.
 
-use etalon_base::{error, phrase};
 use crate::iso9283::statistics::sample::followed;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 
 /// Samples in the order of recording. Time goes on from each to the next, every number is finite, angles do not jump.
 #[derive(Clone, Debug, PartialEq)]

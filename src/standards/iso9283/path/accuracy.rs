@@ -1,11 +1,11 @@
 //! Path accuracy AT (ISO 9283:1998 8.2, unverified against a bought copy) and the same with reorientation (8.4): the largest
 //! distance of the mean attained path from the commanded one, in the normal planes of the command points.
 
-use etalon_base::error;
 use crate::iso9283::path::commanded::{CommandPoint, CommandedPath};
 use crate::iso9283::path::passes::{Pass, angles_at, check, positions_at};
 use crate::iso9283::pose::accuracy::angle_accuracy_rad;
 use crate::iso9283::statistics::sample::mean_position;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 

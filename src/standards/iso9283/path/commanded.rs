@@ -1,7 +1,7 @@
 //! The commanded path: corners joined by straight lines, a curve by as many points as it needs.
 
-use etalon_base::error;
 use crate::iso9283::statistics::sample::followed;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 

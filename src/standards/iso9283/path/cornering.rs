@@ -1,10 +1,10 @@
 //! Cornering deviations (ISO 9283:1998 8.5, unverified against a bought copy): round-off CR, overshoot CO and the length of
 //! path after which the second leg is kept.
 
-use etalon_base::error;
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::{CommandPoint, Corner};
 use crate::iso9283::path::passes::{Pass, check};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 

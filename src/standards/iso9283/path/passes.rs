@@ -1,11 +1,11 @@
 //! Passes of a commanded path in a recorded motion: the places where each of them goes through the normal planes of the
 //! command points, one after the other.
 
-use etalon_base::{error, phrase};
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::CommandPoint;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm};
+use etalon_base::{error, phrase};
 use std::ops::Range;
 
 /// Where an attained path goes through the plane of a command point; between two samples along a straight line.

@@ -1,10 +1,10 @@
 //! Path velocity accuracy AV, repeatability RV and fluctuation FV (ISO 9283:1998 8.6, unverified against a bought copy), over
 //! the central part of the path, where the robot neither speeds up nor slows down.
 
-use etalon_base::error;
 use crate::iso9283::path::commanded::CommandPoint;
 use crate::iso9283::path::passes::{Pass, check};
 use crate::iso9283::statistics::sample::spread;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{minus, norm};
 

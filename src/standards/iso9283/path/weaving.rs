@@ -1,9 +1,9 @@
 //! Weaving deviations (ISO 9283:1998 11, unverified against a bought copy): stroke WS and frequency WF of a path that swings
 //! from side to side of its centre line.
 
-use etalon_base::error;
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::statistics::sample::spread;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, unit};
 use std::ops::Range;

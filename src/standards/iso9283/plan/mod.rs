@@ -6,8 +6,8 @@ mod reach;
 
 pub use reach::{Reach, UnknownReach, Unreached, reach};
 
-use etalon_base::error;
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
+use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 

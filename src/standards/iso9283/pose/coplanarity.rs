@@ -1,10 +1,10 @@
 //! Coplanarity of mean positions (thesis 2.4): a planar robot's barycentres should lie in one plane.
 
-use etalon_base::{error, phrase};
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, phrase};
 
 /// Mean positions against their least-squares plane.
 #[derive(Clone, Debug, PartialEq)]

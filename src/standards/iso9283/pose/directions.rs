@@ -1,13 +1,13 @@
 //! The attained pose depends on the direction of approach: multi-directional pose accuracy variation vAP (ISO 9283:1998 7.2.3,
 //! unverified against a bought copy) and the same by any pose approached from (not of the standard).
 
-use etalon_base::{error, phrase};
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 
 /// Attained positions of one pose, apart by approach.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified against a bought copy).
 
-use etalon_base::error;
 use crate::iso9283::pose::test::{PosePair, PoseTest};
 use crate::iso9283::statistics::sample::{SampleSpread, coordinates, spread, unwrapped, wrapped};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;

@@ -1,13 +1,13 @@
 //! Drift of pose characteristics dAP, dRP (ISO 9283:1998 7.6, unverified against a bought copy): sets of cycles from cold
 //! start, each with its own AP and RP.
 
-use etalon_base::{error, phrase};
 use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use std::collections::BTreeSet;
 
 /// Drift of one pose.

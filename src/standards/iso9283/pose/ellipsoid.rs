@@ -1,9 +1,9 @@
 //! Error ellipsoid (not of the standard): where the next position lies with 95 % probability, direction by direction.
 
-use etalon_base::{error, phrase};
 use crate::iso9283::statistics::scatter::Scatter;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 /// Ellipsoid about the mean position, flat in directions without scatter.

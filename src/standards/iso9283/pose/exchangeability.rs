@@ -1,9 +1,9 @@
 //! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots, one programme, the same mounting.
 
-use etalon_base::error;
 use crate::iso9283::pose::directions::farthest;
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
+use etalon_base::error;
 use etalon_base::message::{Result, one_line};
 use etalon_base::pose::{Vector, minus, norm};
 

@@ -1,11 +1,11 @@
 //! RP without the instrument's noise (not of the standard), where every visit was read several times: readings of one visit
 //! differ by the instrument alone, means of visits by the robot and what is left of the instrument.
 
-use etalon_base::error;
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
 use crate::iso9283::pose::test::TestedPose;
 use crate::iso9283::statistics::sample::{covariance, mean_position};
 use crate::iso9283::statistics::scatter::drawn_together;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::symmetric_eigen;

@@ -1,9 +1,9 @@
 //! Reference targets (not of the standard): targets that do not move, beside the robot, measured again and again, show how
 //! instrument and foundation moved against each other; what is measured between is carried back.
 
-use etalon_base::{error, phrase};
 use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, minus, norm};
+use etalon_base::{error, phrase};
 use etalon_fit::rigid;
 
 /// One measurement of the reference targets against the first.

@@ -1,8 +1,8 @@
 //! Means and standard deviations that are exact where all values are equal, and angles without jumps.
 
-use etalon_base::{error, phrase};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 use std::f64::consts::TAU;
 
 /// Refuses fewer than `least` positions, or one that is not finite.
