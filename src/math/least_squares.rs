@@ -397,11 +397,11 @@ mod tests {
             3
         }
         fn residuals(&self, x: &[f64], r: &mut [f64]) {
-            r.copy_from_slice(&[1e5 * (x[0].hypot(x[1]) - 1.0), 1e-2 * (x[0] - 1.0), 1e-2 * x[1]]);
+            r.copy_from_slice(&[1e3 * (x[0].hypot(x[1]) - 1.0), 1e-2 * (x[0] - 1.0), 1e-2 * x[1]]);
         }
         fn jacobian(&self, x: &[f64], j: &mut [f64]) {
             let radius = x[0].hypot(x[1]);
-            j.copy_from_slice(&[1e5 * x[0] / radius, 1e5 * x[1] / radius, 1e-2, 0.0, 0.0, 1e-2]);
+            j.copy_from_slice(&[1e3 * x[0] / radius, 1e3 * x[1] / radius, 1e-2, 0.0, 0.0, 1e-2]);
         }
     }
 

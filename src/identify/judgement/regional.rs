@@ -20,8 +20,8 @@ const ESTIMATED_FROM: usize = 64;
 const SUMMED: usize = 200;
 /// Fall of −2 ln L that noise alone exceeds in one of hundred campaigns: chi-square of two more parameters, variance and length.
 const SIGNIFICANT: f64 = 9.21;
-/// Rise of −2 ln L up to which variance and length are as probable as the best but for chance, once in a hundred (chi-square of two).
-const AS_PROBABLE: f64 = 9.21;
+/// Rise of −2 ln L up to which variance and length are as probable as the best but for chance, once in a thousand (chi-square of two).
+const AS_PROBABLE: f64 = 13.82;
 /// Readings at fewer poses show no field.
 const FEWEST: usize = 8;
 
