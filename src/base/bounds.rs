@@ -1,7 +1,7 @@
 //! Largest counts that files and options may state: checked before anything is allocated for them.
 
-use crate::error;
 use super::message::Result;
+use crate::error;
 use serde::{Deserialize, Deserializer, de};
 
 /// Largest number of poses, repeats or draws that a file states.

@@ -1,9 +1,9 @@
 //! A folder of results that is written beside the earlier one and exchanged with it whole: a stop at any moment leaves the one
 //! or the other.
 
-use crate::error;
 use super::files::{Lock, beside, parent, write_synced};
 use super::message::{Message, Problems, Result};
+use crate::error;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

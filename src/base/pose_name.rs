@@ -1,9 +1,9 @@
 //! Names of poses: whole numbers, or any other text.
 
-use crate::error;
 use super::cell::is_formula;
 use super::message::Message;
 use crate::catalogue::{Argument, IntoArgument};
+use crate::error;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
