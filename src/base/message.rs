@@ -211,15 +211,30 @@ impl Message {
     pub fn texts(&self, language: &str) -> Texts {
         let part = |name: &str, english: &Option<String>| match self.arguments.get(name) {
             Some(Argument::Phrase(phrase)) => Some(phrase.text(language)),
-            _ => render(&self.id, Some(name), &self.arguments, language).or_else(|| english.clone()),
-        };
-        let what = match render(&self.id, None, &self.arguments, language) {
-            Some(text) => {
-                self.around.iter().fold(text, |inner, around| around.clone().with("message", &inner).text(language))
+            _ => {
+                let of = |language: &str| render(&self.id, Some(name), &self.arguments, language);
+                // a caller may have stated another one
+                let own = english.is_none() || *english == of("en");
+                of(language).filter(|_| own).or_else(|| english.clone())
             }
+        };
+        let what = match self.sentence(language).filter(|_| !self.is_reworded()) {
+            Some(text) => text,
             None => self.what.clone(),
         };
         Texts { what, expected: part("expected", &self.expected), hint: part("hint", &self.hint) }
+    }
+
+    /// `true` if a caller changed the English sentence: the catalogue then lacks what was added.
+    fn is_reworded(&self) -> bool {
+        !self.what.is_empty() && self.sentence("en").is_some_and(|english| english != self.what)
+    }
+
+    /// Sentence of the catalogue, with the texts around it.
+    fn sentence(&self, language: &str) -> Option<String> {
+        let text = render(&self.id, None, &self.arguments, language)?;
+        let around = |inner: String, around: &Phrase| around.clone().with("message", &inner).text(language);
+        Some(self.around.iter().fold(text, around))
     }
 
     /// `true` if this is the message of an id of the catalogue, with at least these arguments.
@@ -614,6 +629,10 @@ mod tests {
         let german = message.texts("de");
         assert_eq!(german.what, "zu viele rows: 3 poses; ebenso in den Zeilen 3, 4 und 1 weiteren Zeile");
         assert_eq!(german.expected.as_deref(), Some("höchstens 2"));
+        let reworded = Message { what: format!("set A: {}", message.what), ..message.clone() };
+        assert_eq!(reworded.texts("de").what, reworded.what);
+        let other = crate::error!("locked", process = "1", file = "f").hint("another hint");
+        assert_eq!(other.texts("fr").hint.as_deref(), Some("another hint"));
         assert_eq!(Message::error("free").hint("text").texts("fr").hint.as_deref(), Some("text"));
     }
 

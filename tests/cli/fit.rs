@@ -231,7 +231,7 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
         assert_eq!(said.contains("1 row left out, the first: a value without a label"), format == "inspec", "{said}");
     }
     for (rest, part) in
-        [(&["--format", "inspect"][..], "--format: invalid value"), (&["--format", "dmis"], "error[no-feature-fitted]")]
+        [(&["--format", "inspect"][..], "--format: invalid value"), (&["--format", "dmis"], "no measured feature")]
     {
         let refused = fit("c.csv", rest);
         assert_eq!(refused.status.code(), Some(2));

@@ -69,7 +69,10 @@ fn class(message: &Message) -> &'static str {
 fn notice(m: &Message, words: &Words) -> Block {
     let severity = words.fill("{0}:", &[&words.say(class(m))]);
     let texts = m.texts(words.code());
-    let text = |text: &str| match m.id.is_empty() {
+    let english = m.texts("en");
+    let text = |text: &str| match [Some(&english.what), english.expected.as_ref(), english.hint.as_ref()]
+        .contains(&Some(&text.to_owned()))
+    {
         true => Text::document(text, words),
         false => Text::from(text.to_owned()),
     };
