@@ -129,7 +129,7 @@ impl Scene<'_> {
 /// Refuses a truth that observes what the campaign does not read, and a table of nothing.
 fn check_table(campaign: &Campaign, truth: &Truth) -> Result<()> {
     let has_rows = !truth.observe.is_empty() || !truth.known.is_empty();
-    match &campaign.file.observations {
+    match campaign.file.observations.first() {
         None if has_rows => Err(Message::error("the truth has [[observe]], and the campaign no [observations]")
             .hint("state the table in campaign.toml: `[observations]` with `file`")
             .into()),
@@ -161,7 +161,11 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
         let message = Message::error("a file with joints and points together is not simulated");
         return Err(message.at(campaign.place(&export.file)).hint("state an export and a [log] of their own").into());
     }
-    let table = campaign.file.observations.as_ref();
+    let table = campaign.file.observations.first();
+    if let Some(second) = campaign.file.observations.get(1) {
+        let message = Message::error("several tables of observations are not simulated");
+        return Err(message.at(campaign.place(&second.file)).hint("simulate one of them").into());
+    }
     check_table(campaign, truth)?;
     if let Some(point) = truth.points.iter().find(|point| is_formula(&point.label)) {
         let what = format!("the label `{}` of a [[point]] would be a formula in a spreadsheet", point.label);

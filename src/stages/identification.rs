@@ -10,8 +10,9 @@ use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
+use crate::stages::table_file::in_files;
 use crate::stages::tool::Expected;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
@@ -277,16 +278,16 @@ impl<'a> Input<'a> {
     /// Observations of a campaign.
     pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
         let settings = campaign.settings(stated);
-        let orientation = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref());
+        let orientation = campaign.file.observations.iter().find_map(|o| o.orientation.as_ref());
         let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
             order: orientation.map(order).transpose()?,
         };
-        let place = |problems: Problems| match &campaign.file.observations {
-            Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
-            None => problems,
+        let place = |problems: Problems| {
+            let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
+            if files.is_empty() { problems } else { in_files(problems, &files) }
         };
         let exclusions = Exclusion::of_campaign(campaign, stated);
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
