@@ -1,6 +1,7 @@
 //! Identify: observations become parameters, and errors before and after.
 
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
+use crate::stages::commanded::commanded;
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
 use crate::stages::exclusions::{Exclusion, exclude};
@@ -105,6 +106,9 @@ pub fn identify(
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
         solved.found.warnings.extend(warnings.into_iter().flatten().map(Into::into));
+    }
+    if campaign.file.synthetic.is_none() {
+        messages.extend(commanded(robot, &solved.before, &sets.calibration));
     }
     let mut errors = solved.judge(robot, &sets, &settings, messages);
     let Solved { before, mut found } = solved;

@@ -2,6 +2,7 @@
 
 pub mod candidates;
 mod checks;
+mod commanded;
 pub mod controller_files;
 pub mod distance;
 pub mod evaluate;

@@ -1,5 +1,6 @@
 //! Proposals of `etalon formats` for a corpus of synthetic files, whose right readings are stated beside them in `right.toml`.
 
+mod commanded;
 mod six_d;
 mod tables;
 
