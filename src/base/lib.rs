@@ -2,6 +2,7 @@
 //! numbers, dates, line drawings.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod angle_order;
 pub mod bounds;
 pub mod catalogue;
 pub mod cell;

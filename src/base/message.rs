@@ -509,6 +509,8 @@ impl Problems {
         for (key, line) in self.0.iter().filter_map(key) {
             lines.entry(key).or_default().push(line);
         }
+        // several cells of a row are one row
+        lines.values_mut().for_each(|lines| lines.dedup());
         lines.retain(|(file, _), lines| {
             let distinct = lines.iter().collect::<BTreeSet<_>>().len() == lines.len();
             lines.len() > LISTED && distinct && !file.ends_with(".toml")

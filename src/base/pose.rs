@@ -1,5 +1,6 @@
 //! Rigid transforms in space: `a_T_b` is the pose of frame b in frame a; chains read from left to right.
 
+use crate::message::Message;
 use crate::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
@@ -15,6 +16,9 @@ pub struct Pose<T = f64> {
     /// Translation in millimetres.
     pub translation_mm: Vector<T>,
 }
+
+/// Largest difference of a rotation matrix with three digits from an orthonormal one.
+const ORTHONORMAL: f64 = 4e-3;
 
 impl<T: Scalar> Pose<T> {
     /// The pose of a frame in itself.
@@ -200,6 +204,28 @@ impl Pose {
         }
         let length = q.iter().map(|v| v * v).sum::<f64>().sqrt().copysign(q[0]);
         q.map(|v| v / length)
+    }
+
+    /// The rotation of a matrix, row by row.
+    ///
+    /// # Errors
+    /// A matrix that is not orthonormal to three digits, or that mirrors.
+    pub fn from_rotation(rows: [f64; 9]) -> Result<Self, Message> {
+        let rotation: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| rows[3 * i + j]));
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let off = |i: usize, j: usize| (dot(rotation[i], rotation[j]) - unit(i, j)).abs();
+        let worst = (0..9).map(|k| off(k / 3, k % 3)).fold(0.0, f64::max);
+        if !(worst < ORTHONORMAL) {
+            let what =
+                format!("the rotation matrix is not orthonormal: rows times rows differ from 1 and 0 by {worst:.4}");
+            return Err(Message::error(what).expected("r11 to r33, row by row: body in world"));
+        }
+        if dot(cross(rotation[0], rotation[1]), rotation[2]) < 0.0 {
+            let message = Message::error("the rotation matrix mirrors: its determinant is -1");
+            return Err(message.hint("check the signs of its columns"));
+        }
+        // rounded elements are made a rotation again
+        Ok(Self::from_quaternion(Self { rotation, ..Self::identity() }.quaternion()))
     }
 
     /// The rotation by a quaternion (w, x, y, z) of any length but zero.

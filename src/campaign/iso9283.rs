@@ -4,9 +4,11 @@ use super::Campaign;
 use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_base::pose_name::PoseName;
-use etalon_formats::{Format, dialect::Unit};
+use etalon_formats::dialect::{Cells, ColumnSource, Decimal, Delimiter, Encoding, Header, Unit};
+use etalon_formats::{Format, TableLayout};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// A test of repeatability along one trajectory, from labelled points.
@@ -54,6 +56,26 @@ pub struct PosesDefinition {
     /// Table of reference targets, which do not move and are measured from time to time: `cycle,target,x_mm,y_mm[,z_mm]`.
     #[schemars(with = "Option<String>")]
     pub reference: Option<Spanned<String>>,
+    /// What separates the columns of the tables.
+    #[schemars(extend("default" = ","))]
+    pub delimiter: Option<Delimiter>,
+    /// Decimal mark of the tables.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// Encoding of their characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
+    pub encoding: Option<Encoding>,
+    /// Rows before the data of each table, the last of which names the columns: a number, `false` for none, or words of the row.
+    #[serde(default = "one_row")]
+    #[schemars(extend("default" = 1))]
+    pub header: Header,
+    /// Where each column comes from that is called otherwise in the tables: a heading, a number from 1, or an expression (`x_t - x_dif`). A
+    /// table that has no such heading is read without it.
+    #[serde(default)]
+    pub columns: BTreeMap<String, ColumnSource>,
+    /// Rows that are left out: those with one of these cells in one of these columns of the attained poses.
+    #[serde(default)]
+    pub without: BTreeMap<String, Cells>,
     /// Number of cycles in one set of a drift test; without it there is no drift.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
@@ -62,6 +84,25 @@ pub struct PosesDefinition {
     /// Seed of the bootstrap intervals.
     #[serde(default = "seed")]
     pub seed: u64,
+}
+
+impl PosesDefinition {
+    /// How a table is laid out; rows are left out of the attained poses alone.
+    pub fn layout(&self, attained: bool) -> TableLayout {
+        TableLayout {
+            delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
+            decimal: self.decimal,
+            header: self.header.clone(),
+            columns: self.columns.clone(),
+            lenient: true,
+            without: if attained { self.without.clone() } else { BTreeMap::new() },
+            ..TableLayout::default()
+        }
+    }
+}
+
+fn one_row() -> Header {
+    Header::Rows(1)
 }
 
 fn seed() -> u64 {

@@ -89,6 +89,9 @@ impl Campaign {
         let (text, stamp) = files::read_statement(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
+        if let Some(question) = open_question(&name, &text) {
+            return Ok((None, question.into()));
+        }
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
         let Some(mut file) = value else { return Ok((None, problems)) };
         let joints = file.exports.iter().any(|export| !export.joints.is_empty());
@@ -249,6 +252,30 @@ impl Campaign {
         let calibration = parse(&identify.calibration)?;
         Ok(Selections { calibration, validation: identify.validation.as_ref().map(parse).transpose()? })
     }
+}
+
+/// The first line that a proposal leaves open: a value `"?"`, or a joint in `UNIT`.
+fn open_question(name: &str, text: &str) -> Option<Message> {
+    let open = |line: &str| {
+        let stated = line.split(" #").next().unwrap_or(line);
+        !stated.trim_start().starts_with('#') && (stated.contains("= \"?\"") || stated.contains("_UNIT ="))
+    };
+    let mut lines = text.lines().enumerate().filter(|(_, line)| open(line));
+    let (at, line) = lines.next()?;
+    let more = lines.count();
+    let key = line.split('=').next().unwrap_or("").trim();
+    let (what, hint) = match line.contains("_UNIT =") {
+        true => ("the unit of the joints is open".to_owned(), "write deg, rad, mm or m for UNIT".to_owned()),
+        false => {
+            let remark = line.split_once(" #").map_or("", |(_, remark)| remark.trim());
+            (
+                format!("`{key}` is open"),
+                format!("complete the line{}{remark}", if remark.is_empty() { "" } else { ": " }),
+            )
+        }
+    };
+    let what = if more == 0 { what } else { format!("{what}; {more} more to complete") };
+    Some(Message::error(what).at(Place::line(name, at + 1, line)).hint(hint))
 }
 
 /// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.

@@ -3,7 +3,7 @@
 use super::{CampaignFile, Join, JoinBy};
 use etalon_base::error;
 use etalon_base::message::{Message, SourceText};
-use etalon_formats::dialect::{Column, ColumnRole, Delimiter, FromRow, Header};
+use etalon_formats::dialect::{Column, ColumnRole, FromRow};
 use etalon_formats::{Export, Log, LogKind};
 use toml::Spanned;
 
@@ -17,15 +17,10 @@ impl CampaignFile {
         let mut wrong = Vec::new();
         for export in self.exports.iter_mut().filter(|export| !export.joints.is_empty()) {
             let dialect = &export.format.dialect;
-            let header = match dialect.header {
-                Header::Rows(0) => Some(false),
-                Header::Rows(1) => Some(true),
-                _ => None,
-            };
-            let (Some(delimiter), Some(header), None) = (dialect.delimiter, header, &dialect.comment) else {
+            if dialect.delimiter.is_none() && dialect.sheet.is_none() {
                 wrong.push(error!("joints-need-delimited-text").at(stated.place(&export.file)));
                 continue;
-            };
+            }
             let named = |role| export.format.dialect.columns.contains(role);
             let in_label = export.label.as_ref().is_some_and(|label| label.get_ref().contains("{pose}"));
             if export.pose.is_none() && !named(ColumnRole::Pose) && !in_label {
@@ -33,7 +28,7 @@ impl CampaignFile {
             }
             // several points of a row have the joints of the row
             if self.logs.iter().all(|log| log.file.get_ref() != export.file.get_ref()) {
-                let mut log = log_of(export, delimiter, header);
+                let mut log = log_of(export);
                 if !self.logs.is_empty() {
                     log.name = format!("log-{}", self.logs.len() + 1);
                 }
@@ -82,15 +77,18 @@ impl CampaignFile {
     }
 }
 
-fn log_of(export: &Export, delimiter: Delimiter, header: bool) -> Log {
+fn log_of(export: &Export) -> Log {
+    let dialect = &export.format.dialect;
     Log {
         name: "log".to_owned(),
         file: export.file.clone(),
         encoding: export.encoding,
         format: LogKind::default(),
-        delimiter: Some(delimiter),
-        decimal: export.format.dialect.decimal,
-        header,
+        delimiter: dialect.delimiter,
+        decimal: dialect.decimal,
+        sheet: dialect.sheet.clone(),
+        header: dialect.header.clone(),
+        comment: dialect.comment.clone(),
         columns: export.joints.clone(),
         pose: None,
         period_s: None,

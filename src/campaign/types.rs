@@ -5,7 +5,9 @@ use etalon_base::country::Country;
 use etalon_base::pose::{Vector, minus, norm, unit};
 use etalon_documents::{Conditions, DecisionRule, Effect, Language, LimitQuantity};
 use etalon_documents::{ResidualKind, ToolFrame};
-use etalon_formats::dialect::{Decimal, Delimiter, Encoding, FromRow};
+use etalon_formats::dialect::{
+    Cells, ColumnSource, Constant, Decimal, Delimiter, Encoding, FromRow, Header, Missing, Thousands,
+};
 use etalon_formats::{Export, Log, TableLayout};
 use etalon_identify::{Effects, Prior, RigidPart, ToolPoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -13,6 +15,7 @@ use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 use toml::Spanned;
 
 /// `campaign.toml`.
@@ -65,8 +68,10 @@ pub struct CampaignFile {
     pub logs: Vec<Log>,
     /// How points are joined with joint values.
     pub join: Option<Join>,
-    /// A table of observations, in place of exports, log and join.
-    pub observations: Option<ObservationsDefinition>,
+    /// Tables of observations, in place of exports, log and join.
+    #[serde(default, deserialize_with = "one_or_many")]
+    #[schemars(schema_with = "one_or_many_observations")]
+    pub observations: Vec<ObservationsDefinition>,
     /// Elements to fit, by name.
     #[serde(default, rename = "feature")]
     pub features: BTreeMap<String, FeatureDefinition>,
@@ -117,7 +122,7 @@ impl CampaignFile {
     /// Every file of measurements, and of what they are compared with, that the campaign names.
     pub fn inputs(&self) -> impl Iterator<Item = &Spanned<String>> {
         let measured = self.exports.iter().map(|e| &e.file).chain(self.logs.iter().map(|l| &l.file));
-        let measured = measured.chain(self.observations.as_ref().map(|o| &o.file));
+        let measured = measured.chain(self.observations.iter().map(|o| &o.file));
         let streams = self.streams.iter().flat_map(|s| [Some(&s.file), s.commanded.as_ref(), s.path.as_ref()]);
         let poses = self.poses.iter().flat_map(|p| [Some(&p.attained), Some(&p.commanded), p.reference.as_ref()]);
         let others =
@@ -220,9 +225,33 @@ pub struct ObservationsDefinition {
     pub encoding: Option<Encoding>,
     /// Sheet of a workbook that holds the table: its cells need neither delimiter, decimal mark nor encoding.
     pub sheet: Option<String>,
-    /// The heading in the file of each column that is called otherwise there.
+    /// Mark between groups of three digits.
+    pub thousands: Option<Thousands>,
+    /// Rows before the data, the last of which names the columns: a number, `false` for none, or words of the row.
+    #[serde(default = "one_row")]
+    #[schemars(extend("default" = 1))]
+    pub header: Header,
+    /// Beginning of lines that are skipped.
+    pub comment: Option<String>,
+    /// Cells that mean "not measured", beside empty ones.
     #[serde(default)]
-    pub columns: BTreeMap<String, String>,
+    pub missing: Missing,
+    /// Where each column comes from that is called otherwise in the file: a heading, a number from 1, or an expression (`x_t - x_dif`).
+    #[serde(default)]
+    pub columns: BTreeMap<String, ColumnSource>,
+    /// Columns with the same value in all rows, e.g. `kind = "distance"`.
+    #[serde(default)]
+    pub constants: BTreeMap<String, Constant>,
+    /// Rows that are read: those with one of these cells in each of these columns.
+    #[serde(default)]
+    pub only: BTreeMap<String, Cells>,
+    /// Rows that are left out: those with one of these cells in one of these columns.
+    #[serde(default)]
+    pub without: BTreeMap<String, Cells>,
+    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    pub coverage_factor: Option<f64>,
+    /// Kind of all observations, of a table without such a column.
+    pub kind: Option<String>,
     /// The target of all rows, of a table without such a column.
     pub target: Option<String>,
     /// `row`: the number of the data row is the number of the pose, of a table without such a column; `row + 100`: so many more.
@@ -246,14 +275,28 @@ impl ObservationsDefinition {
 
     /// How the table is laid out.
     pub fn layout(&self) -> TableLayout {
+        let kind = self.kind.clone().map(|kind| ("kind".to_owned(), Constant::Text(kind)));
         TableLayout {
             delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
             decimal: self.decimal.unwrap_or_default(),
+            thousands: self.thousands,
+            header: self.header.clone(),
+            comment: self.comment.clone(),
+            missing: self.missing.clone(),
             columns: self.columns.clone(),
+            lenient: false,
+            constants: self.constants.clone().into_iter().chain(kind).collect(),
+            only: self.only.clone(),
+            without: self.without.clone(),
+            coverage_factor: self.coverage_factor,
             target: self.target.clone(),
             pose: self.pose,
         }
     }
+}
+
+fn one_row() -> Header {
+    Header::Rows(1)
 }
 
 impl Instrument {
@@ -676,25 +719,31 @@ pub struct ReportDefinition {
     pub external_results: Option<String>,
 }
 
+fn one_or_many_observations(generator: &mut SchemaGenerator) -> Schema {
+    let one = generator.subschema_for::<ObservationsDefinition>();
+    let many = generator.subschema_for::<Vec<ObservationsDefinition>>();
+    json_schema!({ "anyOf": [one, many] })
+}
+
 fn one_or_many_logs(generator: &mut SchemaGenerator) -> Schema {
     let (one, many) = (generator.subschema_for::<Log>(), generator.subschema_for::<Vec<Log>>());
     json_schema!({ "anyOf": [one, many] })
 }
 
 /// A table, or an array of tables.
-fn one_or_many<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Log>, D::Error> {
-    struct OneOrMany;
-    impl<'de> Visitor<'de> for OneOrMany {
-        type Value = Vec<Log>;
+fn one_or_many<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Vec<T>, D::Error> {
+    struct OneOrMany<T>(PhantomData<T>);
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrMany<T> {
+        type Value = Vec<T>;
         fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-            f.write_str("a table [log] or tables [[log]]")
+            f.write_str("a table in [ ] or tables in [[ ]]")
         }
-        fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Vec<Log>, A::Error> {
-            Ok(vec![Log::deserialize(de::value::MapAccessDeserializer::new(map))?])
+        fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Vec<T>, A::Error> {
+            Ok(vec![T::deserialize(de::value::MapAccessDeserializer::new(map))?])
         }
-        fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Vec<Log>, A::Error> {
+        fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Vec<T>, A::Error> {
             Vec::deserialize(de::value::SeqAccessDeserializer::new(seq))
         }
     }
-    deserializer.deserialize_any(OneOrMany)
+    deserializer.deserialize_any(OneOrMany(PhantomData))
 }

@@ -45,7 +45,7 @@ impl Urdf {
 /// Links and joints of a file.
 pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
-    if let Some(at) = text.find("<xacro:") {
+    if let Some(at) = without_comments(text).find("<xacro:") {
         return Err(xacro(error!("urdf-xacro").at(xml.place(at)), file).into());
     }
     let root = xml.root().filter(|root| root.name() == "robot");
@@ -82,6 +82,19 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
 }
 
 /// An error about macros, with the command that expands them.
+/// The text with blanks in place of its comments, so that places stay.
+fn without_comments(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find("<!--") {
+        let end = rest[at..].find("-->").map_or(rest.len(), |end| at + end + 3);
+        out.push_str(&rest[..at]);
+        out.extend(std::iter::repeat_n(' ', end - at));
+        rest = &rest[end..];
+    }
+    out + rest
+}
+
 fn xacro(message: Message, file: &str) -> Message {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let name = name.strip_suffix(".xacro").unwrap_or(name);

@@ -1,5 +1,7 @@
 //! `etalon init`
 
+mod from;
+
 use super::{Verdict, print_written};
 use etalon_base::error;
 use etalon_base::files;
@@ -25,6 +27,10 @@ pub struct Init {
     /// Take the published geometry of this robot (ur5e, irb120 ...), or an example of a model (five-bar, xy-theta, hexapod, delta ...)
     #[arg(long, value_name = "NAME", conflicts_with_all = ["synthetic", "urdf"])]
     robot: Option<String>,
+    /// Propose the whole campaign from these files: exports, logs, tables with both, observations. They are copied into the folder; `etalon
+    /// check` asks for what they do not state. With --robot or --urdf
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "synthetic")]
+    from: Vec<PathBuf>,
     /// Print the names of the files written as JSON
     #[arg(long)]
     json: bool,
@@ -42,6 +48,11 @@ const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nob
 
 impl Init {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if !self.from.is_empty() {
+            let files = from::campaign(&self.from, self.robot_files()?)?;
+            print_written(files::write_new(&self.folder, &files)?, self.json)?;
+            return Ok(Verdict::Met);
+        }
         if let Some(path) = &self.urdf {
             return self.describe(path);
         }
@@ -57,29 +68,37 @@ impl Init {
         Ok(Verdict::Met)
     }
 
+    /// The robot of a campaign from files.
+    fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
+        if let Some(path) = &self.urdf {
+            let (name, robot, text, joints) = described(path)?;
+            let files = vec![("robot.toml".to_owned(), robot), (name, text)];
+            let controllers = "[\"json\", \"urdf\"]";
+            return Ok(from::RobotFiles { files, joints, targets: Vec::new(), controllers });
+        }
+        let Some(name) = &self.robot else {
+            let message = Message::error("--from needs the robot");
+            return Err(Problems::from(message.hint("name it: --robot ur5e, or --urdf FILE")).into());
+        };
+        let robot = known_robot(name)?;
+        let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
+        let (joints, targets) = (robot.joints(), robot.targets.clone());
+        Ok(from::RobotFiles { files, joints, targets, controllers: "[\"json\"]" })
+    }
+
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path) -> anyhow::Result<Verdict> {
-        let (chain, text) = read_urdf(path)?;
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let (name, robot, text, joints) = described(path)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
-        let robot = format!(
-            "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
-             # bending = [{}]    # joints that bend under the masses of the URDF\n",
-            quoted(&name),
-            quoted(&chain.base_link),
-            quoted(&chain.tool_link),
-            quoted(&chain.joints[0].name),
-        );
-        let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
-        let column = |joint: &Joint| {
-            let key = format!("{}_{}", joint.name, unit(joint.quantity));
-            format!("{} = {}\n", quoted(&key), quoted(&joint.name))
+        let column = |key: &String| {
+            let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
+            format!("{} = {}\n", quoted(key), quoted(joint))
         };
-        let columns: String = chain.joints.iter().map(column).collect();
+        let columns: String = joints.iter().map(column).collect();
         let texts = [
             ("campaign.toml", campaign("[\"json\", \"urdf\"]", &columns, &SMRS)),
-            ("robot.toml", robot.into_bytes()),
-            (name.as_str(), text.into_bytes()),
+            ("robot.toml", robot),
+            (name.as_str(), text),
         ];
         print_written(files::write_new(&self.folder, &texts)?, self.json)?;
         Ok(Verdict::Met)
@@ -87,11 +106,7 @@ impl Init {
 
     /// A campaign of a robot of the table.
     fn known(&self, name: &str) -> anyhow::Result<Verdict> {
-        let Known { robots } = parse("robots.toml", ROBOTS)?;
-        let Some(robot) = robots.iter().find(|robot| robot.name == name) else {
-            let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
-            return Err(Problems::from(error!("robot-not-in-table", name, names)).into());
-        };
+        let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
         let columns: String = robot.joints().iter().map(column).collect();
         let targets: Vec<&str> = robot.targets.iter().map(String::as_str).collect();
@@ -101,6 +116,35 @@ impl Init {
         print_written(files::write_new(&self.folder, &texts)?, self.json)?;
         Ok(Verdict::Met)
     }
+}
+
+/// Name of a URDF file, the robot.toml of its chain with the most moving joints, its text, and the keys of the joints.
+fn described(path: &Path) -> anyhow::Result<(String, Vec<u8>, Vec<u8>, Vec<String>)> {
+    let (chain, text) = read_urdf(path)?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    let robot = format!(
+        "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
+         # bending = [{}]    # joints that bend under the masses of the URDF\n",
+        quoted(&name),
+        quoted(&chain.base_link),
+        quoted(&chain.tool_link),
+        quoted(&chain.joints[0].name),
+    );
+    let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
+    let key = |joint: &Joint| format!("{}_{}", joint.name, unit(joint.quantity));
+    let joints = chain.joints.iter().map(key).collect();
+    Ok((name, robot.into_bytes(), text.into_bytes(), joints))
+}
+
+/// The robot of this name in the table.
+fn known_robot(name: &str) -> anyhow::Result<KnownRobot> {
+    let Known { mut robots } = parse("robots.toml", ROBOTS)?;
+    let Some(at) = robots.iter().position(|robot| robot.name == name) else {
+        let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
+        return Err(Problems::from(error!("robot-not-in-table", name, names)).into());
+    };
+    Ok(robots.swap_remove(at))
 }
 
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];

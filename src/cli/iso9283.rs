@@ -4,6 +4,7 @@ mod plan;
 mod stream;
 
 use super::table_file::TableFile;
+use super::text_format::TableFormat;
 use super::{Verdict, answer, check_positive, remark};
 use crate::stages::iso9283::pose::PoseTables;
 use crate::stages::iso9283::{limits, load};
@@ -46,6 +47,8 @@ enum Test {
         commanded: Option<PathBuf>,
         #[command(flatten)]
         options: PoseOptions,
+        #[command(flatten)]
+        format: TableFormat,
         /// Seed of the bootstrap intervals
         #[arg(long, default_value_t = 1)]
         seed: u64,
@@ -154,8 +157,9 @@ impl Iso9283 {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let by_options = self.by_options;
         match self.test {
-            Some(Test::Pose { poses, commanded, options, seed, json }) => {
-                options.run(&poses, commanded.as_deref(), seed, json)
+            Some(Test::Pose { poses, commanded, options, format, seed, json }) => {
+                let read = |path: &Path| format.read_poses(path);
+                options.run((&poses, commanded.as_deref()), &read, seed, json)
             }
             Some(Test::Path { stream, commanded, options, seed, json }) => {
                 options.run(&stream, commanded.as_deref(), seed, json)
@@ -174,7 +178,7 @@ impl ByOptions {
             _ if self.plan => self.layout.run(self.json),
             (_, Some(table), _) => compliance(table, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
-            (.., Some(poses)) => self.pose.run(poses, commanded, self.seed, self.json),
+            (.., Some(poses)) => self.pose.run((poses, commanded), &TableFile::read, self.seed, self.json),
             _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
         }
     }
@@ -182,14 +186,20 @@ impl ByOptions {
 
 impl PoseOptions {
     /// Characteristics of poses.
-    fn run(&self, poses: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
+    fn run(
+        &self,
+        (poses, commanded): (&Path, Option<&Path>),
+        read: &dyn Fn(&Path) -> Result<TableFile, Problems>,
+        seed: u64,
+        json: bool,
+    ) -> anyhow::Result<Verdict> {
         check_positive("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(Problems::from(error!("drift-set-too-small")).into());
         }
-        let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
+        let tables = PoseTables::read([Some(poses), commanded, self.reference.as_deref()], read)?;
         let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
             expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
             drift_set: self.drift_set,

@@ -4,7 +4,7 @@ use super::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_formats::dialect::FromRow;
-use etalon_formats::dialect::{ColumnRole, Decimal, Delimiter, Dialect, Header, Unit};
+use etalon_formats::dialect::{ColumnRole, ColumnSource, Decimal, Delimiter, Dialect, Header, Unit};
 use etalon_formats::{Format, TableLayout};
 use std::path::Path;
 
@@ -73,9 +73,13 @@ pub(super) struct TableFormat {
     /// Sheet of a workbook (.xlsx) that holds the table
     #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
     sheet: Option<String>,
-    /// The heading in the file of a column that is called otherwise there: q1_deg=J1; may be repeated
+    /// Where a column comes from that is called otherwise in the file: a heading (q1_deg=J1), its number (q1_deg=3), or an expression of
+    /// columns ("x_mm=x_t - x_dif"); may be repeated
     #[arg(long = "column", value_name = "NAME=HEADING")]
     columns: Vec<String>,
+    /// The table has no header: columns are given by number, --column q1_deg=3
+    #[arg(long)]
+    no_header: bool,
     /// The target of all rows, of a table without such a column
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
@@ -87,19 +91,39 @@ pub(super) struct TableFormat {
 impl TableFormat {
     /// The table in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
+        self.table(path, false)
+    }
+
+    /// A table of poses, which has no column `cycle` where it states commanded ones.
+    pub fn read_poses(&self, path: &Path) -> Result<TableFile, Problems> {
+        self.table(path, true)
+    }
+
+    fn table(&self, path: &Path, lenient: bool) -> Result<TableFile, Problems> {
         let column = |text: &String| match text.split_once('=') {
-            Some((name, heading)) => Ok((name.trim().to_owned(), heading.trim().to_owned())),
+            Some((name, source)) => Ok((name.trim().to_owned(), source_of(source.trim()))),
             None => Err(Problems::from(error!("column-option-malformed", text))),
         };
         let layout = TableLayout {
             delimiter: word("--delimiter", &self.delimiter)?,
             decimal: word("--decimal", &self.decimal)?,
             columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,
+            header: Header::Rows(usize::from(!self.no_header)),
+            lenient,
             target: self.target.clone(),
             pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
+            ..TableLayout::default()
         };
         let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
         TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
+    }
+}
+
+/// A number of a column, or a heading or an expression.
+fn source_of(text: &str) -> ColumnSource {
+    match text.parse::<usize>() {
+        Ok(number) if number > 0 => ColumnSource::Number(number),
+        _ => text.into(),
     }
 }
 

@@ -122,7 +122,7 @@ fn observations(campaign: &Campaign, problems: &mut Problems) {
         let message = Message::error(format!("`{key}` must be positive"));
         problems.0.push(message.at(campaign.place_of(&["instrument", key])));
     }
-    if file.observations.is_none() {
+    if file.observations.is_empty() {
         return;
     }
     let beside = [("export", !file.exports.is_empty()), ("log", !file.logs.is_empty()), ("join", file.join.is_some())];
@@ -425,7 +425,7 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
 /// Uncertainties that are stated and that nothing of the campaign would use.
 fn without_use(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
-    if file.instrument.polar.is_some() && file.observations.is_some() {
+    if file.instrument.polar.is_some() && !file.observations.is_empty() {
         let what = "`polar` is for exports: a table of observations does not show where the instrument is";
         let message = Message::error(what).at(campaign.place_of(&["instrument", "polar"]));
         problems.0.push(message.hint("state the covariance of each row (`cxx_mm2` to `czz_mm2`) in the table"));

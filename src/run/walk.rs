@@ -157,7 +157,7 @@ impl Walk {
             names::robot(campaign, robot.as_ref(), problems);
             let before = problems.0.len();
             names::logs(campaign, robot.as_ref(), problems);
-            if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_none() {
+            if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_empty() {
                 names::targets(campaign, robot.as_ref(), &gathered, problems);
             }
             // without its joints a log cannot be joined, nor can points without their targets

@@ -128,7 +128,7 @@ impl Scene<'_> {
 /// Refuses a truth that observes what the campaign does not read, and a table of nothing.
 fn check_table(campaign: &Campaign, truth: &Truth) -> Result<()> {
     let has_rows = !truth.observe.is_empty() || !truth.known.is_empty();
-    match &campaign.file.observations {
+    match campaign.file.observations.first() {
         None if has_rows => Err(error!("observe-without-table").into()),
         Some(stated) if truth.observe.is_empty() => {
             Err(error!("table-without-observe").at(campaign.place(&stated.file)).into())
@@ -148,7 +148,10 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if let Some(export) = campaign.file.exports.iter().find(|export| !export.joints.is_empty()) {
         return Err(error!("joints-and-points-together").at(campaign.place(&export.file)).into());
     }
-    let table = campaign.file.observations.as_ref();
+    let table = campaign.file.observations.first();
+    if let Some(second) = campaign.file.observations.get(1) {
+        return Err(error!("several-tables").at(campaign.place(&second.file)).into());
+    }
     check_table(campaign, truth)?;
     if let Some(point) = truth.points.iter().find(|point| is_formula(&point.label)) {
         return Err(error!("point-label-formula", label = point.label).into());

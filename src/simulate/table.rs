@@ -11,7 +11,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, norm};
 use etalon_base::{error, phrase};
 use etalon_campaign::ObservationsDefinition;
-use etalon_formats::dialect::{Decimal, Delimiter, Encoding};
+use etalon_formats::dialect::{ColumnSource, Decimal, Delimiter, Encoding, Header};
 use etalon_formats::log_column;
 use etalon_formats::table::{ASSEMBLY, XYZ};
 use etalon_identify::Kind;
@@ -68,6 +68,13 @@ fn writable(scene: &Scene, stated: &ObservationsDefinition) -> Result<()> {
         "encoding"
     } else if stated.layout().delimiter == Delimiter::Blank {
         "blank-columns"
+    } else if stated.header != Header::Rows(1)
+        || stated.coverage_factor.is_some()
+        || stated.kind.is_some()
+        || !(stated.constants.is_empty() && stated.only.is_empty() && stated.without.is_empty())
+        || stated.columns.values().any(|source| !matches!(source, ColumnSource::Heading(_)))
+    {
+        "computed-columns"
     } else if scene.truth.unmodelled.is_some() {
         "unmodelled"
     } else if !scene.robot.approached().is_empty() {
@@ -165,6 +172,7 @@ impl Table<'_> {
     fn heading(&self, column: &str) -> (String, f64) {
         let renamed = self.stated.columns.iter().find_map(|(name, heading)| {
             let (canonical, factor) = log_column(name).unwrap_or_else(|| (name.clone(), 1.0));
+            let ColumnSource::Heading(heading) = heading else { return None };
             (canonical == column || name == column).then(|| (heading.clone(), factor))
         });
         renamed.unwrap_or_else(|| (column.to_owned(), 1.0))

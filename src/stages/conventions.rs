@@ -119,9 +119,9 @@ impl Trial<'_> {
 fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]) -> Vec<Slip> {
     let mut all = Vec::new();
     let mut add = |what: String, bodies: Vec<Option<Pose>>| all.push(Slip { what, bodies, reversed: None });
-    let numbers = |how: &dyn Fn([f64; 4]) -> Option<Pose>| written.iter().map(|row| how(row.numbers)).collect();
+    let numbers = |how: &dyn Fn([f64; 9]) -> Option<Pose>| written.iter().map(|row| how(row.numbers)).collect();
     let form = written[0].form;
-    let three = |n: [f64; 4]| [n[0], n[1], n[2]];
+    let three = |n: [f64; 9]| [n[0], n[1], n[2]];
     match form {
         Form::Quaternion => {
             let by = |at: [usize; 4]| numbers(&|n| quaternion(at.map(|k| n[k])));
@@ -145,11 +145,11 @@ fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]
                 add(what, numbers(&|n| Some(order.pose(three(n)))));
             }
         }
-        Form::None => {}
+        Form::None | Form::Matrix => {}
     }
     if matches!(form, Form::Angles | Form::Vector) {
         for (factor, unit) in [(1.0 / DEG, "radians instead of degrees"), (DEG, "degrees instead of radians")] {
-            let scaled = |n: [f64; 4]| Written { form, numbers: n.map(|v| factor * v) }.pose(order).ok();
+            let scaled = |n: [f64; 9]| Written { form, numbers: n.map(|v| factor * v) }.pose(order).ok();
             add(format!("angles in {unit}"), numbers(&scaled));
         }
     }

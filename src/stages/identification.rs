@@ -2,6 +2,7 @@
 
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
+use crate::stages::commanded::commanded;
 use crate::stages::controlled::base_elsewhere;
 use crate::stages::cross_validation::{proven, undescribed_bending, unused};
 use crate::stages::distance::{far_or_near, validation_distance};
@@ -15,8 +16,9 @@ use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
 use crate::stages::solved::Solved;
+use crate::stages::table_file::in_files;
 use crate::stages::tool::Expected;
-use etalon_base::message::{Message, Place, Problems, Result, Severity, count};
+use etalon_base::message::{Message, Problems, Result, Severity, count};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
@@ -122,6 +124,9 @@ pub fn identify(
         let warnings =
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
         solved.found.warnings.extend(warnings.into_iter().flatten().map(Into::into));
+    }
+    if campaign.file.synthetic.is_none() {
+        messages.extend(commanded(robot, &solved.before, &sets.calibration));
     }
     let placed = apart.placed(robot, &mut solved.before, &mut solved.found.values)?;
     messages.extend(placed.message(robot, &sets)?);
@@ -308,16 +313,16 @@ impl<'a> Input<'a> {
     /// Observations of a campaign.
     pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
         let settings = campaign.settings(stated);
-        let orientation = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref());
+        let orientation = campaign.file.observations.iter().find_map(|o| o.orientation.as_ref());
         let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
             order: orientation.map(order).transpose()?,
         };
-        let place = |problems: Problems| match &campaign.file.observations {
-            Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
-            None => problems,
+        let place = |problems: Problems| {
+            let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
+            if files.is_empty() { problems } else { in_files(problems, &files) }
         };
         let exclusions = Exclusion::of_campaign(campaign, stated);
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })

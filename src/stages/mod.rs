@@ -3,6 +3,7 @@
 pub mod apart;
 pub mod candidates;
 mod checks;
+mod commanded;
 pub mod controlled;
 pub mod controller_files;
 mod conventions;

@@ -63,11 +63,6 @@ fn a_file_with_joints_and_points_is_joined_by_its_rows() {
         (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "the header has no column `RP9`"),
         (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
         (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "has no column for joint `rho3`"),
-        (
-            format!("{apart}\n{JOINTS}").replace("header = 1", "header = 1, comment = \"#\""),
-            "",
-            "`joints` are read of delimited text",
-        ),
     ] {
         let scratch = campaign(&export.replace("rho3_m m", "\"rho3_m m\""), more, &rows);
         select(&scratch);
@@ -158,6 +153,7 @@ fn a_serial_arm_touches_points_by_their_label() {
          [log]\nfile = \"log.csv\"\ndelimiter = \";\"\ncolumns = {{ label = \"touches\", {} }}\n[join]\nby = \"label\"\ntargets = [\"tip\"]\n{TAIL}",
         joints.join(", ")
     );
+    let text = text.replacen("[instrument]", "synthetic = \"computed\"\n[instrument]", 1);
     std::fs::write(scratch.path().join("campaign.toml"), text.replace("\"1-40\"", "\"1-36\"")).unwrap();
     ends(&scratch, "check", 0, &[]);
     ends(&scratch, "run", 0, &[]);
@@ -238,7 +234,7 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
         ["x", "y", "z"].iter().fold(proposed, |text, c| text.replace(&format!("{c}_UNIT"), &format!("{c}_mm")));
     let campaign = |observations: &str| {
         let text = format!(
-            "name = \"c\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n\
+            "name = \"c\"\nrobot = \"robot.toml\"\nsynthetic = \"computed\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n\
              expanded_rotation_uncertainty_deg = 0.01\n{observations}\n[identify]\ncalibration = \"all\"\n"
         );
         std::fs::write(folder.path().join("cobot/campaign.toml"), text).unwrap();

@@ -76,7 +76,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (good.replacen("time_s", "clock_s", 1), "", "the recording has no time column"),
         (stamped("\n0.01,"), "", "stream.csv:4"),
         (stamped("\n0.005,"), "", "error[time-not-increasing]"),
-        (stamped("\nNaN,"), "", "`NaN` is not a number"),
+        (stamped("\nNaN,"), "", "a coordinate or the time is missing"),
         (stamped("\n,"), "", "stream.csv:4"),
         (stamped("\n0.02,1e200,0,180\n0.021,"), "", "a coordinate is missing or is not a finite number"),
         (good.clone(), "--rate-hz 1000000", "no robot moves like this"),

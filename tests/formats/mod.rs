@@ -1,5 +1,10 @@
 //! Proposals of `etalon formats` for a corpus of synthetic files, whose right readings are stated beside them in `right.toml`.
 
+mod commanded;
+mod init;
+mod six_d;
+mod tables;
+
 use etalon::base::message::{Problems, SourceText};
 use etalon::documents::{FormatsDocument, Source, SourceKind};
 use etalon::formats::{Export, Log, TableLayout, log, observations_with, propose_file, text_of};

@@ -94,3 +94,16 @@ fn a_log_without_a_joint_of_the_urdf_is_named() {
     scratch.replace("campaign.toml", "lift_m = ", "column_upper_joint_m = ");
     ends(&scratch, "check", 2, &["lift"]);
 }
+
+#[test]
+fn a_comment_that_mentions_xacro_refuses_no_file() {
+    let scratch = copy_sample("column-arm");
+    let text = std::fs::read_to_string(scratch.path().join("arm.urdf")).unwrap();
+    let at = text.find("<link").unwrap();
+    let commented =
+        format!("{}<!-- <xacro:include filename=\"arm.xacro\"/> made by xacro -->\n{}", &text[..at], &text[at..]);
+    std::fs::write(scratch.path().join("arm.urdf"), &commented).unwrap();
+    ends(&scratch, "check", 0, &[]);
+    std::fs::write(scratch.path().join("arm.urdf"), commented.replace("made by xacro -->", "--><xacro:arm/>")).unwrap();
+    ends(&scratch, "check", 2, &["macros of xacro"]);
+}

@@ -209,9 +209,12 @@ impl Interpretation {
         let numeric: Vec<usize> = (0..table.columns.len()).filter(|i| table.columns[*i].is_numeric()).collect();
         let leading = numeric.first().copied().unwrap_or(0);
         for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
+            if column.clock && column.texts != [""] && !column.texts.is_empty() {
+                self.clock(i, column);
+                continue;
+            }
             let (meaning, why) = match () {
                 () if column.texts.is_empty() || column.texts == [""] => (Meaning::Text, "it is empty"),
-                () if column.clock => (Meaning::Clock, "every cell is a date or a time of day"),
                 () if i < leading => (Meaning::Label, "a text before the numbers"),
                 () => (Meaning::Text, "a text behind numbers"),
             };

@@ -47,20 +47,36 @@ pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
     const XYZ: [ColumnRole; 3] = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
     const IJK: [ColumnRole; 3] = [ColumnRole::I, ColumnRole::J, ColumnRole::K];
     const U: [ColumnRole; 3] = [ColumnRole::U1, ColumnRole::U2, ColumnRole::U3];
+    const U95: [ColumnRole; 3] = [ColumnRole::U95x, ColumnRole::U95y, ColumnRole::U95z];
     let has_point = !found.points.is_empty();
     let all = |wanted: fn(usize) -> Meaning| (0..3).all(|k| found.first(wanted(k)).is_some());
-    let uncertain = all(Meaning::Uncertainty);
+    let expanded = all(Meaning::ExpandedUncertainty);
+    let uncertain = all(Meaning::Uncertainty) && !expanded;
+    let matrix = found.matrix_columns().len() == 9 && set == 0;
     let directed = all(Meaning::Direction);
+    let (timed, stamped) = (found.first(Meaning::Time).is_some(), found.first(Meaning::Clock).is_some());
     let mut seen: Vec<ColumnRole> = Vec::new();
     let role = |meaning: Meaning| match meaning {
         Meaning::Label => ColumnRole::Label,
         Meaning::Target => ColumnRole::Target,
         Meaning::Pose => ColumnRole::Pose,
         Meaning::Cycle => ColumnRole::Cycle,
-        Meaning::Time => ColumnRole::TimeS,
+        Meaning::Time => match found.time_unit {
+            None | Some("s") => ColumnRole::TimeS,
+            Some("ms") => ColumnRole::TimeMs,
+            _ => ColumnRole::Skip,
+        },
         Meaning::Point(of, axis) if of == set => XYZ[axis.min(2)],
         Meaning::Direction(axis) if directed => IJK[axis.min(2)],
         Meaning::Uncertainty(axis) if uncertain => U[axis.min(2)],
+        Meaning::ExpandedUncertainty(axis) if expanded => U95[axis.min(2)],
+        Meaning::Quaternion(k) if set == 0 && has_point => ColumnRole::ORIENTATIONS[0][k.min(3)],
+        Meaning::Matrix(i, j) if matrix => ColumnRole::ORIENTATIONS[3][(3 * i + j).min(8)],
+        Meaning::Temperature => ColumnRole::TemperatureC,
+        Meaning::Deleted => ColumnRole::Deleted,
+        Meaning::Clock if !timed => ColumnRole::Timestamp,
+        Meaning::TimeOfDay if !timed && !stamped => ColumnRole::Timestamp,
+        Meaning::Day if !timed && !stamped && found.first(Meaning::TimeOfDay).is_some() => ColumnRole::Date,
         Meaning::Azimuth if !has_point => ColumnRole::Azimuth,
         Meaning::Zenith if !has_point => ColumnRole::Zenith,
         Meaning::Elevation if !has_point => ColumnRole::Elevation,
@@ -91,9 +107,7 @@ impl Proposal<'_> {
         let polar = roles(found, 0).iter().any(|role| role.is_angle());
         let has_point = !found.points.is_empty() || polar;
         match (joints.len() >= 2, has_point) {
-            (true, false) if found.commanded.is_some() && found.difference.is_some() => {
-                self.computed(document, &joints)
-            }
+            (_, false) if found.commanded.is_some() && found.difference.is_some() => self.computed(document, &joints),
             (true, false) => match found.first(Meaning::Distance) {
                 Some(distance) => self.distances(document, &joints, distance),
                 None => {
@@ -183,7 +197,8 @@ impl Proposal<'_> {
             "gon" => Some(crate::dialect::AngleUnit::Gon),
             _ => None,
         });
-        Dialect { columns, angle_unit, ..self.best.dialect.clone() }
+        let coverage_factor = roles.iter().any(|role| role.is_expanded()).then_some(2.0);
+        Dialect { columns, angle_unit, coverage_factor, ..self.best.dialect.clone() }
     }
 
     /// Exports of points alone.
@@ -322,24 +337,14 @@ impl Proposal<'_> {
             return self.observations(joints, &turned);
         }
         document.kind = "export with joints".to_owned();
-        let readable =
-            self.best.dialect.delimiter.is_some() && self.best.header <= 1 && self.best.dialect.comment.is_none();
-        if !readable || self.found.points.len() > 1 {
-            return self.points(document) + "\n" + &self.log(None) + "\n" + &self.join_by_row();
-        }
-        document.kind = "export with joints".to_owned();
         let columns: Vec<String> = joints
             .iter()
             .enumerate()
             .map(|(k, at)| format!("q{}_{} = {}", k + 1, self.joint_unit(*at), self.column(*at)))
             .collect();
-        self.export(document, 0) + &format!("joints = {{ {} }}\n{JOINTS}", columns.join(", "))
-    }
-
-    fn join_by_row(&self) -> String {
-        let targets: Vec<String> =
-            self.found.points.iter().map(|points| format!("\"{}\"", points.tag.replace(' ', "_"))).collect();
-        format!("[join]\nby = \"row\"\ntargets = [{}]\n", targets.join(", "))
+        let joints = format!("joints = {{ {} }}\n", columns.join(", "));
+        let sets = 0..self.found.points.len().max(1);
+        sets.map(|set| self.export(document, set) + &joints).collect::<String>() + JOINTS
     }
 
     /// The unit of a joint's column, as keys end with it.
@@ -405,6 +410,15 @@ impl Proposal<'_> {
                 let _ = writeln!(out, "delimiter = {delimiter:?}\ndecimal = {:?}", dialect.decimal.name());
             }
         }
+        if let Some(comment) = &dialect.comment {
+            let _ = writeln!(out, "comment = {}", quoted(comment));
+        }
+        if head == "[log]" {
+            return out;
+        }
+        if self.best.header != 1 {
+            let _ = writeln!(out, "header = {}", self.best.header);
+        }
         out
     }
 
@@ -423,22 +437,69 @@ impl Proposal<'_> {
     fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> String {
         document.kind = "observations".to_owned();
         document.reasons.push(self.named(&[joints, &[distance]].concat(), "joints and one length in each row"));
-        document.questions.push(
-            "the point from which the distance is measured: a column `other` and a column `kind` (`distance`)"
-                .to_owned(),
-        );
+        document.questions.push("the point from which the distance is measured: `other` in `constants`".to_owned());
         let unit = self.table.columns[distance].heading.unit.unwrap_or("UNIT");
         let mut columns = self.observation_columns(joints);
         columns.push(format!("distance_{unit} = {}", self.column(distance)));
         format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "))
+            + "kind = \"distance\"\nconstants = { other = \"anchor\" }   # the point from which the distance is measured\n"
             + &self.target_and_pose("ball", "the end of the wire on the robot")
     }
 
     /// Joints, a commanded point and how far the measured one is from it.
     fn computed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
-        document.kind = "observations".to_owned();
-        document.reasons.push(self.named(joints, "the header names joints, a commanded point and its difference"));
-        self.observation_columns(joints).join(", ")
+        let (Some(commanded), Some(difference)) = (&self.found.commanded, &self.found.difference) else {
+            return String::new();
+        };
+        document.kind = "export".to_owned();
+        let both = commanded.columns.into_iter().chain(difference.columns).flatten().collect::<Vec<usize>>();
+        document.reasons.push(self.named(&both, "the header names a commanded point and its difference"));
+        document.doubts.push("the sign of the difference is not stated: compare a row with the measurement".to_owned());
+        let name = |at: usize| self.heading(at).map_or_else(|| format!("${}", at + 1), str::to_owned);
+        let mut columns: Vec<(ColumnRole, ColumnAt)> = Vec::new();
+        for (role, meaning) in [
+            (ColumnRole::Label, Meaning::Label),
+            (ColumnRole::Target, Meaning::Target),
+            (ColumnRole::Pose, Meaning::Pose),
+            (ColumnRole::Cycle, Meaning::Cycle),
+        ] {
+            columns.extend(self.found.first(meaning).map(|at| (role, ColumnAt::Name(name(at)))));
+        }
+        for (axis, role) in [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].into_iter().enumerate() {
+            if let (Some(of), Some(from)) = (commanded.columns[axis], difference.columns[axis]) {
+                columns.push((role, ColumnAt::Name(format!("{} - {}", name(of), name(from)))));
+            }
+        }
+        let has = |role: ColumnRole| columns.iter().any(|(of, _)| *of == role);
+        let (named, numbered) =
+            (has(ColumnRole::Label) || has(ColumnRole::Target), has(ColumnRole::Label) || has(ColumnRole::Pose));
+        let unit = self.unit(commanded);
+        let dialect = Dialect { columns: Columns::Named(columns), ..self.best.dialect.clone() };
+        let mut out = format!(
+            "[[export]]\nfile = {}\nformat = {dialect}\n{}",
+            quoted(self.file),
+            unit_line(unit.map(Unit::name))
+        );
+        if unit.is_none() {
+            document.questions.push(format!("the unit of lengths{}", self.size(Some(commanded))));
+        }
+        if !named {
+            out.push_str("target = \"?\"               # which target the rows are of\n");
+        }
+        if !numbered {
+            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+        }
+        if joints.len() >= 2 {
+            document.kind = "export with joints".to_owned();
+            document.questions.push("which joint each column is, and its unit".to_owned());
+            let columns: Vec<String> = joints
+                .iter()
+                .enumerate()
+                .map(|(k, at)| format!("q{}_{} = {}", k + 1, self.joint_unit(*at), self.column(*at)))
+                .collect();
+            let _ = write!(out, "joints = {{ {} }}\n{JOINTS}", columns.join(", "));
+        }
+        out
     }
 
     /// A table without joints and measured points.
@@ -458,8 +519,14 @@ impl Proposal<'_> {
     pub fn log(&self, kind: Option<LogKind>) -> String {
         let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
         let mut out = self.table_lines("[log]").replacen("delimiter", &format!("{format}delimiter"), 1);
-        let named = self.table.columns.iter().any(|column| column.name.is_some()) && !self.best.commented;
-        let _ = writeln!(out, "header = {named}");
+        match self.best.header {
+            rows @ (0 | 1) => {
+                let _ = writeln!(out, "header = {}", rows == 1);
+            }
+            rows => {
+                let _ = writeln!(out, "header = {rows}");
+            }
+        }
         let unit_of = |at: usize| {
             let name = self.table.columns[at].name.as_deref();
             name.zip(kind).and_then(|(name, kind)| kind.unit_of(name))
@@ -491,9 +558,6 @@ impl Proposal<'_> {
         }
         let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
         out.push_str(JOINTS);
-        if self.best.header > 1 {
-            out.push_str("# a log has one row of names at most: take the other rows before the data out of the file\n");
-        }
         out
     }
 }

@@ -14,7 +14,12 @@ pub(super) enum Meaning {
     Cycle,
     Count,
     Time,
+    /// Date and time of day.
     Clock,
+    /// Time of day alone.
+    TimeOfDay,
+    /// Date alone.
+    Day,
     /// Coordinate of a measured point: which of several points, and its axis.
     Point(usize, usize),
     Commanded(usize),
@@ -54,7 +59,9 @@ impl Meaning {
             Self::Cycle => "number of the repeat".to_owned(),
             Self::Count => "a running number".to_owned(),
             Self::Time => "time".to_owned(),
-            Self::Clock => "date or time of day".to_owned(),
+            Self::Clock => "date and time of day".to_owned(),
+            Self::TimeOfDay => "time of day".to_owned(),
+            Self::Day => "date".to_owned(),
             Self::Point(0, at) => format!("measured {}", axis(at)),
             Self::Point(set, at) => format!("measured {} of point {}", axis(at), set + 1),
             Self::Commanded(at) => format!("commanded {}", axis(at)),
@@ -103,6 +110,8 @@ pub(super) struct Interpretation {
     /// Columns of the commanded point and of the difference from it, where the measured point is computed from both.
     pub commanded: Option<PointSet>,
     pub difference: Option<PointSet>,
+    /// Unit of the column of times, as its heading states it.
+    pub time_unit: Option<&'static str>,
     pub doubts: Vec<String>,
     pub questions: Vec<String>,
 }
@@ -174,6 +183,24 @@ impl Interpretation {
         table.columns.iter().enumerate().filter(|(i, column)| self.is_free(*i) && column.is_numeric())
     }
 
+    /// A column of dates or times of day.
+    pub(super) fn clock(&mut self, at: usize, column: &Column) {
+        let all = |mark: &str| column.texts.iter().all(|text| text.contains(mark));
+        let dated = column.texts.iter().all(|text| text.matches(['.', '-', '/']).count() >= 2);
+        let meaning = match (all(":"), dated) {
+            (true, true) => Meaning::Clock,
+            (true, false) => Meaning::TimeOfDay,
+            (false, _) => Meaning::Day,
+        };
+        if all("/") {
+            self.doubts.push(
+                "dates with `/` do not state whether the day or the month is first: they are not read".to_owned(),
+            );
+            return self.take(at, Meaning::Text, "dates whose day and month could be exchanged");
+        }
+        self.take(at, meaning, "every cell is a date or a time of day");
+    }
+
     /// Columns that hold texts.
     fn texts(&mut self, table: &Table) {
         for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
@@ -184,7 +211,7 @@ impl Interpretation {
                 () if column.texts.is_empty() || column.texts == [""] => {
                     self.take(i, Meaning::Text, "it is empty");
                 }
-                () if column.clock => self.take(i, Meaning::Clock, "every cell is a date or a time of day"),
+                () if column.clock => self.clock(i, column),
                 () if heading.has(Word::Deleted) => self.take(i, Meaning::Deleted, by_name),
                 () if heading.has(Word::Pose) => self.take(i, Meaning::Pose, by_name),
                 () if single(Word::Target) || heading.is_only(&[Word::Target]) => {
@@ -535,6 +562,9 @@ impl Interpretation {
                 _ => "its heading",
             };
             self.take(i, meaning, why);
+            if meaning == Meaning::Time {
+                self.time_unit = heading.unit;
+            }
             if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
                 self.doubts.push(format!("{} is called a time and decreases", table.called(i)));
             }

@@ -9,12 +9,12 @@ mod structure;
 mod table;
 
 use super::exports::qif::is_xml;
-use super::exports::{Recognised, head, recognise};
+use super::exports::{Format, Recognised, head, recognise};
 use super::guess::{Guess, guesses, names};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
-use crate::dialect::{Encoding, quoted};
+use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use lines::Proposal;
@@ -145,6 +145,16 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
         if unit.is_none() {
             document.questions.push("the unit of lengths".to_owned());
         }
+        let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
+        document.rows = read.map_or(0, |(format, unit)| format.read(file, &text.into(), unit).0.len());
+        let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
+        let lines = match columns.is_empty() || columns.contains(&ColumnRole::Label) {
+            true => lines,
+            false => {
+                lines
+                    + "target = \"?\"               # which target the rows are of\npose = \"row\"               # if the number of the row is the number of the pose\n"
+            }
+        };
         document.toml = with_remarks(&document, &lines);
         return document;
     }

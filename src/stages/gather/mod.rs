@@ -87,12 +87,9 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
     }
-    let observations = campaign.file.observations.as_ref().and_then(|stated| {
-        let mut tables = CampaignTables { campaign, sources: Vec::new() };
-        let table = problems.keep(tables.observations(stated));
-        sources.append(&mut tables.sources);
-        table
-    });
+    let mut tables = CampaignTables { campaign, sources: Vec::new() };
+    let observations = problems.keep(tables.all_observations(&campaign.file.observations)).flatten();
+    sources.append(&mut tables.sources);
     let (logs, said) = logs(campaign, &mut sources, &mut problems);
     let left_out = problems.keep(excluded::leave_out(campaign, &mut columns, &mut sources)).unwrap_or_default();
     problems.0.extend(columns.measured_twice(campaign));
@@ -127,9 +124,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
 fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems) -> (Vec<JointLog>, Vec<Message>) {
     let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
-        let read = campaign
-            .resolve(&stated.file)
-            .and_then(|path| etalon_formats::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
+        let here = campaign.place(&stated.file);
+        let read = campaign.resolve(&stated.file).and_then(|path| stated.text(&path).map_err(|more| more.at(&here)));
         match read.and_then(|(text, bytes)| {
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);

@@ -28,12 +28,14 @@ pub(crate) struct PreparedTest {
 }
 
 impl PoseTables {
-    /// Those of a command.
-    pub fn read(attained: &Path, commanded: Option<&Path>, reference: Option<&Path>) -> Result<Self> {
+    /// Those of a command, attained, commanded and reference, each by the same reader.
+    pub fn read(files: [Option<&Path>; 3], read: &dyn Fn(&Path) -> Result<TableFile>) -> Result<Self> {
+        let [attained, commanded, reference] = files;
+        let none = || Message::error("there is no table of attained poses");
         Ok(Self {
-            attained: TableFile::read(attained)?,
-            commanded: commanded.map(TableFile::read).transpose()?,
-            reference: reference.map(TableFile::read).transpose()?,
+            attained: read(attained.ok_or_else(none)?)?,
+            commanded: commanded.map(read).transpose()?,
+            reference: reference.map(read).transpose()?,
         })
     }
 
@@ -41,7 +43,9 @@ impl PoseTables {
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         let mut problems = Problems::default();
         let mut read = |file: &Spanned<String>, holds: &str| {
-            files.read(file, holds).map_err(|more| problems.0.extend(more.0)).ok()
+            let layout = definition.layout(holds == "attained poses");
+            let table = files.laid_out(file, holds, layout, definition.encoding);
+            table.map_err(|more| problems.0.extend(more.0)).ok()
         };
         let attained = read(&definition.attained, "attained poses");
         let commanded = read(&definition.commanded, "commanded poses");

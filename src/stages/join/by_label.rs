@@ -48,6 +48,7 @@ pub(super) fn by_label(
             cycle: row.cycle.or(Some(1)),
             target: 0,
             world_mm: world_T_export.apply(mean.at_mm),
+            orientation: None,
             covariance_mm2: mean.covariance_mm2.map(|c| turned(&c, &world_T_export.rotation)),
             time_s: row.time_s,
             assembly: row.assembly,

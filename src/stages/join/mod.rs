@@ -69,6 +69,8 @@ struct Target<'a> {
     index: usize,
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
+    /// Orientation of the body in the world, as a quaternion.
+    orientation: Option<[f64; 4]>,
 }
 
 /// A target with the joint values at which it was measured.
@@ -78,6 +80,7 @@ struct Row {
     target: usize,
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
+    orientation: Option<[f64; 4]>,
     /// of the export or, where it has none, of the log
     time_s: Option<f64>,
     assembly: Option<f64>,
@@ -95,6 +98,7 @@ impl Row {
             target: target.index,
             world_mm: target.world_mm,
             covariance_mm2: target.covariance_mm2,
+            orientation: target.orientation,
             time_s: target.point.time_s.or(met.time_s),
             assembly: met.assembly,
             joints: met.joints.clone(),
@@ -142,7 +146,13 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
                     remarks.messages.extend(moved_out);
                     remarks.messages.extend(joined.incomplete());
                 }
-                observations.push((log.name.clone(), Observations::Log(joined)));
+                // poses are rows of a table of observations
+                let observed = if joined.has_orientations() {
+                    Observations::Table(joined.table()?)
+                } else {
+                    Observations::Log(joined)
+                };
+                observations.push((log.name.clone(), observed));
             }
             Err(more) => problems.0.extend(more.at(&campaign.place_of(&["join", "by"])).0),
         }
@@ -271,7 +281,15 @@ fn targets_in_world<'a>(
             continue;
         };
         let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
-        targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2 });
+        let turned = |q: &[f64; 4]| world_T_export.then(&Pose::from_quaternion(*q)).quaternion();
+        let orientation = point.orientation.as_deref().map(turned);
+        targets.push(Target {
+            point,
+            index,
+            world_mm: world_T_export.apply(point.xyz_mm),
+            covariance_mm2,
+            orientation,
+        });
     }
     if !lost.is_empty() {
         remarks.messages.push(

@@ -27,6 +27,9 @@ truth-home-count = `home` hat { $values } Gelenkwerte, der Roboter { $joints } G
 simulate-not-written = simulate kann { $what } nicht schreiben
     .hint = zum Simulieren eine andere Datei angeben, danach die wirkliche
 
+several-tables = mehrere Beobachtungstabellen werden nicht simuliert
+    .hint = eine Kampagne mit einer davon simulieren
+
 simulated-kind = { $kind ->
         [twincat] einen TwinCAT-Export
         [moving-log] ein während der Bewegung aufgezeichnetes Protokoll
@@ -35,6 +38,7 @@ simulated-kind = { $kind ->
         [workbook-sheet] ein Blatt einer Arbeitsmappe
         [encoding] eine Tabelle in anderer Kodierung als UTF-8
         [blank-columns] eine Beobachtungstabelle mit Leerzeichen zwischen den Spalten: leere Zellen gingen verloren
+        [computed-columns] eine Beobachtungstabelle mit berechneten, nummerierten oder konstanten Spalten, mit Filtern oder mit einem anderen Kopf als einer Zeile
         [unmodelled] eine Beobachtungstabelle mit Fehlern aus {"["}unmodelled]
        *[backlash] eine Beobachtungstabelle eines Roboters mit Umkehrspiel
     }

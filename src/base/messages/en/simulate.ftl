@@ -67,6 +67,13 @@ truth-home-count = `home` has { $values } joint values, the robot { $joints } jo
 simulate-not-written = simulate cannot write { $what }
     .hint = state another file to simulate, then the real one
 
+# Means: The campaign reads several tables of observations.
+# Matters: `etalon simulate` writes one table.
+# Do: Simulate a campaign with one of them.
+# Example: two [[observations]] beside a truth.toml
+several-tables = several tables of observations are not simulated
+    .hint = simulate a campaign with one of them
+
 simulated-kind = { $kind ->
         [twincat] a TwinCAT export
         [moving-log] a log that is recorded while the robot moves
@@ -75,6 +82,7 @@ simulated-kind = { $kind ->
         [workbook-sheet] a sheet of a workbook
         [encoding] a table in another encoding than UTF-8
         [blank-columns] a table of observations with blanks between columns: its empty cells would vanish
+        [computed-columns] a table of observations with computed, numbered or constant columns, filters, or another header than one row
         [unmodelled] a table of observations with errors of {"["}unmodelled]
        *[backlash] a table of observations of a robot with backlash
     }

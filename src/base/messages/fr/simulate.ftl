@@ -27,6 +27,9 @@ truth-home-count = `home` a { $values } valeurs articulaires, le robot { $joints
 simulate-not-written = simulate ne peut pas écrire { $what }
     .hint = indiquer un autre fichier pour simuler, puis le vrai
 
+several-tables = plusieurs tableaux d’observations ne sont pas simulés
+    .hint = simuler une campagne avec un seul d’entre eux
+
 simulated-kind = { $kind ->
         [twincat] un export TwinCAT
         [moving-log] un journal enregistré pendant le mouvement
@@ -35,6 +38,7 @@ simulated-kind = { $kind ->
         [workbook-sheet] une feuille de classeur
         [encoding] un tableau dans un autre codage que UTF-8
         [blank-columns] un tableau d’observations à colonnes séparées par des espaces : ses cellules vides disparaîtraient
+        [computed-columns] un tableau d’observations à colonnes calculées, numérotées ou constantes, à filtres, ou dont l’en-tête n’est pas d’une ligne
         [unmodelled] un tableau d’observations avec des erreurs de {"["}unmodelled]
        *[backlash] un tableau d’observations d’un robot à jeu
     }
