@@ -9,6 +9,7 @@ mod dependencies;
 mod golden;
 mod hostile;
 mod in_memory;
+mod prose;
 mod reference;
 mod support;
 
