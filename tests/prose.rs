@@ -22,7 +22,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("controllers", 126),
     ("documents", 0),
     ("etalon", 10),
-    ("fit", 274),
+    ("fit", 0),
     ("formats", 339),
     ("identify", 601),
     ("math", 84),
