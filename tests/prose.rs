@@ -29,7 +29,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("report", 264),
     ("robots", 0),
     ("run", 49),
-    ("simulate", 81),
+    ("simulate", 0),
     ("stages", 310),
     ("standards", 0),
 ];
