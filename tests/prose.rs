@@ -18,7 +18,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("base", 25),
     ("campaign", 120),
     ("cli", 381),
-    ("compare", 33),
+    ("compare", 0),
     ("controllers", 126),
     ("documents", 0),
     ("etalon", 10),
