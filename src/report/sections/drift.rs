@@ -1,4 +1,5 @@
-//! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
+//! Changes in the course of a test: characteristics by set of cycles, and targets that should be
+//! stationary.
 
 use crate::model::{Columns, Figure, Section, Table, term, um};
 use crate::plots::curves::{Curve, Curves};
@@ -33,7 +34,7 @@ fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
     Table::of(words, drifts, columns)
 }
 
-/// A set of cycles of a pose.
+/// Cycles of a set at a pose.
 struct Set<'a> {
     of: &'a Iso9283Drift,
     i: usize,
