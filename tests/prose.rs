@@ -19,7 +19,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("campaign", 120),
     ("cli", 381),
     ("compare", 0),
-    ("controllers", 126),
+    ("controllers", 0),
     ("documents", 0),
     ("etalon", 10),
     ("fit", 0),
