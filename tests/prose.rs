@@ -16,7 +16,7 @@ const BANNED_FIRST: [&str; 12] =
 /// Remaining violations of each crate; a number may only be lowered, and the goal is zero.
 const REMAINING: [(&str, usize); 17] = [
     ("base", 25),
-    ("campaign", 120),
+    ("campaign", 0),
     ("cli", 381),
     ("compare", 0),
     ("controllers", 0),

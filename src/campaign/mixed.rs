@@ -1,4 +1,4 @@
-//! Exports that carry joint values beside the points: each row is joined with itself.
+//! Exports with joint values beside the points: each row is joined with itself.
 
 use super::{CampaignFile, Join, JoinBy};
 use etalon_base::message::{Message, SourceText};
@@ -7,8 +7,8 @@ use etalon_formats::{Export, Log, LogKind};
 use toml::Spanned;
 
 impl CampaignFile {
-    /// Adds the log that an export with `joints` is, and the join by its rows, where neither is stated; an error where its joints cannot
-    /// be read.
+    /// Adds the log that an export with `joints` contains, and the join by its rows, if neither is
+    /// stated; returns an error if its joints cannot be read.
     pub(super) fn add_joints_of_exports(&mut self, stated: SourceText) -> Option<Message> {
         let export = self.exports.iter_mut().find(|export| !export.joints.is_empty())?;
         if !self.logs.is_empty() {
@@ -38,7 +38,7 @@ impl CampaignFile {
         None
     }
 
-    /// What contradicts an export with `joints`, with the text that states it.
+    /// Contradiction to an export with `joints`, with the text that states it.
     pub fn joints_stated_twice(&self) -> Option<(Message, &Spanned<String>)> {
         let mut mixed = self.exports.iter().filter(|export| !export.joints.is_empty());
         let export = mixed.next()?;
