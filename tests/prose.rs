@@ -17,7 +17,7 @@ const BANNED_FIRST: [&str; 12] =
 const REMAINING: [(&str, usize); 17] = [
     ("base", 25),
     ("campaign", 0),
-    ("cli", 381),
+    ("cli", 0),
     ("compare", 0),
     ("controllers", 0),
     ("documents", 0),

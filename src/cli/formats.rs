@@ -1,14 +1,14 @@
-//! `etalon formats`
+//! Command `etalon formats`.
 
 use super::{Verdict, print};
 use std::path::PathBuf;
 
-/// Propose how to read a file, with reasons and doubts, as lines to paste into campaign.toml
+/// Propose how to read a file, with reasons and doubts, as lines to paste into campaign.toml.
 #[derive(Debug, clap::Args)]
 pub struct Formats {
-    /// The file
+    /// File to read.
     file: PathBuf,
-    /// Print all readings as JSON
+    /// Print all readings as JSON.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! Options that state how a text of points is read.
+//! Options for reading a text of points.
 
 use super::table_file::TableFile;
 use etalon_base::message::{Message, Problems};
@@ -10,35 +10,35 @@ use std::path::Path;
 /// Unit and columns of a text.
 #[derive(Debug, clap::Args)]
 pub(super) struct TextFormat {
-    /// Length unit of the files: mm, m, um or inch; never guessed (QIF states its own)
+    /// Length unit of the files: `mm`, `m`, `um` or `inch`; never guessed (QIF states its own).
     #[arg(long)]
     unit: Option<String>,
-    /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
+    /// Contents of the columns, e.g. label,x,y,z; `-` for an unused column.
     #[arg(long, value_delimiter = ',', requires = "delimiter", allow_hyphen_values = true)]
     columns: Vec<String>,
-    /// blank, tab, comma, semicolon or bar
+    /// Delimiter: blank, tab, comma, semicolon or bar.
     #[arg(long, requires = "columns")]
     delimiter: Option<String>,
-    /// Decimal mark: point or comma
+    /// Decimal mark: point or comma.
     #[arg(long, default_value = "point", requires = "columns")]
     decimal: String,
-    /// Rows before the data
+    /// Number of rows before the data.
     #[arg(long, default_value_t = 0, requires = "columns")]
     header: usize,
 }
 
 impl TextFormat {
-    /// Whether columns are stated.
+    /// `true` if columns are stated.
     pub fn stated(&self) -> bool {
         self.delimiter.is_some()
     }
 
-    /// The unit, where it is stated.
+    /// Stated unit, if any.
     pub fn stated_unit(&self) -> Result<Option<Unit>, Problems> {
         self.unit.as_deref().map(|name| word("--unit", name)).transpose()
     }
 
-    /// The unit, which must be stated.
+    /// Mandatory unit.
     pub fn unit(&self) -> Result<Unit, Problems> {
         self.stated_unit()?.ok_or_else(|| {
             let message = Message::error("the files do not say their length unit");
@@ -46,7 +46,7 @@ impl TextFormat {
         })
     }
 
-    /// The stated columns, else PolyWorks text.
+    /// Stated columns, by default PolyWorks text.
     pub fn format(&self) -> Result<Format, Problems> {
         let Some(delimiter) = &self.delimiter else { return Ok(Format::default()) };
         let columns = self.columns.iter().map(|c| word::<ColumnRole>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
@@ -60,34 +60,36 @@ impl TextFormat {
     }
 }
 
-/// How a table of observations is read.
+/// Options for reading a table of observations.
 #[derive(Debug, clap::Args)]
 pub(super) struct TableFormat {
-    /// What separates the columns: comma, semicolon, tab, bar or blank
+    /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
     #[arg(long, default_value = "comma")]
     delimiter: String,
-    /// Decimal mark: point or comma
+    /// Decimal mark: point or comma.
     #[arg(long, default_value = "point")]
     decimal: String,
-    /// Encoding of the characters, where no byte-order mark states it
+    /// Character encoding, if no byte-order mark states it.
     #[arg(long)]
     encoding: Option<String>,
-    /// Sheet of a workbook (.xlsx) that holds the table
+    /// Sheet of a workbook (.xlsx) that contains the table.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
     sheet: Option<String>,
-    /// The heading in the file of a column that is called otherwise there: q1_deg=J1; may be repeated
+    /// Heading in the file of a column whose heading differs from its name: q1_deg=J1; may be
+    /// repeated.
     #[arg(long = "column", value_name = "NAME=HEADING")]
     columns: Vec<String>,
-    /// The target of all rows, of a table without such a column
+    /// Target of all rows, for a table without such a column.
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose, of a table without such a column
+    /// `row` if the number of the data row is the number of the pose, for a table without such a
+    /// column.
     #[arg(long, value_name = "ROW")]
     pose: Option<String>,
 }
 
 impl TableFormat {
-    /// The table in the file.
+    /// Reads the table in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
         let column = |text: &String| match text.split_once('=') {
             Some((name, heading)) => Ok((name.trim().to_owned(), heading.trim().to_owned())),
@@ -105,7 +107,7 @@ impl TableFormat {
     }
 }
 
-/// A word of an option, as the campaign spells it.
+/// Parses a word of an option in the spelling of campaigns.
 pub(super) fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
     let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
     T::deserialize(value).map_err(|e| Message::error(format!("{option}: {e}")).into())
