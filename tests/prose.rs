@@ -21,7 +21,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("compare", 0),
     ("controllers", 0),
     ("documents", 0),
-    ("etalon", 10),
+    ("etalon", 0),
     ("fit", 0),
     ("formats", 339),
     ("identify", 601),
