@@ -513,7 +513,7 @@ pub struct Identify {
     #[schemars(with = "Vec<String>")]
     pub hold: Vec<Spanned<String>>,
     /// Use of nominal values: as observations with their tolerances (`tolerances`, the default), or
-    /// not at all (`none`: plain least squares, as in the thesis).
+    /// as starting values only (`none`: plain least squares, as in the thesis).
     #[serde(default)]
     pub prior: PriorRule,
     /// Identified effects of the robot itself: a list of `zeros`, `geometry`, `gains`, `harmonics`,

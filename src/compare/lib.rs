@@ -1,7 +1,7 @@
 //! Comparison of several campaigns of one robot: significant changes and chance.
 //!
-//! The input are documents ([`Compared`]), the output is a single document. The mathematics is in
-//! [`significance`].
+//! The input consists of documents ([`Compared`]), the output is a single document. The mathematics
+//! is in [`significance`].
 
 mod characteristics;
 mod errors;

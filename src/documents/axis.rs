@@ -33,7 +33,7 @@ mirror! {
 }
 
 mirror! {
-    /// One position of the axis, approached from both sides.
+    /// One position of the axis, approached from both directions.
     #[derive(Copy)]
     struct AxisPosition of iso230::AxisPosition {
         /// Programmed position.

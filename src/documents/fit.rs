@@ -169,7 +169,7 @@ impl FitContacts {
 pub struct FitSolver {
     /// Algorithm.
     pub method: String,
-    /// Steps taken; 0 where the solution is closed.
+    /// Number of steps; 0 for closed-form solutions.
     pub iterations: usize,
     /// Reason of the termination.
     pub termination: Termination,

@@ -25,7 +25,7 @@ pub(super) struct Step<const N: usize> {
 enum Bound {
     Upper(usize),
     Lower(usize),
-    /// Bound of a component of the step by the reach: upper bound if `true`, otherwise lower bound.
+    /// Bound of a component of the step by the reach: lower bound if `true`, otherwise upper bound.
     Box(usize, bool),
 }
 

@@ -47,7 +47,7 @@ pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
 /// certain parameter.
 const CONDITION_LIMIT: f64 = 1e12;
 
-/// Maximum size of the sample that improves a start, and minimum ratio of all points to the sample.
+/// Maximum size of the sample that improves a start, and ratio of all points to the sample.
 const LARGEST_SAMPLE: usize = 16_384;
 const THINNED: usize = 32;
 /// Pivot of the scaled normal equations below which their step has fewer than six correct digits.
