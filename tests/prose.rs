@@ -24,13 +24,13 @@ const REMAINING: [(&str, usize); 17] = [
     ("etalon", 0),
     ("fit", 0),
     ("formats", 339),
-    ("identify", 601),
+    ("identify", 626),
     ("math", 0),
     ("report", 0),
     ("robots", 0),
-    ("run", 49),
+    ("run", 52),
     ("simulate", 0),
-    ("stages", 310),
+    ("stages", 345),
     ("standards", 0),
 ];
 

@@ -6,7 +6,7 @@ use super::{paths, robot_faults, robot_keys};
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_robots::{
-    At, Definition, Faults, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value, Values,
+    At, Definition, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -306,6 +306,20 @@ impl RobotFile {
         built.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
     }
 
+    /// Builds the robot with these joints bending, by number from 1, and these targets; `None` if
+    /// the file states bending joints, or if the model has no such key.
+    pub fn build_bending(&self, joints: &[usize], targets: &[String]) -> Option<Box<dyn Robot>> {
+        const KEY: &str = "bending";
+        let (model, values) = self.description.as_ref()?;
+        if values.contains_key(KEY) || !model.keys().iter().any(|key| key.name == KEY) {
+            return None;
+        }
+        let mut file = self.clone();
+        let joints = joints.iter().map(|joint| JointRef::Number(*joint)).collect();
+        file.description.as_mut()?.1.insert(KEY, Value::Joints(joints));
+        file.build(targets).ok()
+    }
+
     /// Robot by its description alone.
     fn built(&self, model: &Model, mut values: Values, targets: &[String]) -> Result<Box<dyn Robot>> {
         let mut urdf = None;
@@ -334,6 +348,11 @@ impl RobotFile {
         }
         odd.dedup();
         Problems(odd)
+    }
+
+    /// `true` if the file states the nominal value of a parameter.
+    pub fn states_nominal(&self, parameter: &str) -> bool {
+        self.nominal.contains_key(parameter)
     }
 
     /// Overwrites nominal values of `robot` with those of the file.

@@ -475,6 +475,13 @@ pub struct WorldDefinition {
     /// `true` if the coordinates of the export are world coordinates.
     #[serde(default)]
     pub as_exported: bool,
+    /// Nominal positions of at least three labels or targets of the frame, or of the plate that
+    /// carries them, in any common frame. A point whose deviation exceeds `tolerance_mm` and its
+    /// expanded uncertainty is an error.
+    #[serde(default)]
+    pub nominal_mm: BTreeMap<String, [f64; 3]>,
+    /// Largest permissible deviation of a point from its position in `nominal_mm`.
+    pub tolerance_mm: Option<f64>,
 }
 
 impl WorldDefinition {
@@ -518,7 +525,8 @@ pub struct Identify {
     pub prior: PriorRule,
     /// Identified effects of the robot itself: a list of `zeros`, `geometry`, `gains`, `harmonics`,
     /// `backlash`, `coupling`, `bending`; `usual`, the default, for all effects in the robot file
-    /// except gains of revolute joints of arms; or `all`.
+    /// except gains of revolute joints of arms; `all`; or `proven` for the effects that reduce the
+    /// errors of calibration poses left out of the identification, as chosen by `etalon recommend`.
     #[serde(default)]
     pub effects: EffectRule,
     /// Readings to be omitted, each with a reason that the report shows.
@@ -549,6 +557,8 @@ pub enum NamedEffects {
     Usual,
     /// All effects of the model.
     All,
+    /// Effects that the data prove by poses left out of the identification.
+    Proven,
 }
 
 impl Default for EffectRule {
@@ -561,7 +571,8 @@ impl From<&EffectRule> for Effects {
     fn from(rule: &EffectRule) -> Self {
         match rule {
             EffectRule::Named(NamedEffects::Usual) => Self::Usual,
-            EffectRule::Named(NamedEffects::All) => Self::All,
+            // proven effects depend on the data
+            EffectRule::Named(NamedEffects::All | NamedEffects::Proven) => Self::All,
             EffectRule::These(chosen) => Self::These(chosen.iter().map(|&effect| effect.into()).collect()),
         }
     }

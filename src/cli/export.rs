@@ -4,7 +4,7 @@ use super::{Verdict, print, print_text, progress, remark};
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
-use crate::stages::given::other_nominal;
+use crate::stages::given::{check_described, other_nominal};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Severity, printable};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
@@ -180,6 +180,9 @@ impl Exported {
     ) -> Result<Self, Problems> {
         // the model needs a target; no format contains its position
         let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
+        if let Some(robot) = &robot {
+            check_described(robot.as_ref(), &parameters)?;
+        }
         if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
             let hint = "run the campaign again, or name the robot.toml that it was run with";
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());

@@ -136,13 +136,7 @@ impl PlanCommand {
         self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
         let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
-        let settings = Settings {
-            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            hold: self.hold.clone(),
-            prior: self.prior.into(),
-            effects: self.effects.clone(),
-            ..Settings::default()
-        };
+        let settings = self.settings();
         let request = Request {
             positions: self.positions,
             criterion: self.index.0,
@@ -154,7 +148,7 @@ impl PlanCommand {
         };
         let planned = plan(robot.as_ref(), &observations, &settings, &request, &progress)
             .map_err(|error| Problems(beyond.iter().cloned().chain(remedied(error).0).collect()))?;
-        let study = self.study(robot.as_ref(), &robot_file, &observations, &planned, &settings)?;
+        let study = self.study(robot.as_ref(), &robot_file, &observations, &planned)?;
         let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;
         document.messages.splice(0..0, beyond);
         if let Some(path) = &self.poses {
@@ -176,6 +170,17 @@ impl PlanCommand {
         [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace)
     }
 
+    /// Settings of the planned identification.
+    fn settings(&self) -> Settings {
+        Settings {
+            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            hold: self.hold.clone(),
+            prior: self.prior.into(),
+            effects: self.effects.clone(),
+            ..Settings::default()
+        }
+    }
+
     /// Simulates a calibration if a truth is stated.
     fn study(
         &self,
@@ -183,14 +188,13 @@ impl PlanCommand {
         robot_file: &RobotFile,
         observations: &[Observation],
         planned: &Plan,
-        settings: &Settings,
     ) -> anyhow::Result<Option<StudyDocument>> {
         let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
         let truth = true_values(robot, &read_true_parameters(path)?)?;
         let elsewhere = self.workspace.as_ref().map(|path| read(robot_file, path)).transpose()?;
         let everywhere = elsewhere.as_ref().map_or(observations, |(_, all)| &all.observations);
-        let setting = Setting { truth, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
-        let studies = study(robot, planned, observations, everywhere, settings, &setting).map_err(remedied)?;
+        let setting = Setting { truth, everywhere, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
+        let studies = study(robot, planned, observations, &self.settings(), &setting).map_err(remedied)?;
         Ok(study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
     }
 }

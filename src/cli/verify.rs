@@ -10,7 +10,7 @@ use crate::run::documents::read_parameters;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::positions;
-use crate::stages::verification::{plan, verify};
+use crate::stages::verification::{EarlierCalibration, plan, verify};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, read_robot};
@@ -81,7 +81,8 @@ impl Verify {
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut found = verify(robot.as_mut(), &document, measured, stated_mm, inputs)?;
+        let calibration = EarlierCalibration::new(robot.as_mut(), &document, stated_mm)?;
+        let mut found = verify(calibration, measured, inputs)?;
         found.messages.splice(0..0, messages);
         if !self.json {
             remark(&found.messages);
@@ -100,7 +101,8 @@ impl Verify {
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut found = plan(robot.as_mut(), document, observations, self.positions, stated_mm, inputs, &mut progress)?;
+        let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+        let mut found = plan(calibration, observations, self.positions, inputs, &mut progress)?;
         found.messages.extend(beyond);
         if !self.json {
             remark(&found.messages);

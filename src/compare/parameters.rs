@@ -75,20 +75,20 @@ fn misfits((parameters, _): &Identified) -> bool {
         && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
 }
 
-/// Removes the probabilities of changes of parameters and mean errors between campaigns if the
-/// model misfits in either campaign, because the changes then depend on the choice of poses rather
-/// than on noise. `names` are the names of the campaigns.
+/// Removes the probabilities and intervals of changes of parameters and mean errors between
+/// campaigns if the model misfits in either campaign, because the changes then depend on the choice
+/// of poses rather than on noise. `names` are the names of the campaigns.
 pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
     let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
     let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
     for change in trends.iter_mut().flat_map(|trend| &mut trend.changes).filter(touches) {
-        change.p = None;
+        (change.p, change.low, change.high) = (None, None, None);
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
     (!wrong.is_empty()).then(|| {
         let what = format!(
             "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
-             are no evidence of a change, and have no p value",
+             are no evidence of a change, and have neither interval nor p value",
             named.join(", ")
         );
         Message::warning(what)

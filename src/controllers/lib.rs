@@ -418,6 +418,7 @@ fn status_word(parameter: &ParameterEntry) -> &'static str {
         ParameterStatus::Identified => "identified",
         ParameterStatus::Fixed => "fixed",
         ParameterStatus::NotIdentifiable => "not_identifiable",
+        ParameterStatus::PlacedByValidation => "placed_by_validation",
     }
 }
 

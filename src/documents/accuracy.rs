@@ -1,7 +1,7 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
-use super::{Figure, ReadingReliability, ToolFrame, UncertaintySource};
+use super::{Effect, Figure, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -27,6 +27,14 @@ pub struct AccuracyDocument {
     /// region that these poses cover.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub validation_distance: Option<ValidationDistance>,
+    /// Targets and fixtures that no calibration pose shows. They are placed by their own readings
+    /// at validation poses, with all identified parameters held.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub placed_apart: Vec<PlacedApart>,
+    /// Effects of the robot that are proved by poses left out of the identification: effects chosen
+    /// by `effects = "proven"`, and effects that are not identified.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub effects: Vec<EffectProof>,
     /// Standard uncertainties of the position errors of the validation poses after calibration;
     /// empty without a validation or a covariance.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -48,6 +56,47 @@ pub struct AccuracyDocument {
     /// data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given: Option<GivenSummary>,
+}
+
+/// A target or fixture that is placed by its own readings at validation poses. The placement
+/// reduces the errors of these readings, so that each is divided by √r in the statistics; without
+/// redundancy it does not count.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlacedApart {
+    /// Name of the target or fixture.
+    pub name: String,
+    /// Number of readings that place the target.
+    pub readings: usize,
+    /// Mean redundancy number r of the readings: the share of an error that its reading shows. For
+    /// n positions of a target, r = 1 − 1/n.
+    pub redundancy: f64,
+    /// `true` if errors of the readings count: r is at least 0.1 for at least one reading.
+    pub is_assessed: bool,
+}
+
+/// Benefit of an effect of the robot at calibration poses that are left out of the identification.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EffectProof {
+    /// Effect.
+    pub effect: Effect,
+    /// Joints of the effect's parameters.
+    pub joints: Vec<String>,
+    /// `true` if the effect is identified; `false` if its benefit is proved, but it is not
+    /// identified.
+    pub is_identified: bool,
+    /// Line of robot.toml that describes the effect; absent if robot.toml contains it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot_key: Option<String>,
+    /// Root-mean-square position error at poses that were left out, without the effect (mm).
+    pub without_mm: f64,
+    /// Root-mean-square position error at poses that were left out, with the effect (mm).
+    pub with_mm: f64,
+    /// Decrease of the mean square error over its standard uncertainty.
+    pub gain_over_u: Option<f64>,
+    /// Probability of the F statistic of the effect.
+    pub p_value: Option<f64>,
 }
 
 /// F test of a trend in the errors after identification: a parabola in one quantity against a
@@ -335,4 +384,26 @@ pub struct PointError {
     /// for validation poses.
     #[serde(default)]
     pub reliability: Option<ReadingReliability>,
+    /// Redundancy number of a reading that places its own target or fixture, which no calibration
+    /// pose shows; absent for all other readings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_redundancy: Option<f64>,
+}
+
+/// Redundancy number below which a reading is uncontrolled (Förstner 1987, Reliability analysis of
+/// parameter estimation).
+const UNCONTROLLED: f64 = 0.1;
+
+/// Divisor √r in statistics of the error of a reading that places its own target with this
+/// redundancy number; `None` if the reading is uncontrolled.
+pub fn counted_share(redundancy: f64) -> Option<f64> {
+    (redundancy >= UNCONTROLLED).then(|| redundancy.sqrt())
+}
+
+impl PointError {
+    /// Divisor of the error in statistics: 1, or [`counted_share`] if the reading places its own
+    /// target.
+    pub fn own_share(&self) -> Option<f64> {
+        self.own_redundancy.map_or(Some(1.0), counted_share)
+    }
 }

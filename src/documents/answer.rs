@@ -20,6 +20,21 @@ pub struct CheckDocument {
     pub warnings: Vec<Finding>,
     /// Files read, and rows rejected by a rule; empty if reading found errors.
     pub sources: Vec<Source>,
+    /// Travel of the joints in the calibration poses; empty if the poses are unknown.
+    #[serde(default)]
+    pub joints: Vec<JointTravel>,
+}
+
+/// Smallest and largest value of a joint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointTravel {
+    /// Column of the joint with its unit: `q1_deg`, `rho1_mm`.
+    pub column: String,
+    /// Smallest value.
+    pub lowest: f64,
+    /// Largest value.
+    pub highest: f64,
 }
 
 /// One error or warning. Members that do not apply are null.
@@ -59,7 +74,7 @@ impl From<&Message> for Finding {
 
 impl CheckDocument {
     /// Separates messages into errors and warnings.
-    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>) -> Self {
+    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>, joints: Vec<JointTravel>) -> Self {
         let of = |severity| messages.iter().filter(|m| m.severity == severity).map(Finding::from).collect();
         Self {
             schema: "etalon/check/1".to_owned(),
@@ -67,6 +82,7 @@ impl CheckDocument {
             errors: of(Severity::Error),
             warnings: of(Severity::Warning),
             sources,
+            joints,
         }
     }
 }

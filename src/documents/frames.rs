@@ -54,6 +54,21 @@ pub struct FramesDocument {
     /// World frame. If the frame is measured again at each pose, `export_T_world` is given for
     /// every pose.
     pub world: WorldFrame,
+    /// Errors that no reading of the campaign can show, with the keys that would control them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_controlled: Vec<Uncontrolled>,
+}
+
+/// An error that no reading would show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Uncontrolled {
+    /// Description of the error.
+    pub what: String,
+    /// Labels, features or targets with the error; empty if it concerns all readings.
+    pub points: Vec<String>,
+    /// Keys that would control the error.
+    pub keys: Vec<String>,
 }
 
 /// The world frame in the coordinates of the exports.

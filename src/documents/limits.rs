@@ -75,6 +75,14 @@ impl LimitQuantity {
     /// All quantities.
     pub const ALL: &[Self] = <Self as strum::VariantArray>::VARIANTS;
 
+    /// Unit of the limit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::OrientationMaxDeg => "deg",
+            _ => "mm",
+        }
+    }
+
     /// Limited error and statistic; `None` for characteristics of ISO 9283.
     pub fn of_errors(self) -> Option<(ErrorQuantity, StatisticOf)> {
         match self {
@@ -112,18 +120,11 @@ pub struct LimitVerdict {
 
 impl LimitVerdict {
     /// Judges a value with its expanded uncertainty (k = 2).
-    pub fn of(
-        name: LimitQuantity,
-        unit: &str,
-        limit: f64,
-        value: f64,
-        expanded: Option<f64>,
-        rule: DecisionRule,
-    ) -> Self {
+    pub fn of(name: LimitQuantity, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
         let interval = expanded.map(|u| Interval { low_mm: value - u, high_mm: value + u });
         let judged = Self {
             name,
-            unit: unit.to_owned(),
+            unit: name.unit().to_owned(),
             limit,
             value,
             expanded_uncertainty: expanded,
@@ -148,7 +149,7 @@ mod tests {
     fn a_limit_is_met_where_its_rule_says_conforming() {
         for rule in [DecisionRule::SimpleAcceptance, DecisionRule::Guarded, DecisionRule::SharedRisk] {
             for (value, u) in [(0.30, Some(0.03)), (0.39, Some(0.03)), (0.41, Some(0.03)), (0.30, None)] {
-                let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.4, value, u, rule);
+                let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.4, value, u, rule);
                 assert_eq!(of.met, of.conformity == Conformity::Conforming, "{rule:?} {value} {u:?}");
             }
         }

@@ -185,6 +185,9 @@ pub enum ParameterStatus {
     Fixed,
     /// Held because it is not separately identifiable.
     NotIdentifiable,
+    /// Target or fixture that no calibration pose shows: placed by readings of validation poses,
+    /// with all identified parameters held.
+    PlacedByValidation,
 }
 
 /// Residuals of the identification.

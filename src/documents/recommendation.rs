@@ -41,7 +41,8 @@ pub struct EffectStep {
     pub effect: Option<Effect>,
     /// Number of identified parameters in this step.
     pub identified: usize,
-    /// Root mean square of the residuals of all calibration poses (mm).
+    /// Root-mean-square position error of the calibration poses, all of which are used for
+    /// identification (mm); comparable with `held_out_rms_mm`.
     pub rms_mm: f64,
     /// F statistic of the improvement over the previous step.
     pub f: Option<f64>,

@@ -99,7 +99,7 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     let centre = chart.point(a, b, 0.0);
     let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre, Arc::about(&chart, centre))?;
     let local = circle.covariance(fit.degrees_of_freedom);
-    fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, a, b, cloud.scale_mm));
+    fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.method = "least-squares plane, projection, circle in the plane by orthogonal distance";
     fit.direction = Some(normal);
@@ -107,8 +107,9 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     fit.finished(settings)
 }
 
-/// Combined covariance of plane (a, b, h, u, v) and circle (a, b, r), which share no residual.
-fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, scale_mm: f64) -> ElementCovariance {
+/// Combined covariance of a plane (a, b, h, u, v) and of a circle (a, b, r) about `centre` in it,
+/// which share no residual.
+fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], centre: [f64; 2], scale_mm: f64) -> ElementCovariance {
     let mut local = [[0.0; 6]; 6];
     for (row, p) in local.iter_mut().zip(diagonal_matrix(plane)) {
         row[..5].copy_from_slice(&p);
@@ -121,7 +122,7 @@ fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, s
     let mut by_parameter = chart.quantities::<6>();
     by_parameter[5][6] = 1.0;
     // the plane t = h − u x − v y moves the centre (a, b)
-    for (row, along) in [(3, a), (4, b)] {
+    for (row, along) in [(3, centre[0]), (4, centre[1])] {
         for (quantity, d) in by_parameter[row].iter_mut().zip(chart.d0) {
             *quantity -= along * d;
         }

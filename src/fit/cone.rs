@@ -27,8 +27,7 @@ pub(super) fn cone_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
     let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
-    let found =
-        search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright, |chart| Funnel { chart });
+    let found = search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright);
     let found = found.ok_or_else(|| no_start(Element::Cone))?;
     let mut fit = finished(&cloud, &refine(found.surface, &cloud, found.start, free), settings)?;
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cone)));
@@ -158,6 +157,10 @@ impl Surface<7, 1> for Funnel {
 }
 
 impl Axial<7, 1> for Funnel {
+    fn on(chart: Chart) -> Self {
+        Self { chart }
+    }
+
     fn chart(&self) -> &Chart {
         &self.chart
     }

@@ -51,8 +51,7 @@ pub(super) fn cylinder_of(points: Source, settings: &FitSettings) -> Result<Fit>
             start[5] = radius.unwrap_or(start[5]);
             vec![(cost, start)]
         },
-        |tube, x| (x[5] > 0.0).then_some((tube, x)),
-        |chart| Tube { chart },
+        |tube: Tube, x| (x[5] > 0.0).then_some((tube, x)),
     );
     let found = found.ok_or_else(|| no_start(Element::Cylinder))?;
     let refined = refine(found.surface, &cloud, found.start, free);
@@ -136,6 +135,10 @@ impl Surface<6, 1> for Tube {
 }
 
 impl Axial<6, 1> for Tube {
+    fn on(chart: Chart) -> Self {
+        Self { chart }
+    }
+
     fn chart(&self) -> &Chart {
         &self.chart
     }

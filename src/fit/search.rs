@@ -29,6 +29,9 @@ const PATIENCE: usize = 80;
 
 /// A surface about an axis, whose first parameters are (a, b, h, u, v).
 pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
+    /// Surface whose parameters are in `chart`.
+    fn on(chart: Chart) -> Self;
+
     /// Chart of the parameters.
     fn chart(&self) -> &Chart;
 
@@ -52,7 +55,6 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     free: [bool; N],
     about: impl Fn(&[Vector], Chart) -> Vec<(f64, [f64; N])>,
     upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
-    element: impl Fn(Chart) -> S,
 ) -> Option<Found<S, N>> {
     let few = cloud.thinned(SEARCHED);
     let judged: Vec<Vector> = cloud.thinned(JUDGED).points().collect();
@@ -76,7 +78,7 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         proper
     };
     // a few iterations from each start; only promising starts continue to their minimum
-    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, element(Chart::new(axis)), start));
+    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, S::on(Chart::new(axis)), start));
     let mut walked = settled(starts.collect());
     let best = walked.first().map_or(0.0, |w| w.0);
     walked.retain(|w| w.0 <= HOPELESS * HOPELESS * best);

@@ -26,8 +26,8 @@ pub(super) fn torus_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
     let cloud = Cloud::new(Element::Torus, points, settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];
-    let upright = |bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
-    let found = search(&cloud, held, free, torus_along, upright, |chart| Bend { chart });
+    let upright = |bend: Bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
+    let found = search(&cloud, held, free, torus_along, upright);
     let found = found.ok_or_else(|| no_start(Element::Torus))?;
     let refined = refine(found.surface, &cloud, found.start, free);
     let chart = refined.surface.chart;
@@ -107,6 +107,10 @@ impl Surface<7, 1> for Bend {
 impl Axial<7, 1> for Bend {
     // a dozen points on a tube are ambiguous
     const STARTS: usize = 24;
+
+    fn on(chart: Chart) -> Self {
+        Self { chart }
+    }
 
     fn chart(&self) -> &Chart {
         &self.chart

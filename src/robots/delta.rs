@@ -202,23 +202,23 @@ impl Legs for Rotary {
         hang(rods)
     }
 
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
         use StrokeKind::{Axis, Direction, Length, Part};
-        let (motor, rod, n) = (self.motor(leg, p), self.rod(leg, p, q), leg + 1);
+        let (motor, rod) = (self.motor(0, p), self.rod(0, p, q));
         let size = p[0] + p[5];
         let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
         sketch.add(Part, "", &[motor.translation_mm, rod.base_mm]);
         sketch.add(Axis, "", &[tip(&motor, 1, -0.3), tip(&motor, 1, 0.3)]);
-        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], motor.translation_mm]);
-        sketch.add(Length, format!("upper_arm_{n}"), &[motor.translation_mm, rod.base_mm]);
-        sketch.add(Direction, format!("base_side_{n}"), &[motor.translation_mm, tip(&motor, 1, 0.2)]);
-        sketch.add(Direction, format!("base_height_{n}"), &[motor.translation_mm, tip(&motor, 2, 0.2)]);
+        sketch.add(Length, "base_radius_1", &[[0.0; 3], motor.translation_mm]);
+        sketch.add(Length, "upper_arm_1", &[motor.translation_mm, rod.base_mm]);
+        sketch.add(Direction, "base_side_1", &[motor.translation_mm, tip(&motor, 1, 0.2)]);
+        sketch.add(Direction, "base_height_1", &[motor.translation_mm, tip(&motor, 2, 0.2)]);
         // about y, downwards from x; about z and x, from y
         sketch.add(Axis, "", &[motor.translation_mm, tip(&motor, 0, 0.4)]);
-        sketch.angle(format!("theta{n} + delta_{n}"), &motor.turn_x(-FRAC_PI_2), 0.3 * size, q + p[6]);
-        sketch.angle(format!("axis_rz_{n}"), &motor.turn_z(FRAC_PI_2), 0.28 * size, 0.4);
-        sketch.angle(format!("axis_rx_{n}"), &motor.turn_z(FRAC_PI_2).turn_x(FRAC_PI_2), 0.28 * size, 0.4);
-        on_platform(n, &rod, platform, sketch);
+        sketch.angle("theta1 + delta_1", &motor.turn_x(-FRAC_PI_2), 0.3 * size, q + p[6]);
+        sketch.angle("axis_rz_1", &motor.turn_z(FRAC_PI_2), 0.28 * size, 0.4);
+        sketch.angle("axis_rx_1", &motor.turn_z(FRAC_PI_2).turn_x(FRAC_PI_2), 0.28 * size, 0.4);
+        on_platform(&rod, platform, sketch);
     }
 
     /// Joint value at which the elbow, one of two, is a rod's length away from the joint on the
@@ -281,18 +281,18 @@ impl Legs for Linear {
         hang(rods)
     }
 
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
         use StrokeKind::{Direction, Length, Part};
-        let (tower, rod, n) = (self.tower(leg, p), self.rod(leg, p, q), leg + 1);
+        let (tower, rod) = (self.tower(0, p), self.rod(0, p, q));
         let size = norm(minus(rod.base_mm, tower.translation_mm)).max(p[3]);
         let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
         sketch.add(Part, "", &[tower.translation_mm, tip(&tower, 2, 1.2)]);
-        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], tower.translation_mm]);
-        sketch.add(Direction, format!("base_side_{n}"), &[tower.translation_mm, tip(&tower, 1, 0.2)]);
-        sketch.add(Direction, format!("rho{n} + offset_{n}"), &[tower.translation_mm, rod.base_mm]);
-        sketch.angle(format!("tower_rx_{n}"), &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
-        sketch.angle(format!("tower_ry_{n}"), &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
-        on_platform(n, &rod, platform, sketch);
+        sketch.add(Length, "base_radius_1", &[[0.0; 3], tower.translation_mm]);
+        sketch.add(Direction, "base_side_1", &[tower.translation_mm, tip(&tower, 1, 0.2)]);
+        sketch.add(Direction, "rho1 + offset_1", &[tower.translation_mm, rod.base_mm]);
+        sketch.angle("tower_rx_1", &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        sketch.angle("tower_ry_1", &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        on_platform(&rod, platform, sketch);
     }
 
     /// Joint value at which the carriage, above the platform, is a rod's length away from the joint
@@ -303,11 +303,11 @@ impl Legs for Linear {
     }
 }
 
-/// Draws a rod and its joint on the platform.
-fn on_platform(n: usize, rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
+/// Draws the rod of the first leg and its joint on the platform.
+fn on_platform(rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
     let end = platform.apply(rod.platform_mm);
-    sketch.add(StrokeKind::Length, format!("rod_{n}"), &[rod.base_mm, end]);
-    sketch.add(StrokeKind::Length, format!("platform_radius_{n}"), &[platform.translation_mm, end]);
+    sketch.add(StrokeKind::Length, "rod_1", &[rod.base_mm, end]);
+    sketch.add(StrokeKind::Length, "platform_radius_1", &[platform.translation_mm, end]);
 }
 
 /// Pose of the platform on three rods: the lower intersection of three spheres about the upper ends

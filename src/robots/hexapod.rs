@@ -126,17 +126,17 @@ impl Legs for Hexapod {
         Rod { base_mm: [p[0], p[1], p[2]], platform_mm: [p[3], p[4], p[5]], length_mm: p[6] + q }
     }
 
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
-        let (rod, leg) = (self.rod(leg, p, q), leg + 1);
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        let rod = self.rod(0, p, q);
         let end = platform.apply(rod.platform_mm);
-        sketch.add(StrokeKind::Length, format!("leg{leg}_l0 + leg{leg}"), &[rod.base_mm, end]);
+        sketch.add(StrokeKind::Length, "leg1_l0 + leg1", &[rod.base_mm, end]);
         let to_base = [[0.0; 3], [p[0], 0.0, 0.0], [p[0], p[1], 0.0], rod.base_mm];
         for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_base.windows(2)) {
-            sketch.add(StrokeKind::Direction, format!("leg{leg}_b{axis}"), ends);
+            sketch.add(StrokeKind::Direction, format!("leg1_b{axis}"), ends);
         }
         let to_platform = [[0.0; 3], [p[3], 0.0, 0.0], [p[3], p[4], 0.0], rod.platform_mm].map(|at| platform.apply(at));
         for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_platform.windows(2)) {
-            sketch.add(StrokeKind::Direction, format!("leg{leg}_a{axis}"), ends);
+            sketch.add(StrokeKind::Direction, format!("leg1_a{axis}"), ends);
         }
     }
 

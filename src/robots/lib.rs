@@ -250,6 +250,11 @@ pub trait Robot: Send + Sync {
         None
     }
 
+    /// Parameters of all effects that the robot's description may add.
+    fn optional_parameters(&self) -> Vec<OptionalParameter> {
+        Vec::new()
+    }
+
     /// Index of a parameter by name.
     fn index(&self, name: &str) -> Option<usize> {
         self.parameters().iter().position(|p| p.name == name)
@@ -269,6 +274,19 @@ pub trait Robot: Send + Sync {
         p[..d].copy_from_slice(&all[target * d..][..d]);
         p
     }
+}
+
+/// A parameter that a key of the description adds for some joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OptionalParameter {
+    /// Name of the parameter.
+    pub name: String,
+    /// Key that adds the parameter.
+    pub key: &'static str,
+    /// Joints that the key names, by number or name.
+    pub joints: Vec<String>,
+    /// `true` if the key takes the joints as a pair.
+    pub is_pair: bool,
 }
 
 /// Computes loads at joint values.

@@ -94,8 +94,8 @@ pub(super) trait Legs: Clone + Debug + Send + Sync {
         self.direct(&legs.rods(joints))
     }
 
-    /// Adds the parameters of a leg to a drawing of the platform.
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
+    /// Adds the parameters of the first leg to a drawing of the platform.
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
 
     /// Joint value of a leg at a pose of the platform, on branch 1 or, for legs with two branches,
     /// −1; NaN if the leg does not reach.
@@ -305,7 +305,7 @@ impl<L: Legs> Robot for Parallel<L> {
         let ends: Vec<Vector> = rods.iter().map(|rod| platform.apply(rod.platform_mm)).collect();
         rods.iter().zip(&ends).for_each(|(rod, end)| sketch.add(StrokeKind::Part, "", &[rod.base_mm, *end]));
         sketch.add(StrokeKind::Part, "", &[&ends[..], &ends[..1]].concat());
-        self.legs.sketch(0, values.of(0), joints[0], &platform, &mut sketch);
+        self.legs.sketch(values.of(0), joints[0], &platform, &mut sketch);
         let size = sketch.extent_mm();
         sketch.frame("base", &Pose::identity(), 0.14 * size);
         sketch.frame("platform", &platform, 0.1 * size);

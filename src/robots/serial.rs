@@ -6,8 +6,9 @@
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads, Parameter,
-    Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
+    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
+    OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
+    pose_outputs,
 };
 use super::{limit_violation, nearest, normal_equations, square};
 use etalon_base::expression::{Formula, Recorded, derivatives};
@@ -95,6 +96,27 @@ const TILT: &str =
     meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
 const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
 
+/// Orders of harmonics, endings of their names, and `true` for a sine.
+const ORDERS: [(f64, &str, bool); 4] =
+    [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)];
+
+fn harmonic_name(label: &str, part: &str) -> String {
+    format!("harmonic_{label}_{part}")
+}
+
+fn backlash_name(label: &str) -> String {
+    format!("backlash_{label}")
+}
+
+/// Name of the compliance about an axis: under a link, or of the joint itself.
+fn compliance_name(label: &str, by: Option<&str>) -> String {
+    by.map_or_else(|| format!("compliance_{label}"), |by| format!("compliance_{label}_{by}"))
+}
+
+fn coupling_name(label: &str, by: &str) -> String {
+    format!("coupling_{label}_{by}")
+}
+
 /// Small error of an axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmallError {
@@ -103,6 +125,18 @@ pub(super) struct SmallError {
     pub parameter: Option<usize>,
     /// Index of the element.
     pub element: usize,
+}
+
+/// Parameter of an effect at a joint, with nominal value zero.
+fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -> Parameter {
+    let meaning = match effect {
+        Effect::Harmonics => HARMONIC,
+        Effect::Backlash => BACKLASH,
+        Effect::Coupling => COUPLING,
+        _ => BENDING,
+    };
+    let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
+    Parameter { effect, ..own }
 }
 
 /// Builder of a chain: collects motions and parameters, starting with base and targets.
@@ -146,18 +180,6 @@ impl ArmBuilder {
     pub fn add(&mut self, parameter: Parameter) -> usize {
         self.parameters.push(parameter);
         self.parameters.len() - 1
-    }
-
-    /// Adds a parameter of an effect with nominal value zero.
-    fn error(&mut self, name: String, quantity: Quantity, effect: Effect, joint: usize, by: Option<usize>) -> usize {
-        let meaning = match effect {
-            Effect::Harmonics => HARMONIC,
-            Effect::Backlash => BACKLASH,
-            Effect::Coupling => COUPLING,
-            _ => BENDING,
-        };
-        let own = Parameter::new(name, quantity, Role::Robot, 0.0);
-        self.add(Parameter { effect, joint: Some(joint), by, meaning, ..own })
     }
 
     /// Adds a motion by `constant` + Σ parameters.
@@ -233,11 +255,9 @@ impl ArmBuilder {
     pub fn harmonics(&mut self, axes: &[usize]) {
         for &k in axes {
             let Drive { label, joint, factor, offset, .. } = self.axes[k].drive.clone();
-            for (order, name, sine) in
-                [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)]
-            {
-                let name = format!("harmonic_{label}_{name}");
-                let parameter = self.error(name, Quantity::Angle, Effect::Harmonics, joint, None);
+            for (order, part, sine) in ORDERS {
+                let name = harmonic_name(&label, part);
+                let parameter = self.add(joint_error(name, Quantity::Angle, Effect::Harmonics, joint));
                 let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
                 self.moved[k].push(Term { parameter, coefficient });
             }
@@ -252,7 +272,7 @@ impl ArmBuilder {
             let at = joints + known.unwrap_or(self.approached.len());
             self.approached.extend(known.is_none().then_some(joint));
             let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
-            let parameter = self.error(format!("backlash_{label}"), quantity, Effect::Backlash, joint, None);
+            let parameter = self.add(joint_error(backlash_name(&label), quantity, Effect::Backlash, joint));
             let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
             self.moved[k].push(Term { parameter, coefficient });
         }
@@ -262,7 +282,7 @@ impl ArmBuilder {
     pub fn bending(&mut self, bending: &[usize]) {
         for &axis in bending {
             for &link in bending.iter().filter(|&&link| link >= axis) {
-                let name = format!("compliance_{}_{}", self.axes[axis].drive.label, self.axes[link].drive.label);
+                let name = compliance_name(&self.axes[axis].drive.label, Some(&self.axes[link].drive.label));
                 let by = self.axes[link].drive.joint;
                 let term = self.load(name, Load::Link { axis, link }, axis, Some(by));
                 self.moved[axis].push(term);
@@ -284,12 +304,12 @@ impl ArmBuilder {
         if !prismatic {
             let about = self.axes[axis].aligned.axis(2);
             let load = Load::Moment { axis, about, largest_kg_mm };
-            let term = self.load(format!("compliance_{label}"), load, axis, None);
+            let term = self.load(compliance_name(&label, None), load, axis, None);
             return self.moved[axis].push(term);
         }
         for error in errors {
             let Motion::Turn(k) = error.motion else { continue };
-            let name = format!("compliance_{label}_r{}", AXES[k]);
+            let name = compliance_name(&label, Some(&format!("r{}", AXES[k])));
             let load = Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm };
             let term = self.load(name, load, axis, None);
             self.elements[error.element].terms.push(term);
@@ -298,7 +318,7 @@ impl ArmBuilder {
 
     fn load(&mut self, name: String, load: Load, axis: usize, by: Option<usize>) -> Term {
         let joint = self.axes[axis].drive.joint;
-        let parameter = self.error(name, Quantity::Angle, Effect::Bending, joint, by);
+        let parameter = self.add(Parameter { by, ..joint_error(name, Quantity::Angle, Effect::Bending, joint) });
         self.loads.push(load);
         Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
     }
@@ -306,9 +326,10 @@ impl ArmBuilder {
     /// Adds coupling: pairs of an axis and the joint that moves it.
     pub fn coupling(&mut self, pairs: &[(usize, usize)]) {
         for &(axis, by) in pairs {
-            let name = format!("coupling_{}_{}", self.axes[axis].drive.label, self.axes[by].drive.label);
+            let name = coupling_name(&self.axes[axis].drive.label, &self.axes[by].drive.label);
             let [moved, joint] = [axis, by].map(|k| self.axes[k].drive.joint);
-            let parameter = self.error(name, Quantity::Ratio, Effect::Coupling, moved, Some(joint));
+            let parameter = joint_error(name, Quantity::Ratio, Effect::Coupling, moved);
+            let parameter = self.add(Parameter { by: Some(joint), ..parameter });
             let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
             let moved = &mut self.moved[axis];
             let before = moved.iter().take_while(|t| !matches!(t.coefficient, Coefficient::Load(_))).count();
@@ -679,6 +700,26 @@ impl Robot for Serial {
     fn sketches(&self) -> Vec<Sketch> {
         let mut all = vec![self.drawn()];
         all.extend(self.link.clone());
+        all
+    }
+    fn optional_parameters(&self) -> Vec<OptionalParameter> {
+        let labels = || self.axes.iter().map(|axis| axis.drive.label.as_str());
+        let mut all = Vec::new();
+        let mut add = |key, name: String, joints: &[&str]| {
+            let joints = joints.iter().map(|joint| (*joint).to_owned()).collect();
+            all.push(OptionalParameter { name, key, joints, is_pair: key == "coupling" });
+        };
+        for label in labels() {
+            add("bending", compliance_name(label, None), &[label]);
+            AXES.iter().for_each(|a| add("bending", compliance_name(label, Some(&format!("r{a}"))), &[label]));
+            ORDERS.iter().for_each(|(_, part, _)| add("harmonics", harmonic_name(label, part), &[label]));
+            add("backlash", backlash_name(label), &[label]);
+            for by in labels() {
+                let joints = if by == label { vec![label] } else { vec![label, by] };
+                add("bending", compliance_name(label, Some(by)), &joints);
+                add("coupling", coupling_name(label, by), &[label, by]);
+            }
+        }
         all
     }
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {

@@ -259,6 +259,14 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
         return;
     }
     let Some(world) = file.world() else { return };
+    if world.nominal_mm.is_empty() == world.tolerance_mm.is_some() {
+        let message = Message::error("`nominal_mm` and `tolerance_mm` of the world frame belong together");
+        let hint = "state the places of the drawing, and how far a point may be from its own";
+        problems.0.push(message.at(campaign.world_place()).hint(hint));
+    }
+    if world.tolerance_mm.is_some_and(|t| t < 0.0) {
+        problems.0.push(Message::error("`tolerance_mm` must not be negative").at(campaign.world_place()));
+    }
     let ways = [world.plane.is_some(), world.targets.is_some(), world.as_exported];
     if ways.iter().filter(|w| **w).count() != 1 {
         problems.0.push(

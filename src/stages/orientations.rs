@@ -39,13 +39,13 @@ pub struct AngleOrder {
 
 impl AngleOrder {
     /// All there are.
-    fn all() -> Vec<Self> {
+    pub(super) fn all() -> Vec<Self> {
         let axes = (0..27).map(|k| [k / 9, k / 3 % 3, k % 3]).filter(|[a, b, c]| a != b && b != c);
         axes.flat_map(|axes| [false, true].map(|fixed| Self { axes, fixed })).collect()
     }
 
     /// The orientation of a body that these angles (rad) turn.
-    fn pose(self, angles: [f64; 3]) -> Pose {
+    pub(super) fn pose(self, angles: [f64; 3]) -> Pose {
         let turn = |pose: Pose, k: usize| match self.axes[k] {
             0 => pose.turn_x(angles[k]),
             1 => pose.turn_y(angles[k]),
@@ -103,13 +103,13 @@ impl fmt::Display for AngleOrder {
 /// An orientation as the row of a table states it.
 #[derive(Clone, Copy)]
 pub struct Written {
-    form: Form,
+    pub(super) form: Form,
     /// Numbers of the form, of three the last is 0: rad.
-    numbers: [f64; 4],
+    pub(super) numbers: [f64; 4],
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Form {
+pub(super) enum Form {
     None,
     Quaternion,
     Vector,

@@ -277,3 +277,59 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
     let (code, said, _) = campaign("[observations]\nfile = \"plain.csv\"");
     assert!(code == Some(2) && said.contains("plain.csv:2") && said.contains("none"), "{said}");
 }
+
+#[test]
+fn uncertainties_that_are_rounded_to_zero_are_read_as_their_resolution() {
+    // microns, rounded to whole ones: those below half of one are 0
+    let cells: Vec<String> = rows()
+        .iter()
+        .enumerate()
+        .map(|(i, row)| {
+            let u = if i % 3 == 0 { "0,000" } else { "0,003" };
+            let kept = row.rsplitn(4, ';').last().unwrap();
+            format!("{kept};{u};{u};{u}")
+        })
+        .collect();
+    let export = format!("{FORMAT}, pose = \"Pose\", u1 = \"U\", u2 = \"V\", u3 = \"W\" }} }}\n{JOINTS}");
+    let scratch = campaign(&export, "", &cells);
+    scratch.replace("campaign.toml", "\"1-40\"", "\"P1-P40\"");
+    let said = ends(&scratch, "run", 0, &["`u1` is 0 in 40 rows", "u = 0.00029 mm", "half of the last digit"]);
+    assert_eq!(said.matches("is 0 in").count(), 2, "one warning a column that was measured:\n{said}");
+    // a table of observations
+    let written = std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap();
+    let table: Vec<String> = written
+        .lines()
+        .enumerate()
+        .map(|(i, line)| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let u = match i {
+                0 => "u_mm",
+                i if i % 3 == 0 => "0",
+                _ => "0.003",
+            };
+            let keep = |k: &usize| !cells_of_covariance(&written).contains(k);
+            let kept: Vec<&str> = (0..cells.len()).filter(keep).map(|k| cells[k]).collect();
+            format!("{},{u}", kept.join(","))
+        })
+        .collect();
+    let identify = |text: &str| {
+        std::fs::write(scratch.path().join("o.csv"), text).unwrap();
+        let command = ["identify", "--robot", "campaign/robot.toml", "--observations", "campaign/o.csv"];
+        crate::support::scratch::said(&scratch, &[&command[..], &["--standard-uncertainty-um", "3"]].concat())
+    };
+    let (code, said) = identify(&table.join("\n"));
+    assert!(code == Some(0) && said.matches("is 0 in").count() == 1, "{said}");
+    assert!(said.contains("u = 0.00029 mm"), "{said}");
+    // where all are 0 no resolution shows
+    let (code, said) = identify(&table.join("\n").replace(",0.003", ",0"));
+    assert!(code == Some(0) && said.contains("the uncertainty of the instrument counts"), "{said}");
+    // what is negative is none
+    let (code, said) = identify(&table.join("\n").replace(",0.003", ",-0.003"));
+    assert!(code == Some(2) && said.contains("is not the uncertainty of a coordinate"), "{said}");
+}
+
+/// Columns of covariances in the first line of a table.
+fn cells_of_covariance(table: &str) -> Vec<usize> {
+    let header = table.lines().next().unwrap().split(',');
+    header.enumerate().filter(|(_, name)| name.starts_with('c') && name.ends_with("mm2")).map(|(k, _)| k).collect()
+}

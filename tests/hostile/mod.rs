@@ -5,6 +5,7 @@ mod attacks_files;
 mod attacks_on_data;
 mod causes;
 mod check;
+mod diagnoses;
 mod files;
 mod follow_up;
 mod fuzz;
@@ -199,7 +200,7 @@ fn a_result_that_cannot_be_the_robot_reaches_no_controller() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho2_mm = \"RP2\", rho3_mm = \"RP3\"", "rho2_mm = \"RP3\", rho3_mm = \"RP2\"");
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(1) && said.contains("the model does not describe this robot"), "{said}");
+    assert!(code == Some(1) && said.contains("the model does not describe these measurements"), "{said}");
 }
 
 #[test]

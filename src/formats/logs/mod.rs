@@ -109,6 +109,15 @@ fn yes() -> bool {
 const FORMATS: [&dyn LogFormat; 6] =
     [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
 
+/// A log as a campaign states it, and the text of its file.
+#[derive(Clone, Copy)]
+pub(crate) struct LogText<'a> {
+    pub log: &'a Log,
+    /// Places of the statements on the log.
+    pub stated: SourceText<'a>,
+    pub text: &'a str,
+}
+
 /// What a format of logs is called.
 #[derive(Clone, Copy)]
 pub(crate) struct About {
@@ -167,15 +176,8 @@ pub(crate) trait LogFormat: Sync {
     }
 
     /// Reads the wanted columns.
-    fn read(
-        &self,
-        stated: SourceText,
-        log: &Log,
-        wanted: &[Wanted],
-        text: &str,
-        source: &mut Source,
-    ) -> Result<Columns> {
-        sheet::read(stated, log, wanted, text, source)
+    fn read(&self, log: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
+        sheet::read(log, wanted, source)
     }
 
     /// Whether its columns are in the order of their names.
@@ -362,7 +364,7 @@ pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> R
 pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
-    match log.format.0.read(stated, log, &wanted, text, source) {
+    match log.format.0.read(LogText { log, stated, text }, &wanted, source) {
         Ok(columns) => problems.check().map(|_| columns),
         Err(more) => {
             problems.0.extend(more.0);

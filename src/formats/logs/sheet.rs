@@ -1,6 +1,6 @@
 //! Logs that are one table: a header of names, a row for each time.
 
-use super::{About, Columns, Log, LogFormat, Values, Wanted, unit_agrees};
+use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
 use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, number, pose_name, rows};
@@ -47,13 +47,7 @@ impl Sheet<'_> {
 }
 
 /// Reads the wanted columns.
-pub(super) fn read(
-    stated: SourceText,
-    log: &Log,
-    wanted: &[Wanted],
-    text: &str,
-    source: &mut Source,
-) -> Result<Columns> {
+pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas().at(stated.place(&log.file)).into());
     }

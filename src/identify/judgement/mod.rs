@@ -4,6 +4,7 @@ pub(crate) mod budget;
 pub(crate) mod chi_square;
 pub(crate) mod clusters;
 pub(crate) mod diagnosis;
+pub(crate) mod excitation;
 pub(crate) mod logs;
 pub(crate) mod predict;
 pub(crate) mod reliability;

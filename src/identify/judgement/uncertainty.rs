@@ -84,7 +84,8 @@ pub(crate) fn with_uncertainty(
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
         let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
-        budget.carry_all(systematic, &observed, all, unseen, total)?;
+        budget.carry_frames(frames, all, unseen, total);
+        budget.carry(systematic.errors(&observed)?, all, total);
     }
     let inflation_factor = inflation(instrument.as_deref(), covariance.as_deref(), n);
     warnings

@@ -25,7 +25,11 @@ pub(crate) fn start(
     let nominal = robot.nominal();
     let Some(arm) = robot.free_base() else { return Ok(nominal) };
     let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
-    let mut values = if has_points { by_points(robot, arm, observations, wanted)? } else { nominal };
+    let mut values = if has_points {
+        by_points(robot, arm, observations, (wanted, settings.coordinate_uncertainty_mm()))?
+    } else {
+        nominal
+    };
     if !settings.conditions.is_empty() {
         place_fixtures(arm, observations, settings, wanted, &mut values);
     }
@@ -37,7 +41,7 @@ fn by_points(
     robot: &dyn Robot,
     arm: &dyn FreeBase,
     observations: &[Observation],
-    wanted: &[usize],
+    (wanted, noise_mm): (&[usize], f64),
 ) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
@@ -45,7 +49,7 @@ fn by_points(
     let there = |o: &Observation| arm.flange(&nominal, &o.joints).translation_mm.iter().all(|v| v.is_finite());
     let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {
         if !subset.iter().all(there) {
-            return far_from_nominal(robot, observations, f64::INFINITY, 0.0).into();
+            return far_from_nominal(robot, observations, [f64::INFINITY, 0.0], noise_mm).into();
         }
         Error::BaseNotFound
     })?;
@@ -62,7 +66,7 @@ fn by_points(
         );
         let message = Message::error(what)
             .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot");
-        return Err(explained(message, robot, observations).into());
+        return Err(explained(message, robot, observations, noise_mm).into());
     }
     if (3..6).all(|i| places.contains(&i)) {
         let turn = shortest([values[3], values[4], values[5]]);

@@ -217,7 +217,7 @@ mod tests {
             .iter()
             .map(|&name| {
                 let limit = 0.001 * name.to_string().len() as f64;
-                LimitVerdict::of(name, "mm", limit, 0.0, None, Default::default())
+                LimitVerdict::of(name, limit, 0.0, None, Default::default())
             })
             .collect();
         let axis = || Axis::from_zero("mm", 0.1);

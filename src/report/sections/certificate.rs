@@ -22,6 +22,8 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
             sets: vec![set.clone()],
             tool: None,
             map: None,
+            placed_apart: Vec::new(),
+            effects: Vec::new(),
             validation_distance: None,
             ..i.accuracy.clone()
         };

@@ -16,7 +16,13 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
         sentences.push(words.say("The draws do not suffice for two digits of every standard uncertainty: allow more."));
     }
     if document.uncertainties_from != UncertaintyFrom::Instrument {
-        sentences.push(words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties and the bootstrap contain that."));
+        let reported = document.parameters.iter().any(|p| p.standard_uncertainty.is_some());
+        sentences.push(match (reported, document.resamples > 0) {
+            (true, true) => words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties and the bootstrap contain that."),
+            (true, false) => words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties contain that."),
+            (false, true) => words.say("Draws contain what is stated; the model leaves out more: the bootstrap contains that."),
+            (false, false) => words.say("Draws contain what is stated, and not what the model leaves out."),
+        });
     }
     Verdict { met: true, sentences, ..Verdict::default() }
 }

@@ -1,6 +1,6 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use crate::model::{Block, Columns, ROWS, Section, Table, Text, shown};
+use crate::model::{Block, Columns, ROWS, Section, Table, Text, fixed, shown, term};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
@@ -9,8 +9,8 @@ use crate::{Identified, Report};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PointError, PoseSet,
-    Statistics,
+    AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument,
+    PlacedApart, PointError, PoseSet, Statistics,
 };
 use std::collections::BTreeMap;
 
@@ -37,6 +37,21 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         };
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, set.name.name(), ["before", "after"], words).on("Errors")));
+    }
+    if !accuracy.placed_apart.is_empty() {
+        let of = |p: &PlacedApart| {
+            let numbers: [&dyn std::fmt::Display; 3] = [&p.name, &p.readings, &number::fixed(p.redundancy, 2)];
+            match p.is_assessed {
+                true => words.fill("{0} ({1} readings, redundancy {2})", &numbers),
+                false => words.fill("{0} ({1} readings, redundancy {2}: not judged)", &numbers),
+            }
+        };
+        let all: Vec<String> = accuracy.placed_apart.iter().map(of).collect();
+        section.push(Block::text(words.fill("No calibration pose shows {0}: placed by their own readings at validation poses, with the identified robot held. Each of these errors counts over √r, r its redundancy.", &[&all.join(", ")])));
+    }
+    if !accuracy.effects.is_empty() {
+        section.push(Block::heading(words.say("Effects proven by poses that are left out")));
+        section.push(Block::Table(effects(&accuracy.effects, words)));
     }
     if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
         let p = number::p_value(p);
@@ -163,6 +178,21 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, called: &str, name
     Table::of(words, &set.errors, columns)
 }
 
+/// Benefit of each effect at poses that are left out.
+fn effects(all: &[EffectProof], words: &Words) -> Table {
+    let yes_no = |yes: bool| term(words, if yes { "yes" } else { "no" });
+    let columns = Columns::<EffectProof>::new()
+        .page("effect", "", |e| words.say(&format!("{:?}", e.effect).to_lowercase()))
+        .sheet("effect", "", |e| format!("{:?}", e.effect).to_lowercase())
+        .both("joints", "", |e| Text::name(&e.joints.join(", ")))
+        .both("RMS without it", "mm", |e| fixed(e.without_mm, 4))
+        .both("RMS with it", "mm", |e| fixed(e.with_mm, 4))
+        .both("gain over u", "", |e| fixed(e.gain_over_u, 1))
+        .page("identified", "", move |e| yes_no(e.is_identified))
+        .sheet("identified", "", |e| if e.is_identified { "yes" } else { "no" });
+    Table::of(words, all, columns).on("Proven effects")
+}
+
 /// Number of decimals in `unit`: two digits of the smallest uncertainty or, if unknown, three
 /// digits of the smallest non-zero error after calibration.
 fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
@@ -280,6 +310,8 @@ mod tests {
             point: String::new(),
             definition: String::new(),
             sets: vec![set.clone()],
+            placed_apart: Vec::new(),
+            effects: Vec::new(),
             validation_distance: None,
             budget: Vec::new(),
             limits: vec![],

@@ -82,9 +82,8 @@ mod tests {
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
-        let of = |value, u| {
-            reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, value, u, DecisionRule::Guarded))
-        };
+        let of =
+            |value, u| reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded));
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
         assert_eq!(of(0.034_567, Some(0.0123)), "0.035");

@@ -129,6 +129,7 @@ fn status(status: ParameterStatus, words: &Words) -> Cell {
         ParameterStatus::Identified => term(words, "identified"),
         ParameterStatus::Fixed => term(words, "held by the campaign"),
         ParameterStatus::NotIdentifiable => term(words, "held: not separately identifiable"),
+        ParameterStatus::PlacedByValidation => term(words, "placed by validation poses"),
     }
 }
 

@@ -180,5 +180,6 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         after_deg: None,
         joints: Vec::new(),
         reliability: None,
+        own_redundancy: None,
     }
 }

@@ -308,7 +308,7 @@ mod tests {
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
-        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
+        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.0442, u, DecisionRule::Guarded);
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = of(&documents);
         assert!(

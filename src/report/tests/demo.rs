@@ -23,6 +23,7 @@ pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vecto
         after_deg: None,
         joints: vec![],
         reliability: None,
+        own_redundancy: None,
     }
 }
 
@@ -80,9 +81,8 @@ impl Documents {
                 error(ErrorQuantity::Orientation, "deg", 0.1035, 0.0033),
             ],
         };
-        let limit = |name, unit: &str, limit: f64, value: f64| {
-            LimitVerdict::of(name, unit, limit, value, Some(0.0038), DecisionRule::Guarded)
-        };
+        let limit =
+            |name, limit: f64, value: f64| LimitVerdict::of(name, limit, value, Some(0.0038), DecisionRule::Guarded);
         Self {
             tested: Characteristics::default(),
             campaign: CampaignSummary {
@@ -116,11 +116,13 @@ impl Documents {
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
+                placed_apart: Vec::new(),
+                effects: Vec::new(),
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 budget: Vec::new(),
                 limits: vec![
-                    limit(LimitQuantity::PositionMaxMm, "mm", 0.050, 0.0442),
-                    limit(LimitQuantity::OrientationMaxDeg, "deg", 0.010, 0.0056),
+                    limit(LimitQuantity::PositionMaxMm, 0.050, 0.0442),
+                    limit(LimitQuantity::OrientationMaxDeg, 0.010, 0.0056),
                 ],
                 tool: None,
                 map: None,
@@ -152,6 +154,7 @@ fn errors() -> Vec<PointError> {
                 after_deg: Some(draw()),
                 joints: vec![],
                 reliability: None,
+                own_redundancy: None,
             });
         }
     }
@@ -220,6 +223,7 @@ fn frames() -> FramesDocument {
             max_mm: None,
             reference_mm: vec![],
         },
+        not_controlled: vec![],
     }
 }
 

@@ -20,8 +20,7 @@ pub(super) fn by_label(
     frames: &FramesDocument,
     log: &JointLog,
     robot: &dyn Robot,
-    remarks: &mut Remarks,
-) -> Result<Vec<Row>> {
+) -> Result<(Vec<Row>, Remarks)> {
     let name = &log.name;
     if robot.targets().len() != 1 {
         let what = format!("a join by label is for robots with one target, this has {}", robot.targets().len());
@@ -57,6 +56,7 @@ pub(super) fn by_label(
         });
     }
     problems.check()?;
+    let mut remarks = Remarks::default();
     let frame_points: BTreeSet<&str> = crate::stages::gather::used_labels(campaign).into_iter().collect();
     let idle = |label: &&str| !used.contains(label) && !frame_points.contains(label);
     let idle: BTreeSet<&str> = measured.keys().copied().filter(idle).collect();
@@ -67,7 +67,7 @@ pub(super) fn by_label(
         let alone = points.iter().filter(|p| idle.contains(&*p.label));
         remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.to_string(), &reason)));
     }
-    Ok(rows)
+    Ok((rows, remarks))
 }
 
 /// The mean of the points of one label, in the coordinates of the exports.

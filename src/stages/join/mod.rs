@@ -55,6 +55,13 @@ struct Remarks {
     unmatched: Vec<Unmatched>,
 }
 
+impl Remarks {
+    fn extend(&mut self, more: Self) {
+        self.messages.extend(more.messages);
+        self.unmatched.extend(more.unmatched);
+    }
+}
+
 /// A target of the robot in the world.
 struct Target<'a> {
     point: &'a Point,
@@ -115,8 +122,13 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
     for log in &imported.logs {
         let log = &*with_directions(log, robot)?;
         let joined = match definition.by {
-            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut remarks),
-            _ => with_log(campaign, definition, imported, &targets, log, &mut remarks),
+            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot).map(|(rows, more)| {
+                remarks.extend(more);
+                rows
+            }),
+            JoinBy::Row => equal_counts(campaign, imported, targets.iter().map(|t| t.point), log)
+                .and_then(|()| with_log(campaign, definition, &targets, log, &mut remarks)),
+            _ => with_log(campaign, definition, &targets, log, &mut remarks),
         };
         let joined = joined.map(|rows| leave_out_unknown(rows, log, &mut remarks));
         let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
@@ -143,7 +155,6 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
 fn with_log(
     campaign: &Campaign,
     join: &Join,
-    imported: &Gathered,
     targets: &[Target],
     log: &JointLog,
     remarks: &mut Remarks,
@@ -151,10 +162,7 @@ fn with_log(
     let joined = match join.by {
         JoinBy::PoseAndCycle => by_key(targets, log, &["pose", "cycle"], remarks)?,
         JoinBy::Pose => by_key(targets, log, &["pose"], remarks)?,
-        JoinBy::Row => {
-            equal_counts(campaign, imported, targets.iter().map(|t| t.point), log)?;
-            by_key(targets, log, &["row"], remarks)?
-        }
+        JoinBy::Row => by_key(targets, log, &["row"], remarks)?,
         JoinBy::Time => {
             let offset_s = offset_s(campaign, join, targets, log, remarks)?;
             let tolerance_s = join.tolerance_s.unwrap_or(0.0);

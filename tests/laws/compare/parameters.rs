@@ -29,6 +29,26 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     }
 }
 
+/// Errors of no pose.
+fn no_errors() -> AccuracyDocument {
+    AccuracyDocument {
+        given: None,
+        joints: vec![],
+        trends: vec![],
+        schema: "etalon/accuracy/1".to_owned(),
+        definition: String::new(),
+        point: String::new(),
+        sets: Vec::new(),
+        placed_apart: Vec::new(),
+        effects: Vec::new(),
+        validation_distance: None,
+        budget: vec![],
+        limits: Vec::new(),
+        tool: None,
+        map: None,
+    }
+}
+
 /// A campaign of parameters alone: names, values, standard uncertainties; `before` differs from nominal for the last.
 pub(crate) fn identified(
     folder: &str,
@@ -75,20 +95,7 @@ pub(crate) fn identified(
         provenance: Provenance { version: String::new(), inputs: BTreeMap::new(), seed: None },
     };
     of(&mut parameters);
-    let accuracy = AccuracyDocument {
-        given: None,
-        joints: vec![],
-        trends: vec![],
-        schema: "etalon/accuracy/1".to_owned(),
-        definition: String::new(),
-        point: String::new(),
-        sets: Vec::new(),
-        validation_distance: None,
-        budget: vec![],
-        limits: Vec::new(),
-        tool: None,
-        map: None,
-    };
+    let accuracy = no_errors();
     let campaign = CampaignSummary {
         name: folder.to_owned(),
         robot: None,

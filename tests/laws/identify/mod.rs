@@ -16,6 +16,7 @@ pub(super) mod recommendation;
 pub(super) mod rigid;
 pub(super) mod robust;
 pub(super) mod set_ups;
+pub(super) mod slips;
 pub(super) mod stability;
 pub(super) mod thresholds;
 pub(super) mod tool;

@@ -8,18 +8,19 @@ use etalon::identify::{Effects, Observation, Prior, Settings, fit_frames, identi
 use etalon::math::statistics::rms;
 use etalon::robots::{Quantity, Robot, Role, Serial, SerialJoint};
 use etalon::stages::evaluate::{self, Sets};
+use etalon::stages::identification::Solved;
 use etalon::stages::plausible::plausibility;
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
 /// A drawn arm with its true parameters, poses to calibrate with and poses to validate with.
-struct Case {
-    robot: Serial,
-    calibration: Vec<Observation>,
+pub(super) struct Case {
+    pub(super) robot: Serial,
+    pub(super) calibration: Vec<Observation>,
     validation: Vec<Observation>,
-    noise_mm: f64,
-    bends: bool,
-    width: f64,
+    pub(super) noise_mm: f64,
+    pub(super) bends: bool,
+    pub(super) width: f64,
 }
 
 /// A whole number from `from` to `to`.
@@ -36,7 +37,7 @@ fn between(noise: &mut Noise, from: f64, to: f64) -> f64 {
 }
 
 /// An arm of 5 to 8 joints whose parts are up to 1 mm and 0.3 deg off nominal; half of them bend in a way that no model describes.
-fn drawn(seed: u64, most_poses: usize) -> Case {
+pub(super) fn drawn(seed: u64, most_poses: usize) -> Case {
     let mut noise = Noise::new(40, seed);
     let n = whole(&mut noise, 5, 8);
     let mut joint = |i: usize| {
@@ -139,7 +140,7 @@ fn drawn_arms_are_identified() {
         let sets =
             Sets { calibration: case.calibration.clone(), validation: case.validation.clone(), ..Sets::default() };
         let errors = evaluate::errors(&case.robot, &sets, &before, &found.values);
-        let messages = plausibility(&case.robot, &sets.calibration, &settings, &before, &found, &errors);
+        let messages = plausibility(&case.robot, &sets.calibration, &settings, &Solved { before, found }, &errors);
         let refused: Vec<String> = messages
             .iter()
             .filter(|m| m.severity == Severity::Error)
