@@ -21,11 +21,11 @@ use etalon_math::{smallest_eigenvector, symmetric_eigen};
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Settings, circle2d};
+/// use etalon_fit::{FitSettings, circle2d};
 ///
 /// // corners of a rectangle of 6 mm by 8 mm: the diagonal, 10 mm, is the diameter of their circle
 /// let corners_mm = [[0.0, 0.0], [6.0, 0.0], [6.0, 8.0], [0.0, 8.0]];
-/// let fit = circle2d(&corners_mm, &Settings::default())?;
+/// let fit = circle2d(&corners_mm, &FitSettings::default())?;
 ///
 /// let [x_mm, y_mm, _] = fit.point_mm;
 /// assert!((x_mm - 3.0).abs() < 1e-12 && (y_mm - 4.0).abs() < 1e-12);
@@ -183,13 +183,13 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Probe, Settings, Side, sphere};
+/// use etalon_fit::{FitSettings, Probe, Side, sphere};
 ///
 /// // centres of a probe of radius 2 mm that touched a ball at the origin from five sides
 /// let a = 12.0;
 /// let centres_mm = [[a, 0.0, 0.0], [-a, 0.0, 0.0], [0.0, a, 0.0], [0.0, -a, 0.0], [0.0, 0.0, a]];
 /// let probe = Some(Probe { radius_mm: 2.0, side: Side::Outside });
-/// let ball = sphere(&centres_mm, &Settings { probe, ..Settings::default() })?;
+/// let ball = sphere(&centres_mm, &FitSettings { probe, ..FitSettings::default() })?;
 ///
 /// assert!((ball.radius_mm.expect("a sphere has a radius") - 10.0).abs() < 1e-12);
 /// assert!(ball.max_mm() < 1e-12);

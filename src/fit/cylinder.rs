@@ -21,12 +21,12 @@ use etalon_base::pose::Vector;
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Settings, cylinder};
+/// use etalon_fit::{FitSettings, cylinder};
 ///
 /// // three sections of a bore of radius 5 mm about the z axis
 /// let section_mm = [[5.0, 0.0], [3.0, 4.0], [-3.0, 4.0], [-5.0, 0.0], [-3.0, -4.0], [3.0, -4.0]];
 /// let points_mm = [0.0, 20.0, 40.0].map(|z| section_mm.map(|[x, y]| [x, y, z])).concat();
-/// let bore = cylinder(&points_mm, &Settings::default())?;
+/// let bore = cylinder(&points_mm, &FitSettings::default())?;
 ///
 /// assert!((bore.radius_mm.expect("a cylinder has a radius") - 5.0).abs() < 1e-9);
 /// let [_, _, z] = bore.direction.expect("a cylinder has an axis");

@@ -77,12 +77,12 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Settings, plane};
+/// use etalon_fit::{FitSettings, plane};
 ///
 /// // corners of a plate of 100 mm at z = 50 mm, by turns 0.01 mm below and above
 /// let (low, high) = (49.99, 50.01);
 /// let corners_mm = [[0.0, 0.0, low], [100.0, 0.0, high], [100.0, 100.0, low], [0.0, 100.0, high]];
-/// let fit = plane(&corners_mm, &Settings::default())?;
+/// let fit = plane(&corners_mm, &FitSettings::default())?;
 ///
 /// let [_, _, z] = fit.direction.expect("a plane has a normal");
 /// assert!((z - 1.0).abs() < 1e-12);

@@ -39,7 +39,7 @@ pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
     fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]);
 
     /// Derivatives of point, direction, radius, minor radius and apex angle with respect to each
-    /// parameter (order of [`Covariance`]).
+    /// parameter (order of [`ElementCovariance`]).
     fn quantities(&self, x: &[f64; N]) -> [[f64; QUANTITIES]; N];
 }
 
