@@ -14,7 +14,7 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
 use etalon_math::{Termination, symmetric_eigen};
 
-/// Number of quantities in a [`ElementCovariance`].
+/// Number of quantities in an [`ElementCovariance`].
 pub const QUANTITIES: usize = 9;
 
 /// Covariance of point (x, y, z, mm), direction (x, y, z), radius (mm), minor radius (mm) and apex
@@ -44,7 +44,7 @@ pub(super) fn propagate<const N: usize>(
     ElementCovariance(covariance)
 }
 
-/// Standard uncertainties: square roots of the diagonal of a [`ElementCovariance`].
+/// Standard uncertainties: square roots of the diagonal of an [`ElementCovariance`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StandardUncertainty {
     /// Standard uncertainty of each coordinate of the point.
