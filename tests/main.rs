@@ -4,8 +4,10 @@
 mod architecture;
 mod browser;
 mod campaigns;
+mod catalogue;
 mod cli;
 mod dependencies;
+mod formats;
 mod golden;
 mod hostile;
 mod in_memory;

@@ -1,6 +1,7 @@
 //! Upper limits of counts in files and options, checked before memory is allocated.
 
-use super::message::{Message, Result};
+use super::message::Result;
+use crate::error;
 use serde::{Deserialize, Deserializer, de};
 
 /// Largest number of poses, repeats or draws in a file.
@@ -28,8 +29,7 @@ pub fn product_at_most(what: &str, counts: &[(&str, u64)], most: u64) -> Result<
         return Ok(());
     }
     let factors: Vec<String> = counts.iter().map(|(name, count)| format!("{count} {name}")).collect();
-    let message = Message::error(format!("too many {what}: {}", factors.join(" x ")));
-    Err(message.expected(format!("at most {most}")).into())
+    Err(error!("counts-too-large", of = what, counts = factors.join(" x "), most).into())
 }
 
 /// Reads a count of an option, at most `M`.
@@ -49,7 +49,8 @@ mod tests {
         assert!(product_at_most("rows", &[("poses", 3), ("cycles", 3)], 9).is_ok());
         for many in [4, u64::MAX] {
             let error = product_at_most("rows", &[("poses", 3), ("cycles", many)], 9).unwrap_err();
-            assert!(error.to_string().contains(&format!("too many rows: 3 poses x {many} cycles")), "{error}");
+            let counts = format!("3 poses x {many} cycles");
+            assert!(error.0[0].is("counts-too-large", &[("counts", &counts), ("most", &9)]), "{error}");
         }
     }
 }

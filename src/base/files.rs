@@ -1,5 +1,6 @@
 //! Reads whole files, and writes files that appear only when complete.
 
+use crate::error;
 use crate::message::{Message, Problems, Result};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -43,11 +44,12 @@ pub fn record_opened<T>(work: impl FnOnce() -> T) -> (T, Vec<PathBuf>) {
 }
 
 fn read_at_most(path: &Path, largest: u64) -> Result<Vec<u8>> {
-    let fail = |e: std::io::Error| Message::error(format!("cannot read `{}`: {e}", path.display()));
+    let file = path.display().to_string();
+    let fail = |e: std::io::Error| error!("cannot-read-file", file, reason = e.to_string());
     let mut bytes = Vec::new();
     open(path).and_then(|file| file.take(largest + 1).read_to_end(&mut bytes)).map_err(fail)?;
     if bytes.len() as u64 > largest {
-        return Err(fail(std::io::Error::other(format!("it is larger than {} MiB", largest >> 20))).into());
+        return Err(error!("file-too-large", file, most_mib = largest >> 20).into());
     }
     Ok(bytes)
 }
@@ -71,9 +73,8 @@ pub fn read_statement(path: &Path) -> Result<(String, Stamp)> {
 
 /// Converts the bytes of a file to text like [`read_text`].
 pub fn text(path: &Path, bytes: Vec<u8>) -> Result<String> {
-    let text = String::from_utf8(bytes).map_err(|e| {
-        Message::error(format!("`{}` is not UTF-8 (byte {})", path.display(), e.utf8_error().valid_up_to()))
-    })?;
+    let text = String::from_utf8(bytes)
+        .map_err(|e| error!("not-utf8", file = path.display().to_string(), byte = e.utf8_error().valid_up_to()))?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
@@ -93,6 +94,10 @@ impl Stamp {
     }
 }
 
+fn cannot_write(path: &Path, reason: &impl std::fmt::Display) -> Message {
+    error!("cannot-write-file", file = path.display().to_string(), reason = reason.to_string())
+}
+
 /// Writes a file under a temporary name, syncs and renames it, so that an interruption at any
 /// moment loses nothing.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
@@ -103,7 +108,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<T>) -> Result<T> {
     let fail = |e: anyhow::Error| match e.downcast::<Problems>() {
         Ok(problems) => problems,
-        Err(e) => Message::error(format!("cannot write `{}`: {e}", path.display())).into(),
+        Err(e) => cannot_write(path, &e).into(),
     };
     std::fs::create_dir_all(parent(path)).map_err(|e| fail(e.into()))?;
     let _lock = Lock::take(path)?;
@@ -136,8 +141,7 @@ pub fn write_all<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Resul
 /// Like [`write_all`], but fails if any of the files exists.
 pub fn write_new<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
     if let Some(path) = files.iter().map(|(name, _)| folder.join(name)).find(|path| path.exists()) {
-        let message = Message::error(format!("`{}` is there already", path.display()));
-        return Err(message.hint("name a new folder").into());
+        return Err(error!("file-exists", file = path.display().to_string()).into());
     }
     write_all(folder, files)
 }
@@ -171,13 +175,12 @@ impl Lock {
     /// Takes the lock, waiting up to ten seconds for another process.
     pub fn take(of: &Path) -> Result<Self> {
         let path = beside(of, "lock");
-        let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", of.display()));
+        let fail = |e: std::io::Error| cannot_write(of, &e);
         for _ in 0..200 {
             // links, devices and files with a second name are not touched
             if std::fs::symlink_metadata(&path).is_ok_and(|found| !is_lock(&found)) {
-                let other = std::io::Error::other(format!("`{}` is not a lock of etalon", path.display()));
-                let message = fail(other).expected("a regular file with one name");
-                return Err(message.hint("remove it: etalon needs this name while it writes").into());
+                let (file, lock) = (of.display().to_string(), path.display().to_string());
+                return Err(error!("lock-foreign", file, lock).into());
             }
             let file = open_lock(&path).map_err(fail)?;
             match file.try_lock() {
@@ -194,8 +197,7 @@ impl Lock {
             }
         }
         let holder = std::fs::read_to_string(&path).unwrap_or_default();
-        let message = Message::error(format!("process {holder} is writing `{}`", of.display()));
-        Err(message.hint("wait until it has ended").into())
+        Err(error!("locked", process = holder, file = of.display().to_string()).into())
     }
 }
 
@@ -248,9 +250,8 @@ pub fn refuse_overwriting<'a>(
     for path in written {
         let Ok(place) = path.canonicalize() else { continue };
         if let Some(input) = read.clone().into_iter().find(|input| input.canonicalize().is_ok_and(|p| p == place)) {
-            let message =
-                Message::error(format!("`{}` would be written over the input `{}`", path.display(), input.display()));
-            return Err(message.hint("name another file").into());
+            let (output, input) = (path.display().to_string(), input.display().to_string());
+            return Err(error!("output-is-input", output, input).into());
         }
     }
     Ok(())

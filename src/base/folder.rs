@@ -3,6 +3,7 @@
 
 use super::files::{Lock, beside, parent, write_synced};
 use super::message::{Message, Problems, Result};
+use crate::error;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -69,7 +70,7 @@ impl FolderLock {
 }
 
 fn cannot_write(folder: &Path, e: &io::Error) -> Message {
-    Message::error(format!("cannot write the folder `{}`: {e}", folder.display()))
+    error!("cannot-write-folder", folder = folder.display().to_string(), reason = e.to_string())
 }
 
 /// Removes the remains of an interrupted run.

@@ -3,6 +3,7 @@
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 pub mod bounds;
+pub mod catalogue;
 pub mod cell;
 pub mod country;
 pub mod date;

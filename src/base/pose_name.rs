@@ -2,6 +2,8 @@
 
 use super::cell::is_formula;
 use super::message::Message;
+use crate::catalogue::{Argument, IntoArgument};
+use crate::error;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -53,18 +55,14 @@ impl PoseName {
         if let Ok(number) = name.parse() {
             return Ok(Self::Number(number));
         }
-        let wrong = |what: String| Err(Message::error(what).expected("a whole number, or a name like `home` or `A-3`"));
         if name.is_empty() {
-            return wrong("the pose has no name".to_owned());
+            return Err(error!("pose-name-empty"));
         }
         if name.len() > LONGEST {
-            return wrong(format!("the name of a pose has {} characters", name.chars().count()));
+            return Err(error!("pose-name-too-long", characters = name.chars().count(), most = LONGEST));
         }
         if name.contains(char::is_control) || is_formula(name) {
-            return wrong(format!(
-                "the pose `{}` would be a formula or a line of its own in a table",
-                name.escape_debug()
-            ));
+            return Err(error!("pose-name-unprintable", name = name.escape_debug().to_string()));
         }
         let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(Self::Text(texts.get(name).copied().unwrap_or_else(|| {
@@ -108,14 +106,16 @@ pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Optio
             continue;
         }
         if let Some(other) = by_spelling.insert(name.folded(), name) {
-            let what = format!("`{other}` and `{name}` differ only in capital letters, blanks, `_`, `-` or zeros");
-            return Some((
-                Message::error(what).hint("one pose has one name: write it the same in every row and file"),
-                i,
-            ));
+            return Some((error!("pose-name-two-spellings", first = other, second = name), i));
         }
     }
     None
+}
+
+impl IntoArgument for PoseName {
+    fn argument(&self) -> Argument {
+        self.to_string().argument()
+    }
 }
 
 impl Default for PoseName {
@@ -288,7 +288,8 @@ mod tests {
         let found = |names: &[&str]| two_spellings(names.iter().map(|name| PoseName::new(name).ok()));
         for pair in [["P1", "p1"], ["P01", "P1"], ["P_1", "P-1"], ["home", "Home"], ["pose 2", "pose2"]] {
             let (message, at) = found(&["7", pair[0], "A1", "B1", pair[1]]).unwrap();
-            assert!(message.what.contains(pair[0]) && message.what.contains(pair[1]) && at == 4, "{}", message.what);
+            let names: [(&str, &dyn IntoArgument); 2] = [("first", &pair[0]), ("second", &pair[1])];
+            assert!(message.is("pose-name-two-spellings", &names) && at == 4, "{message:?}");
         }
         assert!(found(&["7", "07", "P7", "P70", "A1", "B1", "10", "10b", "P1"]).is_none());
     }

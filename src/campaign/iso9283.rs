@@ -1,7 +1,8 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
 use super::Campaign;
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::{Format, dialect::Unit};
 use schemars::JsonSchema;
@@ -159,8 +160,6 @@ impl StreamDefinition {
         if self.format.is_some() == self.unit.is_some() {
             return Problems::default();
         }
-        let message = Message::error("a recording with a `format` needs its `unit`, and only then one");
-        let message = message.hint("without both it is a table time_s,x_mm,y_mm,z_mm, whose header states the units");
-        message.at(campaign.place(&self.name)).into()
+        error!("recording-unit").at(campaign.place(&self.name)).into()
     }
 }

@@ -22,8 +22,9 @@ pub use selection::{Selection, Selections, StatedPoses};
 pub use toml_file::UnreadKeys;
 pub use types::*;
 
+use etalon_base::error;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result, SourceText};
+use etalon_base::message::{Place, Problems, Result, SourceText};
 use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_identify::{FrameError, Settings, Systematic};
@@ -83,8 +84,7 @@ impl Campaign {
     pub fn recover(path: &Path) -> Result<(Option<Self>, Problems)> {
         let path = if path.is_dir() { path.join("campaign.toml") } else { path.to_owned() };
         if !path.is_file() {
-            let what = format!("there is no campaign `{}`", path.display());
-            return Err(Message::error(what).hint("`etalon init FOLDER` writes one to start from").into());
+            return Err(error!("campaign-missing", file = path.display().to_string()).into());
         }
         let (text, stamp) = files::read_statement(&path)?;
         let name = path.display().to_string();
@@ -236,7 +236,14 @@ impl Campaign {
             true => vec!["target".to_owned()],
             false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
         };
-        self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
+        let built = match self.robot.build(&targets) {
+            // a robot without targets of its own
+            Err(_) if targets.is_empty() && !self.file.stated_targets().is_empty() => {
+                self.robot.build(&self.file.stated_targets())
+            }
+            built => built,
+        };
+        built.map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
     /// Poses of `calibration` and `validation`.

@@ -1,5 +1,6 @@
 //! Paths in a campaign: inside its folder, or below a named environment variable.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 use std::path::{Component, Path, PathBuf};
 
@@ -19,16 +20,14 @@ pub(super) fn resolve(folder: &Path, file: &str) -> Result<PathBuf, Message> {
         Some((name, rest)) => match std::env::var_os(name) {
             Some(root) => (PathBuf::from(root), rest),
             None => {
-                return Err(Message::error(format!("the environment has no `{name}`"))
-                    .hint(format!("set {name} to the folder that holds `{rest}`")));
+                return Err(error!("environment-missing", name, file = rest));
             }
         },
         None => (folder.to_owned(), file),
     };
     let inside = Path::new(rest).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
     if !inside {
-        return Err(Message::error(format!("`{file}` leaves the folder of the campaign"))
-            .expected("a path inside the campaign's folder, or one that starts with `$NAME/`"));
+        return Err(error!("path-outside", file));
     }
     Ok(root.join(rest))
 }

@@ -3,6 +3,7 @@
 use super::toml_file::{self, Recovered, UnreadKeys};
 use super::urdf::{self, Urdf};
 use super::{paths, robot_faults, robot_keys};
+use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_robots::{
@@ -343,8 +344,8 @@ impl RobotFile {
             let place = Place::span(name.as_str(), text, span);
             let owner =
                 MODELS.into_iter().find(|other| robot_keys::paths(&other.keys()).iter().any(|own| *own == path));
-            let message = Message::error(format!("`{key}` means nothing for this model")).at(place);
-            odd.push(message.hint(format!("it belongs to `model = \"{}\"`", owner.map_or("", |owner| owner.name))));
+            let model = owner.map_or("", |owner| owner.name);
+            odd.push(error!("key-of-other-model", key, model).at(place));
         }
         odd.dedup();
         Problems(odd)
@@ -361,15 +362,15 @@ impl RobotFile {
         for (name, value) in &self.nominal {
             let Some(i) = robot.index(name) else {
                 let names = robot.parameters().iter().map(|p| p.name.as_str());
-                let what = format!("[nominal] names `{name}`, which is not a parameter of this robot");
-                problems.0.push(Message::error(what).at(self.place(&["nominal", name])).hint_names(name, names));
+                let message = error!("nominal-unknown", parameter = name).at(self.place(&["nominal", name]));
+                problems.0.push(message.hint_names(name, names));
                 continue;
             };
             let p = &robot.parameters()[i];
             // the mirrored arm fits the measurements equally well
             let is_length = p.quantity == Quantity::Length && p.role == Role::Robot && p.nominal > 0.0;
             if is_length && !geometry_is_stated && *value <= 0.0 {
-                let message = Message::error(format!("the length `{name}` must be positive"));
+                let message = error!("nominal-length-not-positive", parameter = name);
                 problems.0.push(message.at(self.place(&["nominal", name])));
             }
             values[i] = p.quantity.inward(*value);
@@ -387,16 +388,15 @@ impl RobotFile {
         for (name, &value) in &self.tolerance {
             let place = || self.place(&["tolerance", name]);
             if !(value > 0.0 && value.is_finite()) {
-                let what = format!("the tolerance `{name}` must be positive");
-                problems.0.push(Message::error(what).at(place()));
+                problems.0.push(error!("tolerance-not-positive", parameter = name).at(place()));
             }
             let kind = KINDS.iter().find(|(key, _)| key == name).map(|(_, quantity)| *quantity);
             let of_kind = |p: &&mut Parameter| kind == Some(p.quantity) && p.role == Role::Robot;
             definition.parameters.iter_mut().filter(of_kind).for_each(|p| p.state_tolerance(value));
             if kind.is_none() && definition.parameters.iter().all(|p| p.name != *name) {
                 let names = KINDS.iter().map(|k| k.0).chain(definition.parameters.iter().map(|p| p.name.as_str()));
-                let what = format!("`tolerance` names `{name}`, which is not a parameter of this robot");
-                problems.0.push(Message::error(what).at(place()).hint_names(name, names));
+                let message = error!("tolerance-unknown", parameter = name).at(place());
+                problems.0.push(message.hint_names(name, names));
             }
         }
         for parameter in &mut definition.parameters {
@@ -417,9 +417,7 @@ impl RobotFile {
         if names.is_empty() {
             return None;
         }
-        let what = format!("[nominal] does not state {}", names.join(", "));
-        let message = Message::error(what).at(self.place(&["nominal"]));
-        Some(message.hint("state the geometry of your machine as it is drawn, in mm: it is never guessed"))
+        Some(error!("nominal-missing", parameters = names).at(self.place(&["nominal"])))
     }
 }
 
@@ -435,11 +433,12 @@ mod tests {
             problems.0.extend(built.err().unwrap_or_default().0);
         }
         let line = |m: &Message| m.place.as_ref().and_then(|p| p.line);
-        problems
-            .0
-            .iter()
-            .map(|m| line(m).map_or_else(|| m.what.clone(), |line| format!("{line}: {}", m.what)))
-            .collect()
+        let named = |m: &Message| {
+            let key = ["key", "keys", "text", "fault"].into_iter().find_map(|name| m.arguments.get(name));
+            format!("{} {}", m.id, key.map_or_else(String::new, |key| format!("{key:?}")))
+        };
+        let placed = |m: &Message| line(m).map_or_else(|| named(m), |line| format!("{line}: {}", named(m)));
+        problems.0.iter().map(placed).collect()
     }
 
     const DH: &str = "[[joint]]\nalpha_deg = 0\na_mm = 0\ntheta_deg = 0\nd_mm = 300\n";
@@ -472,56 +471,56 @@ mod tests {
     fn faults_are_worded_with_the_keys_and_places_of_the_file() {
         let serial = |more: &str| errors(&format!("model = \"serial\"\n{more}"));
         for (found, expected) in [
-            (serial(""), &["a serial arm needs its joints"][..]),
-            (serial("convention = \"PoE\"\n"), &["2: unknown variant `PoE`", "a serial arm needs its joints"]),
+            (serial(""), &["no-joints"][..]),
+            (serial("convention = \"PoE\"\n"), &["2: unknown-variant Text(\"PoE\")", "no-joints"]),
             (
                 serial(&format!("bending = [1, 3, 1]\ncoupling = [[1, 1]]\ngravity = [0, 0, 0]\n{DH}")),
                 &[
-                    "2: there is no joint 3",
-                    "2: joint 1 is there twice",
-                    "3: joint 1 is coupled with itself: that is its gain",
-                    "4: `gravity` has no direction",
+                    "2: joint-reference-wrong Text(\"unknown-number\")",
+                    "2: joint-reference-wrong Text(\"twice\")",
+                    "3: joint-reference-wrong Text(\"itself\")",
+                    "4: gravity-without-direction",
                 ],
             ),
             (
                 serial(&DH.replace("a_mm = 0", "alpha_rad = 0\npoint_m = [0, 0, 0]")),
                 &[
-                    "2: `alpha_deg` and `alpha_rad` state the same: leave one of them out",
-                    "2: the key `a_mm` is missing in `joint`",
-                    "2: `point_m` is not a Denavit-Hartenberg parameter",
+                    "2: keys-state-the-same List([Text(\"`alpha_deg`\"), Text(\"`alpha_rad`\")])",
+                    "2: joint-key-missing Text(\"a_mm\")",
+                    "2: not-denavit-hartenberg Text(\"point_m\")",
                 ],
             ),
             (
                 serial(&format!("convention = \"poe\"\n{DH}")),
                 &[
-                    "3: a screw axis has neither Denavit-Hartenberg parameters nor `parallel`",
-                    "3: the key `direction` is missing in `joint`",
-                    "3: the key `point_mm` is missing in `joint`",
-                    "2: screw axes need the pose of the flange at zero joints: the key `flange_xyz_mm` is missing",
+                    "3: not-screw-axis",
+                    "3: joint-key-missing Text(\"direction\")",
+                    "3: joint-key-missing Text(\"point_mm\")",
+                    "2: flange-missing Text(\"flange_xyz_mm\")",
                 ],
             ),
-            (
-                serial(&format!("flange_xyz_mm = [0, 0, 0]\n{DH}")),
-                &["2: `flange_xyz_mm` means nothing for Denavit-Hartenberg parameters"],
-            ),
+            (serial(&format!("flange_xyz_mm = [0, 0, 0]\n{DH}")), &["2: flange-of-table Text(\"flange_xyz_mm\")"]),
             (
                 serial(&format!("leg = 1\nrod_mm = 3\n{DH}lenght = 3\n")),
                 &[
-                    "9: unknown key `lenght`",
-                    "3: `rod_mm` means nothing for this model",
-                    "2: `leg` means nothing for this model",
+                    "9: unknown-key List([Text(\"`lenght`\")])",
+                    "3: key-of-other-model Text(\"rod_mm\")",
+                    "2: key-of-other-model Text(\"leg\")",
                 ],
             ),
             (
                 errors("model = \"delta\"\nbase_radius_mm = 200\nplatform_radius_mm = 50\nrod_mm = 0\n"),
-                &["the key `upper_arm_mm` is missing"],
+                &["key-missing Text(\"upper_arm_mm\")"],
             ),
             (
                 errors("model = \"delta_linear\"\nbase_radius_mm = 2\nplatform_radius_mm = 5\nrod_mm = 0\n"),
-                &["4: `rod_mm` must be positive"],
+                &["4: key-not-positive Text(\"rod_mm\")"],
             ),
-            (errors("model = \"hexapod\"\nhome_xyz_mm = [0, 0, 1]\n"), &["a hexapod has six legs, the file states 0"]),
-            (errors("model = \"five_bar\"\n[reach]\ntheta1_deg = 3\n"), &["3: `theta1_deg` is 3"]),
+            (errors("model = \"hexapod\"\nhome_xyz_mm = [0, 0, 1]\n"), &["leg-count"]),
+            (
+                errors("model = \"five_bar\"\n[reach]\ntheta1_deg = 3\n"),
+                &["3: value-of-other-kind Text(\"theta1_deg\")"],
+            ),
         ] {
             let text = found.join("\n");
             assert!(found.len() >= expected.len(), "{text}");

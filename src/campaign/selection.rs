@@ -1,6 +1,7 @@
 //! Selection of poses: `"1-8, 12, home"`, `["home", "P3", "5-9"]`, `"all"`, `"rest"`, or
 //! `"index mod 10 < 7"`.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -120,11 +121,7 @@ impl Selections {
 impl Selection {
     /// Reads a selection.
     pub fn parse(stated: &StatedPoses) -> Result<Self, Message> {
-        let wrong = || {
-            Message::error(format!("`{stated}` names no poses")).expected(
-                "names and ranges like \"1-8, 12, home\", a list of them, \"all\", \"rest\" or \"index mod 10 < 7\"",
-            )
-        };
+        let wrong = || error!("selection-empty", stated = stated.to_string());
         let text = match stated {
             StatedPoses::Text(text) => text,
             StatedPoses::List(names) => {

@@ -1,7 +1,9 @@
 //! Reading of a TOML file with all its problems at once, by JSON Schema: an entry that does not fit
 //! is reported and removed, a missing entry is reported and replaced, and the rest is read.
 
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
+use etalon_base::{error, phrase};
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -131,8 +133,8 @@ impl<'a> Check<'a> {
     fn finite(&mut self, value: &Spanned<DeValue>) {
         match value.get_ref() {
             DeValue::Float(number) if number.as_str().contains(['n', 'i']) => {
-                let what = format!("`{}` is not a measured value", self.text.get(value.span()).unwrap_or(""));
-                self.problems.push(Message::error(what).at(self.place(value.span())).expected("a finite number"));
+                let message = error!("not-a-measured-value", value = self.text.get(value.span()).unwrap_or(""));
+                self.problems.push(message.at(self.place(value.span())));
             }
             DeValue::Array(array) => array.iter().for_each(|v| self.finite(v)),
             DeValue::Table(table) => table.values().for_each(|v| self.finite(v)),
@@ -226,19 +228,20 @@ impl<'a> Check<'a> {
 
     /// Reports a value of a wrong kind.
     fn odd_kind(&mut self, value: &Spanned<DeValue>, all: &[&Value]) -> bool {
-        let kind = match value.get_ref() {
-            DeValue::String(_) => "a text".to_owned(),
-            DeValue::Integer(number) => number.as_str().to_owned(),
-            DeValue::Float(number) => number.as_str().to_owned(),
-            DeValue::Boolean(truth) => truth.to_string(),
-            DeValue::Datetime(_) => "a date without quotation marks".to_owned(),
-            DeValue::Array(array) => format!("a list of {}", array.len()),
-            DeValue::Table(_) => "a table".to_owned(),
+        let kind = |kind: &str, length: usize| phrase!("kind-of-value", kind, length).argument();
+        let found = match value.get_ref() {
+            DeValue::Integer(number) => number.as_str().argument(),
+            DeValue::Float(number) => number.as_str().argument(),
+            DeValue::Boolean(truth) => truth.to_string().argument(),
+            DeValue::String(_) => kind("text", 0),
+            DeValue::Datetime(_) => kind("date", 0),
+            DeValue::Array(array) => kind("list", array.len()),
+            DeValue::Table(_) => kind("table", 0),
         };
         let name = self.path.iter().rfind(|key| key.parse::<usize>().is_err());
-        let of = if self.path.last() == name { "" } else { "an element of " };
-        let what = format!("{of}`{}` is {kind}", name.map_or("", String::as_str));
-        let message = Message::error(what).at(self.place(value.span()));
+        let element = if self.path.last() == name { "no" } else { "yes" };
+        let key = name.map_or("", String::as_str);
+        let message = error!("value-of-other-kind", element, key, found).at(self.place(value.span()));
         self.problems.push(message.expected(joined(all.iter().flat_map(|s| kinds(s)).collect())));
         false
     }
@@ -252,10 +255,12 @@ impl<'a> Check<'a> {
             return true;
         }
         let names: Vec<&str> = known.iter().filter_map(|v| v.as_str()).collect();
-        let message = Message::error(format!("unknown variant `{text}`")).at(self.place(span));
+        let message = error!("unknown-variant", text).at(self.place(span));
         let message = message.expected(joined(self.alternatives(schema).into_iter().flat_map(kinds).collect()));
-        let near = nearest(text, names.iter().copied()).map(|name| format!("did you mean `{name}`?"));
-        self.problems.push(Message { hint: near, ..message });
+        self.problems.push(match nearest(text, names.iter().copied()) {
+            Some(_) => message.hint_names(text, names),
+            None => message,
+        });
         false
     }
 
@@ -439,16 +444,14 @@ fn covers(outer: &Range<usize>, span: &Range<usize>) -> bool {
 /// Message for a missing key of a section.
 pub(super) fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, section: &[String]) -> Message {
     let name = section.iter().rfind(|key| key.parse::<usize>().is_err());
-    let of = name.map(|s| format!(" in `{s}`")).unwrap_or_default();
+    let (has_section, section_name) = name.map_or(("no", ""), |name| ("yes", name.as_str()));
     let place = if section.is_empty() { Place::file(file) } else { Place::span(file, text, span.clone()) };
-    let message = Message::error(format!("the key `{key}` is missing{of}")).at(place);
+    let message = error!("key-missing", key, has_section, section = section_name).at(place);
     let hint = match (key, section) {
-        ("unit", _) => "state the length unit of the file: \"mm\", \"m\", \"um\" or \"inch\"; it is never guessed",
-        ("expanded_uncertainty_um" | "coverage_factor" | "instrument", _) => {
-            "[instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate"
-        }
-        ("file", _) => "name the file, in the folder of the campaign",
-        (_, []) => "`etalon init FOLDER` writes a campaign with all keys to copy from",
+        ("unit", _) => phrase!("state-unit"),
+        ("expanded_uncertainty_um" | "coverage_factor" | "instrument", _) => phrase!("state-instrument"),
+        ("file", _) => phrase!("state-file"),
+        (_, []) => phrase!("copy-keys"),
         _ => return message,
     };
     message.hint(hint)
@@ -459,8 +462,8 @@ fn wrong(file: &str, text: &str, error: &Error) -> Message {
     let what = error.message().lines().collect::<Vec<_>>().join(", ");
     let place = error.span().map_or_else(|| Place::file(file), |span| Place::span(file, text, span));
     match what.split_once(", expected ") {
-        Some((what, expected)) => Message::error(what).at(place).expected(expected),
-        None => Message::error(what).at(place),
+        Some((reason, expected)) => error!("toml-invalid", reason).at(place).expected(expected),
+        None => error!("toml-invalid", reason = what).at(place),
     }
 }
 
@@ -471,10 +474,8 @@ fn syntax(file: &str, text: &str, errors: &[Error]) -> Problems {
         errors.iter().partition(|e| e.message().contains("duplicate key"));
     let mut problems: Vec<Message> = others.into_iter().map(|e| wrong(file, text, e)).collect();
     if let Some(first) = twice.first() {
-        let hint = "a table among several begins with its head in double brackets, like `[[joint]]`: is one missing before it?";
-        let more = if twice.len() > 1 { format!(", and {} keys after it", twice.len() - 1) } else { String::new() };
-        let message = wrong(file, text, first).hint(hint);
-        problems.push(Message { what: format!("this table has the key twice{more}"), ..message });
+        let place = wrong(file, text, first).place;
+        problems.push(Message { place, ..error!("table-key-twice", more = twice.len() - 1) });
     }
     problems.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
     Problems(problems)
@@ -508,17 +509,8 @@ impl Unknown {
     }
 }
 
-/// Remedies for keys that were once valid, or that belong elsewhere.
-const REMEDIES: [(&str, &str); 2] = [
-    (
-        "base_turn_y_deg",
-        "delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular",
-    ),
-    (
-        "station",
-        "stations of an instrument are a column `station` of a table of observations: [observations] instead of exports and log",
-    ),
-];
+/// Keys of earlier versions and of other sections, each with a hint of its own.
+const REMEDIES: [&str; 2] = ["base_turn_y_deg", "station"];
 
 /// Errors for unknown keys; several keys of one section without similar known keys share one error.
 fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown>) -> Vec<Message> {
@@ -527,15 +519,14 @@ fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown
     let message = |group: &[Unknown]| {
         let first = group.first()?;
         let names: Vec<String> = group.iter().map(|key| format!("`{}`", key.key)).collect();
-        let s = if names.len() > 1 { "s" } else { "" };
-        let message = Message::error(format!("unknown key{s} {}", names.join(", ")));
+        let message = error!("unknown-key", count = names.len(), keys = names);
         let message = message.at(Place::span(file, text, first.span.clone()));
         Some(if first.stray() && !first.section.is_empty() && top.contains(&first.key) {
-            message.hint(format!("`{}` belongs at the top, before the first section", first.key))
+            message.hint(phrase!("key-belongs-at-top", key = first.key))
         } else if names.len() > 1 {
-            message.hint("is the head of their table missing, like `[section]` or `[[joint]]`?")
-        } else if let Some((_, remedy)) = REMEDIES.iter().find(|(key, _)| *key == first.key) {
-            message.hint(*remedy)
+            message.hint(phrase!("table-head-missing"))
+        } else if REMEDIES.contains(&first.key.as_str()) {
+            message.hint(phrase!("key-remedy", key = first.key))
         } else {
             message.hint_names(&first.key, first.known.iter().map(String::as_str))
         })

@@ -4,6 +4,7 @@
 use super::robot_faults;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
+use etalon_base::{error, phrase};
 use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;
@@ -46,11 +47,11 @@ impl Urdf {
 pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
     if let Some(at) = text.find("<xacro:") {
-        return Err(xacro(xml.error(at, "the file holds macros of xacro, which are not expanded"), file).into());
+        return Err(xacro(error!("urdf-xacro").at(xml.place(at)), file).into());
     }
     let root = xml.root().filter(|root| root.name() == "robot");
     let Some(root) = root else {
-        return Err(xml.error(0, "the file is not a URDF").expected("the element <robot>").into());
+        return Err(error!("urdf-no-robot").at(xml.place(0)).into());
     };
     let mut problems = Problems::default();
     let (mut tree, mut places) = (Tree::default(), Vec::new());
@@ -67,14 +68,13 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
         }
     }
     for (i, joint) in tree.joints.iter().enumerate() {
-        let error = |what: String| Message::error(what).at(places[i].clone());
+        let place = || places[i].clone();
         if tree.joints[..i].iter().any(|other| other.name == joint.name) {
-            problems.0.push(error(format!("there are two joints `{}`", joint.name)).hint("rename one of them"));
+            problems.0.push(error!("urdf-joint-twice", joint = joint.name).at(place()));
         }
         for link in [&joint.parent, &joint.child] {
             if tree.links.iter().all(|l| l.name != *link) {
-                let message =
-                    error(format!("joint `{}` names the link `{link}`, which the file does not have", joint.name));
+                let message = error!("urdf-joint-link-unknown", joint = joint.name, link).at(place());
                 problems.0.push(message.hint_names(link, tree.links.iter().map(|l| l.name.as_str())));
             }
         }
@@ -87,7 +87,7 @@ fn xacro(message: Message, file: &str) -> Message {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let name = name.strip_suffix(".xacro").unwrap_or(name);
     let name = name.strip_suffix(".urdf").unwrap_or(name);
-    message.hint(format!("expand it: xacro {name}.urdf.xacro > {name}.urdf"))
+    message.hint(phrase!("expand-xacro", name))
 }
 
 fn link(node: Node, file: &str) -> Result<Link> {
@@ -101,7 +101,7 @@ fn link(node: Node, file: &str) -> Result<Link> {
 fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     let name = text(node, "name")?;
     let of = |child: &str| {
-        let missing = || node.error(format!("joint `{name}` has no <{child} link=\"...\"/>"));
+        let missing = || error!("urdf-joint-without-link", joint = name, child).at(node.place());
         text(node.child(child).ok_or_else(missing)?, "link")
     };
     let axis = node.child("axis").map_or(Ok([1.0, 0.0, 0.0]), |axis| vector(axis, "xyz", file, [1.0, 0.0, 0.0]));
@@ -111,7 +111,7 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     let limits = node.child("limit").filter(|_| limited).map(|limit| -> Result<[f64; 2]> {
         let [lower, upper] = [number(limit, "lower", file, 0.0)?, number(limit, "upper", file, 0.0)?];
         if lower > upper {
-            return Err(limit.error(format!("the limits of joint `{name}` are exchanged: {lower} to {upper}")).into());
+            return Err(error!("urdf-limits-exchanged", joint = name, lower, upper).at(limit.place()).into());
         }
         Ok([lower, upper])
     });
@@ -139,22 +139,22 @@ fn origin(node: Node, file: &str) -> Result<Pose> {
     let Some(origin) = node.child("origin") else { return Ok(Pose::identity()) };
     let [xyz, rpy] = [vector(origin, "xyz", file, [0.0; 3])?, vector(origin, "rpy", file, [0.0; 3])?];
     if rpy.iter().any(|angle| angle.abs() > TAU + 1e-3) {
-        let message = origin.error("angles of `rpy` beyond a full turn");
-        return Err(message.hint("angles of a URDF are radians: 90 degrees are 1.5707963267948966").into());
+        return Err(error!("urdf-angles-beyond-turn").at(origin.place()).into());
     }
     Ok(Pose::from_xyz_rpy(xyz.map(|m| 1000.0 * m), rpy))
 }
 
 fn text(node: Node, name: &str) -> Result<String> {
     let value = node.attribute(name).filter(|value| !value.trim().is_empty());
-    Ok(value.ok_or_else(|| node.error(format!("<{}> has no `{name}`", node.name())))?.into_owned())
+    let missing = || error!("urdf-attribute-missing", element = node.name(), attribute = name).at(node.place());
+    Ok(value.ok_or_else(missing)?.into_owned())
 }
 
 /// Numbers of an attribute, separated by blanks.
 fn numbers(node: Node, name: &str, file: &str) -> Result<Option<Vec<f64>>> {
     let Some(value) = node.attribute(name) else { return Ok(None) };
     let number = |word: &str| {
-        let wrong = node.error(format!("`{name}`: `{word}` is not a number"));
+        let wrong = error!("urdf-not-number", attribute = name, word).at(node.place());
         let wrong = if word.contains('$') { xacro(wrong, file) } else { wrong };
         word.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| Problems::from(wrong))
     };
@@ -165,7 +165,7 @@ fn number(node: Node, name: &str, file: &str, absent: f64) -> Result<f64> {
     match numbers(node, name, file)?.as_deref() {
         None => Ok(absent),
         Some([value]) => Ok(*value),
-        Some(_) => Err(node.error(format!("`{name}` is not one number")).into()),
+        Some(all) => Err(other_count(node, name, all.len(), 1).into()),
     }
 }
 
@@ -173,9 +173,10 @@ fn vector(node: Node, name: &str, file: &str, absent: Vector) -> Result<Vector> 
     match numbers(node, name, file)?.as_deref() {
         None => Ok(absent),
         Some([x, y, z]) => Ok([*x, *y, *z]),
-        Some(all) => {
-            let message = node.error(format!("`{name}` has {} numbers", all.len()));
-            Err(message.expected("three, separated by blanks").into())
-        }
+        Some(all) => Err(other_count(node, name, all.len(), 3).into()),
     }
+}
+
+fn other_count(node: Node, attribute: &str, count: usize, expected_count: usize) -> Message {
+    error!("urdf-number-count", attribute, count, expected_count).at(node.place())
 }

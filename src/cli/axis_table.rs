@@ -5,6 +5,7 @@ use super::kinematics::{identified, joint_names, whole_pose};
 use super::{Verdict, print, say};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::Pose;
@@ -194,9 +195,7 @@ impl AxisTable {
         let source = match &read {
             Read::Parameters(exported) => {
                 let given = exported.given(false);
-                let arm = given
-                    .robot
-                    .map_or_else(|| Err(Message::error("parameters.json needs --robot FILE").into()), whole_pose)?;
+                let arm = given.robot.map_or_else(|| Err(error!("robot-option-missing").into()), whole_pose)?;
                 let identified = identified(arm, given.parameters, &self.source)?;
                 calibrated = Calibrated { arm, nominal: arm.nominal(), identified };
                 self.of_robot(&calibrated)?
@@ -297,7 +296,7 @@ impl AxisTable {
             match (coordinate, joint(name)) {
                 (Some(i), _) => at[i] = *value,
                 (None, Some(i)) => near[i] = joints[i].quantity.inward(*value),
-                _ => return Err(Message::error(format!("the robot has no axis `{name}`")).into()),
+                _ => return Err(error!("axis-unknown", axis = name).into()),
             }
         }
         let [x, y, z, q @ ..] = at;
@@ -307,18 +306,15 @@ impl AxisTable {
             return Ok(Source::Pose { robot, at, bases, corrected });
         }
         let Some(all) = names().map(joint).collect::<Option<Vec<_>>>() else {
-            let columns = joints.iter().map(|joint| joint.column()).collect::<Vec<_>>().join(", ");
-            let message = Message::error("the axes of a table are all of x_mm, y_mm, z_mm, or all joints");
-            return Err(message.expected(format!("joints {columns}")).into());
+            let joints: Vec<String> = joints.iter().map(|joint| joint.column()).collect();
+            return Err(error!("axes-mixed", joints).into());
         };
         let (bases, corrected) = (all[..self.axes.len()].to_vec(), all[self.axes.len()]);
         let chain = robot.arm.joint_chain(&robot.nominal);
         let slides =
             |&joint: &usize| chain.as_ref().is_some_and(|chain| chain.joints.get(joint).is_some_and(|j| j.prismatic));
         if bases != [corrected] && !all.iter().all(slides) {
-            let message =
-                Message::error("a table of more than one joint needs joints that slide, one behind the other");
-            return Err(message.hint("use x_mm and y_mm: poses of the nominal robot").into());
+            return Err(error!("table-of-turning-joints").into());
         }
         Ok(Source::Joint { robot, joints: near, bases, corrected })
     }
@@ -328,10 +324,10 @@ impl AxisTable {
         let lead = geometric.leads.iter().find(|lead| *name == format!("rho{}_mm", lead.actuator));
         let missing = || {
             let measured = geometric.leads.iter().map(|lead| format!("rho{}_mm", lead.actuator)).collect::<Vec<_>>();
-            Message::error(format!("no lead of `{name}` was measured")).expected(measured.join(", "))
+            error!("lead-not-measured", axis = name, measured)
         };
         if self.axes.len() != 1 || self.corrected() != name {
-            return Err(Message::error("a lead is of one axis, which it corrects").into());
+            return Err(error!("lead-of-one-axis").into());
         }
         Ok(Source::Lead(lead.ok_or_else(missing)?))
     }
@@ -347,7 +343,7 @@ impl AxisTable {
         let mut columns = columns().map_err(|problems| file.place(problems))?;
         if columns.iter().flatten().any(|v| !v.is_finite()) {
             let place = Place::file(file.name.clone());
-            return Err(Message::error("a value is missing or not a number").at(place).into());
+            return Err(error!("table-value-missing").at(place).into());
         }
         let deviations = columns.pop().unwrap_or_default();
         for (axis, positions) in self.axes.iter_mut().zip(&columns) {
@@ -358,8 +354,7 @@ impl AxisTable {
         let at = |row: usize| columns.iter().map(|column| column[row]).collect::<Vec<_>>();
         let mut rows: Vec<(Vec<f64>, f64)> = deviations.iter().enumerate().map(|(row, d)| (at(row), *d)).collect();
         if rows.len() != self.axes.iter().map(|axis| axis.positions.len()).product::<usize>() {
-            let message = Message::error("the positions are not those of a grid").at(Place::file(file.name.clone()));
-            return Err(message.expected("one row for each position of each base axis").into());
+            return Err(error!("not-a-grid").at(Place::file(file.name.clone())).into());
         }
         // finite numbers, sorted for fast search
         rows.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(Ordering::Equal));
@@ -377,8 +372,7 @@ impl AxisTable {
             source.deviation(at, &mut near).map_err(|why| Message::error(format!("{}: {why}", place.join(", "))))
         };
         if let Some(axis) = self.axes.iter().find(|axis| axis.positions.is_empty()) {
-            let message = Message::error(format!("`{}` has no positions", axis.name));
-            return Err(message.expected(format!("--axis {}=FROM:TO:STEP", axis.name)).into());
+            return Err(error!("axis-without-positions", axis = axis.name).into());
         }
         let zero = if self.zero_at.is_empty() { 0.0 } else { deviation(&self.zero_at)? };
         let seconds: Vec<Vec<f64>> = match self.axes.get(1) {

@@ -3,7 +3,8 @@
 use super::report::Reports;
 use super::{Verdict, answer, remark};
 use crate::run::documents::{self, Documents};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_compare::{Compared, compare};
 use etalon_documents::to_json;
 use etalon_report::Faces;
@@ -39,7 +40,7 @@ impl Compare {
                 // the same folder under another name
                 Ok((place, read)) => match places.insert(place) {
                     true => all.push(read),
-                    false => problems.0.push(Message::error(format!("`{}` is named twice", read.folder))),
+                    false => problems.0.push(error!("campaign-twice", folder = read.folder)),
                 },
                 Err(more) => problems.0.extend(more.0),
             }

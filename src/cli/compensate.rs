@@ -7,8 +7,9 @@ use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Rank, Result, Severity, count};
 use etalon_base::pose::{Pose, minus, norm};
+use etalon_base::{error, phrase, warning};
 use etalon_controllers::Given;
 use etalon_controllers::commands::{
     self, Command, CommandLanguage, Configuration, DECIMALS, Freedoms, Galil, Program, ProgramTarget,
@@ -160,16 +161,17 @@ impl Compensate {
             (true, ..) => to_json(&answer)?,
             (_, Format::Csv | Format::Joints, _) => csv(&answer, format).into_bytes(),
             _ => {
-                let refused = answer.unreachable.iter().map(unreachable).map(|m| Message::error(m.what));
+                let refused = answer.unreachable.iter().map(unreachable);
+                let refused = refused.map(|m| Message { severity: Severity::Error, rank: Rank::Decide, ..m });
                 Problems(refused.collect()).check()?;
                 compensator.program(&given, &commands, &answer, source.program.as_ref())?
             }
         };
-        let changed = answer.targets.iter().filter(|t| !t.same_configuration).map(|t| {
-            let message = Message::warning(format!("target {}: the command is in another configuration", t.target));
-            message
-                .hint("its configuration data (working mode, confdata, Status and Turn) stay as they are: check them")
-        });
+        let changed = answer
+            .targets
+            .iter()
+            .filter(|t| !t.same_configuration)
+            .map(|t| warning!("configuration-changed", target = t.target));
         remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
         if let Some(ProgramSource { program, .. }) = &source.program {
             let left = count(program.joint_targets, "target");
@@ -178,9 +180,8 @@ impl Compensate {
                 count(answer.targets.len(), "target")
             ));
             if !program.computed.is_empty() {
-                let names = program.computed.iter().cloned().collect::<Vec<_>>().join(", ");
-                remark(&[Message::warning(format!("poses of {names} are left as they are"))
-                    .hint("what a program computes from compensated targets has their compensation, not its own")]);
+                let names: Vec<&String> = program.computed.iter().collect();
+                remark(&[warning!("poses-computed-by-program", names)]);
             }
         }
         let met = answer.unreachable.is_empty() && answer.targets.iter().all(|t| t.same_configuration);
@@ -193,8 +194,7 @@ impl Compensate {
         match commands::language_of(ending) {
             Some((name, language)) => {
                 if self.start.is_empty() && robot.arm.has_assembly_modes() {
-                    let message = Message::error("the program does not state which working mode the robot starts in");
-                    return Err(message.hint("state the joint values where it starts: --start N,N,+1").into());
+                    return Err(error!("working-mode-missing").into());
                 }
                 self.read_program(name, language, freedoms(robot.arm))
             }
@@ -211,18 +211,18 @@ impl Compensate {
         for (option, stated, names) in
             [("tool", self.tool.is_some(), &program.tools), ("object", self.object.is_some(), &program.objects)]
         {
-            let all = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-            if names.len() > 1 || (names.len() == 1 && !stated) {
-                let message = Message::error(format!("the program uses {all}"))
-                    .at(Place::file(self.targets.display().to_string()));
-                let one = format!("state its pose: --{option} x,y,z,qw,qx,qy,qz");
-                return Err(message
-                    .hint(if names.len() > 1 { "give the targets of each as a program of their own" } else { &one })
-                    .into());
+            let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            if all.len() > 1 || (all.len() == 1 && !stated) {
+                let next = match all.len() {
+                    1 => phrase!("state-pose-option", option),
+                    _ => phrase!("one-program-each"),
+                };
+                let place = Place::file(self.targets.display().to_string());
+                return Err(error!("program-frames", names = all).at(place).hint(next).into());
             }
         }
         if self.frame == Frame::World {
-            return Err(Message::error("targets of a program are not in the world").hint("use --object").into());
+            return Err(error!("program-in-world").into());
         }
         let target = |t: &ProgramTarget| Target {
             name: t.name.clone(),
@@ -264,8 +264,7 @@ impl Compensate {
     fn galil(&self, robot: &Calibrated) -> Result<Galil> {
         let axes = robot.arm.joints().len();
         if self.counts_per_unit.len() != axes || self.counts_per_unit.contains(&0.0) {
-            let message = Message::error(format!("`galil` needs the counts of {axes} axes for a mm or deg"));
-            return Err(message.hint("--counts-per-unit N,N").into());
+            return Err(error!("counts-missing", axes).into());
         }
         Ok(Galil { counts_per_unit: self.counts_per_unit.clone() })
     }
@@ -291,10 +290,10 @@ impl Compensate {
     /// Pose of the nominal robot's tool in the frame of the targets.
     fn nominal_pose(&self, robot: &Calibrated, joints: &[f64]) -> Result<Pose> {
         if self.frame == Frame::World {
-            return Err(Message::error("joint values are not in the world").hint("leave --frame out").into());
+            return Err(error!("joints-in-world").into());
         }
         let flange = robot.arm.tool_pose(&robot.nominal, joints);
-        let flange = flange.ok_or_else(|| Message::error("the nominal robot cannot be where the joints put it"))?;
+        let flange = flange.ok_or_else(|| error!("nominal-pose-unreachable"))?;
         Ok(self.object.unwrap_or(Pose::identity()).inverse().then(&flange).then(&self.tool.unwrap_or(Pose::identity())))
     }
 
@@ -305,14 +304,13 @@ impl Compensate {
             Frame::Base => object,
             Frame::World => {
                 let base = robot.arm.base_in_world(&robot.identified);
-                base.ok_or_else(|| Message::error(format!("`{}` has no base in the world", robot.arm.model())))?
-                    .inverse()
+                base.ok_or_else(|| error!("base-not-in-world", model = robot.arm.model()))?.inverse()
             }
         };
         let galil = (format == Format::Galil).then(|| self.galil(&robot)).transpose()?.unwrap_or_default();
         let start = self.start(&robot);
         if format == Format::Mecaprol && freedoms != Freedoms::Point {
-            return Err(Message::error(format!("Mecaprol commands a five-bar, not `{}`", robot.arm.model())).into());
+            return Err(error!("mecaprol-other-robot", model = robot.arm.model()).into());
         }
         let language = commands::language(&format.name());
         let tool = self.tool.unwrap_or(Pose::identity());
@@ -460,7 +458,7 @@ fn freedoms(arm: &dyn Kinematics) -> Freedoms {
 }
 
 fn unreachable(target: &UnreachableTarget) -> Message {
-    Message::warning(format!("target {}: {}", target.target, target.reason))
+    warning!("target-unreachable", target = target.target, reason = target.reason)
 }
 
 /// Parses x,y,z or x,y,z,qw,qx,qy,qz.

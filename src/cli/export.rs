@@ -7,6 +7,7 @@ use crate::run::validation::recommend;
 use crate::stages::given::{check_described, other_nominal};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Severity, printable};
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
@@ -71,15 +72,14 @@ impl ExportCommand {
             self.format
         };
         let exporter = |name: &String| {
-            let wrong = || Message::error(format!("`{name}` is not a controller format"));
+            let wrong = || error!("controller-format-unknown", name);
             etalon_controllers::by_name(name)
                 .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
         let hash = self.controller_hash.as_deref();
         if hash.is_some() && !wanted.iter().any(|name| name == "universal-robots") {
-            let message = Message::error("`--controller-hash` is for the format universal-robots");
-            return Err(Problems::from(message.hint("name it: --format universal-robots")).into());
+            return Err(Problems::from(error!("hash-of-other-format")).into());
         }
         let given = Given { controller_hash: hash, ..exported.given(self.force) };
         given.check()?;
@@ -107,14 +107,8 @@ impl ExportCommand {
 
 /// Warning about a file that was made from the covariance only.
 fn not_measured(file: &WrittenController) -> Option<Message> {
-    let what = format!(
-        "format `{}` does not hold {}: its file has the estimate conditioned on their nominal values, and its error was not measured",
-        file.format,
-        file.left_out.join(", ")
-    );
-    let hint =
-        format!("run the campaign with \"{}\" among its `controllers`, and export from its output folder", file.format);
-    (file.errors.is_none() && !file.left_out.is_empty()).then(|| Message::warning(what).hint(hint))
+    let message = || warning!("controller-error-not-measured", format = file.format, parameters = file.left_out);
+    (file.errors.is_none() && !file.left_out.is_empty()).then(message)
 }
 
 /// Parses the hash of a calibration as stated by a robot of Universal Robots.
@@ -128,10 +122,7 @@ fn controller_hash(text: &str) -> Result<String, String> {
 fn beside_no_run(to: &Path, files: &[(String, Vec<u8>)]) -> Result<Vec<String>, Problems> {
     let no_run = || match Documents::open(to) {
         Err(_) => Ok(()),
-        Ok(_) => {
-            let what = format!("a run wrote `{}` while files for a controller were made", to.display());
-            Err(Problems::from(Message::error(what).hint("repeat the command: they may be of earlier parameters")))
-        }
+        Ok(_) => Err(Problems::from(error!("run-while-exporting", folder = to.display().to_string()))),
     };
     no_run()?;
     let written = files::write_all(to, files)?;

@@ -4,7 +4,8 @@ use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, print_text, remark, say};
 use crate::stages::qif_fit::{ProbeStated, refit};
-use etalon_base::message::{Message, Place, Problems};
+use etalon_base::error;
+use etalon_base::message::{Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_documents::{FitDocument, to_json};
 use etalon_fit::{CircleMethod, Element, FitSettings, PackedPoints, Probe, Side, Source};
@@ -86,15 +87,10 @@ impl FitCommand {
         let texts = paths.iter().map(|path| Ok((path.display().to_string(), etalon_formats::text_in(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
-            let message = Message::error(format!("`{}` has no file to be fitted to", self.element));
-            return Err(message.hint(format!("name the file: etalon fit {} FILE", self.element)).into());
+            return Err(error!("fit-file-missing", element = self.element).into());
         }
         match texts.iter().find(|(_, text)| self.all_features() && !etalon_formats::qif::is_xml(text)) {
-            Some((file, _)) => {
-                let message = Message::error("the element is not stated, and the file is not QIF");
-                let hint = format!("state it: etalon fit ELEMENT {file}");
-                Err(message.at(Place::file(file)).hint(hint).into())
-            }
+            Some((file, _)) => Err(error!("fit-element-missing", file).at(Place::file(file)).into()),
             None => Ok(texts),
         }
     }
@@ -126,8 +122,7 @@ impl FitCommand {
     /// omitted.
     fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         if self.radius_mm.is_some() || self.text.stated() {
-            let message = Message::error("a QIF file has neither columns nor one radius for all its features");
-            return Err(message.hint("leave out --columns, --delimiter and --radius-mm").into());
+            return Err(error!("qif-with-columns").into());
         }
         let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
         let unit = self.text.stated_unit()?;
@@ -153,9 +148,7 @@ impl FitCommand {
             seen.dedup();
             let there = if seen.is_empty() { "none of any kind".to_owned() } else { seen.join(", ") };
             let kind = wanted.map_or("any element", Element::name);
-            let what = format!("no measured feature was fitted as {kind}");
-            let message = Message::error(what).expected("features with points that determine them");
-            return Err(message.hint(format!("features with points in the file: {there}")).into());
+            return Err(error!("no-feature-fitted", kind, seen = there).into());
         }
         Ok(documents)
     }
@@ -174,10 +167,7 @@ impl FitCommand {
             ("inside", _) => Ok(Some(Side::Inside)),
             ("outside", _) => Ok(Some(Side::Outside)),
             (_, Some(&[x, y, z])) => Ok(Some(Side::Towards([x, y, z]))),
-            _ => Err(Message::error(format!("--probe-side: `{text}` is not a side"))
-                .expected("inside, outside, or three numbers x,y,z towards the probe")
-                .hint("inside for a bore, outside for a shaft, 0,0,1 for a probe above a plane")
-                .into()),
+            _ => Err(error!("probe-side-unknown", text).into()),
         }
     }
 
@@ -186,14 +176,8 @@ impl FitCommand {
         match (self.probe_radius_mm, self.side()?) {
             (None, None) => Ok(None),
             (Some(radius_mm), Some(side)) => Ok(Some(Probe { radius_mm, side })),
-            (Some(_), None) => Err(Message::error("the side of the probe is not stated")
-                .expected("--probe-side inside, outside or x,y,z")
-                .hint("inside for a bore, outside for a shaft, the direction to the probe for a plane or line")
-                .into()),
-            (None, Some(_)) => Err(Message::error("--probe-side without a probe")
-                .expected("--probe-radius-mm")
-                .hint("state the qualified radius of the probe, or leave both out for contact points")
-                .into()),
+            (Some(_), None) => Err(error!("probe-side-missing").into()),
+            (None, Some(_)) => Err(error!("probe-radius-missing").into()),
         }
     }
 
@@ -234,13 +218,11 @@ impl FitCommand {
         let all = || (0..points.len()).map(|i| points.at(i)).collect::<Vec<Vector>>();
         let label = (!label.is_empty()).then(|| label.to_owned());
         if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
-            let message = Message::error(format!("{} is not compensated for a probe", self.element));
-            return Err(message.hint("leave out --probe-radius-mm and --probe-side").into());
+            return Err(error!("enclosing-with-probe", element = self.element).into());
         }
         match self.element.as_str() {
             "enclosing-circle" | "enclosing-sphere" if self.minimum_zone => {
-                let message = Message::error(format!("there is no minimum zone of an {}", self.element));
-                Err(message.hint("leave --minimum-zone out, or fit a circle2d or sphere").into())
+                Err(error!("enclosing-minimum-zone", element = self.element).into())
             }
             "enclosing-circle" => {
                 let plane: Vec<[f64; 2]> = all().iter().map(|p| [p[0], p[1]]).collect();

@@ -11,7 +11,8 @@ use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, count};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_base::{error, warning};
 use etalon_campaign::{Exclude, read_robot};
 use etalon_documents::to_json;
 use etalon_documents::{Effect, parameters_document};
@@ -144,8 +145,7 @@ impl IdentifyCommand {
             let (rows, reason) = Exclusion::of_option("--exclude-rows", text)?;
             let excluded = excluded_rows(&rows, &reason, 1..=left_out.len() as i64)?;
             excluded.iter().for_each(|row| left_out[*row as usize - 1] = true);
-            let what = format!("excluded: {}, rows {rows}: {reason}", count(excluded.len(), "row"));
-            messages.push(Message::warning(what));
+            messages.push(warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason));
         }
         observed.leave_out(&left_out)?;
         Ok(messages)
@@ -186,8 +186,7 @@ pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<
     if stated_um.is_none_or(|u| PLAUSIBLE_UM.contains(&u)) {
         return Ok(());
     }
-    let message = Message::error(format!("{option} is not an uncertainty of a coordinate in micrometres"));
-    Err(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um").into())
+    Err(error!("uncertainty-implausible", option).into())
 }
 
 /// Warning about unused columns.

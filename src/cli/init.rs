@@ -1,8 +1,9 @@
 //! Command `etalon init`.
 
 use super::{Verdict, print_written};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_campaign::{parse, read_urdf};
 use etalon_robots::{Joint, Quantity};
 use schemars::JsonSchema;
@@ -91,9 +92,7 @@ impl Init {
         let Known { robots } = parse("robots.toml", ROBOTS)?;
         let Some(robot) = robots.iter().find(|robot| robot.name == name) else {
             let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
-            let message = Message::error(format!("the geometry of `{name}` is not in the table of robots"));
-            let message = message.expected(names.join(", "));
-            return Err(Problems::from(message.hint("describe it by its URDF: --urdf FILE")).into());
+            return Err(Problems::from(error!("robot-not-in-table", name, names)).into());
         };
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
         let columns: String = robot.joints().iter().map(column).collect();

@@ -2,7 +2,8 @@
 
 use super::{Verdict, print};
 use crate::stages::table_file::TableFile;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::{AxisDocument, AxisPositioning, to_json};
 use etalon_formats::table;
@@ -78,23 +79,20 @@ fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
     let column = |name: &str| table::numbers(&file.table, name);
     let (programmed, measured, direction) = (column("position_mm")?, column("measured_mm")?, column("direction")?);
     if programmed.iter().chain(&measured).any(|v| !v.is_finite()) || direction.iter().any(|d| d.abs() != 1.0) {
-        let message = Message::error("a row has no position, no measured value or no direction");
-        return Err(message.expected("numbers, and +1 or -1 as `direction`").into());
+        return Err(error!("iso230-row-incomplete").into());
     }
     let mut all = programmed.clone();
     all.sort_by(f64::total_cmp);
     all.dedup();
     if all.is_empty() {
-        return Err(Message::error("the table has no rows").into());
+        return Err(error!("iso230-no-rows").into());
     }
     let position = |at: f64| {
         let runs = |side: f64| {
             let rows = (0..programmed.len()).filter(|&i| programmed[i] == at && direction[i] == side);
             let approach = Approach::new(&rows.map(|i| measured[i] - at).collect::<Vec<_>>());
-            approach.ok_or_else(|| {
-                let message = Message::error(format!("position {at} mm has fewer than two runs in direction {side:+}"));
-                message.expected("runs from either side, five by ISO 230-2")
-            })
+            let direction = format!("{side:+}");
+            approach.ok_or_else(|| error!("iso230-few-runs", position = at, direction))
         };
         Ok(AxisPosition::new(at, runs(1.0)?, runs(-1.0)?))
     };

@@ -7,7 +7,8 @@ use super::table_file::TableFile;
 use super::{Verdict, answer, check_positive, remark};
 use crate::stages::iso9283::pose::PoseTables;
 use crate::stages::iso9283::{limits, load};
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
+use etalon_base::{error, warning};
 use etalon_campaign::Limits;
 use etalon_documents::{Characteristics, DecisionRule, to_json};
 use etalon_report::Faces;
@@ -183,7 +184,7 @@ impl ByOptions {
             (_, Some(table), _) => compliance(table, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
             (.., Some(poses)) => self.pose.run(poses, commanded, self.seed, self.json),
-            _ => Err(Problems::from(Message::error("nothing to evaluate is stated")).into()),
+            _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
         }
     }
 }
@@ -195,7 +196,7 @@ impl PoseOptions {
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         if self.drift_set.is_some_and(|size| size < 2) {
-            return Err(Problems::from(Message::error("--drift-set must be at least 2")).into());
+            return Err(Problems::from(error!("drift-set-too-small")).into());
         }
         let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
         let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
@@ -218,10 +219,7 @@ impl PoseOptions {
         // a pose without such a value is undecided
         document.limits = limits(&stated, &document.poses).unwrap_or_default();
         if commanded.is_none() {
-            let what = "no commanded poses are stated: AP is not determined, and null; RP needs none";
-            document
-                .messages
-                .push(Message::warning(what).hint("state them with --commanded for AP, distances and drift"));
+            document.messages.push(warning!("commanded-missing"));
         }
         remark(&document.messages);
         let all = self.all || self.drift_set.is_some();

@@ -6,8 +6,9 @@ use crate::stages::given::robot_values;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
 use etalon_base::cell;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Pose;
+use etalon_base::{error, warning};
 use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
 use etalon_formats::table::{self, ASSEMBLY, QUATERNION, XYZ};
@@ -77,7 +78,7 @@ impl KinematicsCommand {
             Direction::Inverse => self.inverse(arm, &file, &mut document),
         }
         .map_err(|problems| file.place(problems))?;
-        let said = |u: &UnreachablePose| Message::warning(format!("pose {}: {}", u.pose, u.reason));
+        let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason);
         remark(&document.unreachable.iter().map(said).collect::<Vec<_>>());
         let verdict = Verdict::of(document.unreachable.is_empty());
         let inverse = self.direction == Direction::Inverse;
@@ -88,8 +89,7 @@ impl KinematicsCommand {
     fn inverse(&self, arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
         let nominal = arm.nominal();
         if !self.nearest && arm.joints().len() > 6 {
-            let message = Message::error(format!("{} joints reach a pose in infinitely many ways", arm.joints().len()));
-            return Err(message.hint("ask for one: --nearest").into());
+            return Err(error!("infinite-solutions", joints = arm.joints().len()).into());
         }
         let starts = starts(arm, file)?;
         let mut last = vec![0.0; arm.joints().len()];
@@ -117,7 +117,7 @@ impl KinematicsCommand {
 
 /// Kinematics of a robot; an error if the robot has no inverse kinematics of a whole pose.
 pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
-    let none = || Message::error(format!("`{}` has no kinematics of a whole pose", robot.model())).into();
+    let none = || error!("no-whole-pose", model = robot.model()).into();
     robot.kinematics().ok_or_else(none)
 }
 
@@ -162,7 +162,7 @@ fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
     let odd = rows.iter().zip(lines).filter(|(row, _)| row.iter().any(|v| !v.is_finite()));
     let message = |(_, line): (&Vec<f64>, i64)| {
         let place = Place { line: Some(line as usize), ..Place::default() };
-        Message::error("a value is missing or not a number").at(place)
+        error!("table-value-missing").at(place)
     };
     Problems(odd.map(message).collect()).check().map(|_| ())
 }
@@ -200,8 +200,7 @@ pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>>
         let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
         if (length - 1.0).abs() > LENGTH_ONE {
             let place = Place { line: Some(line as usize), ..Place::default() };
-            let message = Message::error(format!("the quaternion has the length {length:.4}")).at(place);
-            problems.0.push(message.expected("1: qw, qx, qy, qz of a rotation"));
+            problems.0.push(error!("table-quaternion-length", length).at(place));
         }
         Pose { translation_mm: [row[0], row[1], row[2]], ..Pose::from_quaternion(q) }
     };

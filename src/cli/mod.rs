@@ -8,6 +8,7 @@ mod batch;
 mod check;
 mod compare;
 mod compensate;
+mod explain;
 mod export;
 mod fit;
 mod fit_text;
@@ -31,6 +32,7 @@ mod verify;
 
 use crate::stages::table_file;
 use clap::{Parser, Subcommand};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
 use etalon_report::Faces;
@@ -78,6 +80,7 @@ enum Command {
     Report(report::ReportCommand),
     Compare(compare::Compare),
     Export(export::ExportCommand),
+    Explain(explain::Explain),
     Simulate(simulate::Simulate),
     Study(study::StudyCommand),
     Schema(schema::Schema),
@@ -120,6 +123,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Report(command) => command.run(),
         Command::Compare(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Explain(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Study(command) => command.run(),
         Command::Schema(command) => command.run(),
@@ -184,7 +188,7 @@ fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
 fn check_positive(option: &str, stated: Option<f64>) -> Result<(), Problems> {
     match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
         true => Ok(()),
-        false => Err(Message::error(format!("{option} must be positive")).into()),
+        false => Err(error!("option-not-positive", option).into()),
     }
 }
 

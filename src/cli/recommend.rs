@@ -4,8 +4,9 @@ use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
 use crate::run::validation::recommend;
 use crate::run::walk::presentation;
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_report::Faces;
@@ -33,8 +34,7 @@ pub struct Recommend {
 impl Recommend {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         if let Some(path) = self.write.as_deref().filter(|path| path.exists()) {
-            let message = Message::error(format!("`{}` is there already: nothing is written over it", path.display()));
-            return Err(Problems::from(message.hint("name another file, or remove it")).into());
+            return Err(Problems::from(error!("file-exists", file = path.display().to_string())).into());
         }
         self.reports.check(&self.write)?;
         let campaign = Campaign::read(&self.campaign)?;

@@ -2,8 +2,9 @@
 
 use super::{Verdict, print_written};
 use crate::run::documents::{self, Documents};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_controllers::CERTIFICATE;
 use etalon_documents::{Language, Presentation};
 use etalon_report::Faces;
@@ -96,8 +97,7 @@ fn kind(path: &Path) -> Result<String> {
         return Ok(ending);
     }
     let kinds: Vec<String> = etalon_report::kinds().map(|kind| format!(".{kind}")).collect();
-    let message = Message::error(format!("`{}` does not end like a report", path.display()));
-    Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
+    Err(error!("not-a-report", file = path.display().to_string(), endings = kinds).into())
 }
 
 impl ReportCommand {
@@ -108,7 +108,7 @@ impl ReportCommand {
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
             (Some(folder), None) => write_report(folder, &self.dressed, self.certificate)?,
-            (None, None) => return Err(Problems::from(Message::error("no folder is stated")).into()),
+            (None, None) => return Err(Problems::from(error!("report-folder-missing")).into()),
         };
         print_written(written, self.json)?;
         Ok(Verdict::Met)

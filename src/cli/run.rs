@@ -3,7 +3,8 @@
 use super::{Verdict, print_with, remark, say};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
-use etalon_base::message::{Message, printable};
+use etalon_base::message::printable;
+use etalon_base::warning;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use std::path::PathBuf;
@@ -36,10 +37,7 @@ impl Run {
                 let earlier = campaign.output().and_then(|folder| Documents::open(&folder)).ok();
                 let report = earlier.map(|earlier| earlier.path("report.html"));
                 if let Some(report) = report.filter(|report| report.is_file()) {
-                    let place = report.display();
-                    let what = format!("nothing is written: `{place}` and the files beside it are of an earlier run");
-                    let hint = "do not load its controller files as if they were of this one";
-                    remark(&[Message::warning(what).hint(hint)]);
+                    remark(&[warning!("earlier-run-left", report = report.display().to_string())]);
                 }
                 Err(problems.into())
             }

@@ -1,7 +1,8 @@
 //! Options for reading a text of points.
 
 use super::table_file::TableFile;
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 use etalon_formats::dialect::FromRow;
 use etalon_formats::dialect::{ColumnRole, Decimal, Delimiter, Dialect, Header, Unit};
 use etalon_formats::{Format, TableLayout};
@@ -40,10 +41,7 @@ impl TextFormat {
 
     /// Mandatory unit.
     pub fn unit(&self) -> Result<Unit, Problems> {
-        self.stated_unit()?.ok_or_else(|| {
-            let message = Message::error("the files do not say their length unit");
-            message.hint("state it: --unit mm, m, um or inch; it is never guessed").into()
-        })
+        self.stated_unit()?.ok_or_else(|| error!("option-unit-missing").into())
     }
 
     /// Stated columns, by default PolyWorks text.
@@ -93,7 +91,7 @@ impl TableFormat {
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
         let column = |text: &String| match text.split_once('=') {
             Some((name, heading)) => Ok((name.trim().to_owned(), heading.trim().to_owned())),
-            None => Err(Problems::from(Message::error(format!("--column: `{text}` has no `=`")).expected("q1_deg=J1"))),
+            None => Err(Problems::from(error!("column-option-malformed", text))),
         };
         let layout = TableLayout {
             delimiter: word("--delimiter", &self.delimiter)?,
@@ -110,5 +108,5 @@ impl TableFormat {
 /// Parses a word of an option in the spelling of campaigns.
 pub(super) fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
     let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
-    T::deserialize(value).map_err(|e| Message::error(format!("{option}: {e}")).into())
+    T::deserialize(value).map_err(|e| error!("option-refused", option, reason = e.to_string()).into())
 }

@@ -11,6 +11,7 @@ use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::positions;
 use crate::stages::verification::{EarlierCalibration, plan, verify};
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, read_robot};
@@ -118,11 +119,7 @@ fn only_points(observed: &TableFile) -> Result<(), Problems> {
     // the uncertainty of a row is that of its position
     let mut others = kinds::columns().into_iter().filter(|name| *name != "u_mm");
     match others.find(|name| observed.table.column(name).is_ok()) {
-        Some(name) => {
-            let message =
-                Message::error(format!("the observations have a column `{name}`: only positions are compared"));
-            Err(observed.place(message.hint("leave rows of other kinds, and their columns, out").into()))
-        }
+        Some(name) => Err(observed.place(error!("verify-other-column", column = name).into())),
         None => Ok(()),
     }
 }

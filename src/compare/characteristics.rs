@@ -2,8 +2,10 @@
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{phrase, warning};
 use etalon_documents::*;
 use etalon_standards::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;
@@ -14,11 +16,11 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
     let mut trends = Vec::new();
     let mut missing = Vec::new();
     let later: BTreeSet<PoseName> = all.iter().flat_map(|d| &d.poses).map(|p| p.pose).collect();
-    missing.extend(later.into_iter().filter(|pose| first.poses.iter().all(|p| p.pose != *pose)).map(|p| p.to_string()));
+    missing.extend(later.into_iter().filter(|pose| first.poses.iter().all(|p| p.pose != *pose)).map(|p| p.argument()));
     for pose in &first.poses {
         let same: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.poses.iter().find(|p| p.pose == pose.pose)).collect();
         if same.len() < all.len() {
-            missing.push(pose.pose.to_string());
+            missing.push(pose.pose.argument());
             continue;
         }
         let name = format!("pose {}", pose.pose);
@@ -30,11 +32,10 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
     if homings.len() == all.len() {
         trends.extend(repeatability("homing", &homings));
     } else if !homings.is_empty() {
-        missing.push("homing".to_owned());
+        missing.push(phrase!("homing").argument());
     }
     if !missing.is_empty() {
-        let message = Message::warning(format!("not in every campaign: pose {}", missing.join(", ")));
-        messages.push(message.hint("pose numbers must mean the same in all of them"));
+        messages.push(warning!("poses-not-in-all", poses = missing));
     }
     trends.sort_by_key(|t| t.family);
     trends

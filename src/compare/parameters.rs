@@ -3,6 +3,7 @@
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_documents::*;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
@@ -54,13 +55,11 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         trends.push(of_estimates((family, p.name.clone(), &p.unit), &estimates));
     }
     if !held.is_empty() {
-        let what = format!("not every campaign identified {}", held.join(", "));
-        messages.push(Message::warning(what).hint("others that act alike may have taken up what these were held from"));
+        messages.push(warning!("parameters-not-in-all", parameters = held));
     }
     if !redrawn.is_empty() {
         let names: Vec<String> = redrawn.into_iter().collect();
-        let what = format!("nominal values differ between the robot files: {}", names.join(", "));
-        messages.push(Message::warning(what).hint("what is held at its nominal value acts on the others"));
+        messages.push(warning!("nominal-values-differ", parameters = names));
     }
     trends.sort_by_key(|t| t.family);
     trends
@@ -69,31 +68,55 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
 /// `true` if residuals exceed the instrument's uncertainty. Parameters then absorb unmodelled
 /// errors at the measured poses.
 fn misfits((parameters, _): &Identified) -> bool {
-    use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
-    let residuals = &parameters.residuals;
-    residuals.stated_standard_uncertainty_mm.is_some()
-        && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
+    parameters.misfits()
 }
 
-/// Removes the probabilities and intervals of changes of parameters and mean errors between
-/// campaigns if the model misfits in either campaign, because the changes then depend on the choice
-/// of poses rather than on noise. `names` are the names of the campaigns.
-pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
+/// Removes the probabilities of changes of parameters and mean errors between campaigns if the
+/// model misfits in either campaign, because the changes then depend on the choice of poses rather
+/// than on noise. Intervals of parameters are enlarged by the difference between both series;
+/// intervals of mean errors, which contain the scatter of poses only, are removed. `names` are the
+/// names of the campaigns.
+pub(super) fn without_evidence(
+    all: &[Identified],
+    trends: &mut [CompareTrend],
+    names: &[&str],
+) -> (Vec<CompareBetween>, Option<Message>) {
     let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
-    let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
-    for change in trends.iter_mut().flat_map(|trend| &mut trend.changes).filter(touches) {
-        (change.p, change.low, change.high) = (None, None, None);
+    if wrong.is_empty() {
+        return (Vec::new(), None);
+    }
+    let touched = |&(from, to): &(usize, usize)| wrong.contains(&from) || wrong.contains(&to);
+    let between: Vec<CompareBetween> =
+        pairs(all.len()).into_iter().filter(touched).map(|pair| between(all, trends, pair)).collect();
+    for trend in trends.iter_mut() {
+        let parameter = matches!(trend.family, CompareFamily::Robot | CompareFamily::SetUp);
+        for change in &mut trend.changes {
+            let Some(of_pair) = between.iter().find(|b| (b.from, b.to) == (change.from, change.to)) else { continue };
+            change.p = None;
+            let enlarged = |end: Option<f64>| {
+                let enlarged = end.map(|end| change.change + of_pair.birge_ratio * (end - change.change));
+                enlarged.filter(|_| parameter)
+            };
+            (change.low, change.high) = (enlarged(change.low), enlarged(change.high));
+        }
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
-    (!wrong.is_empty()).then(|| {
-        let what = format!(
-            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
-             are no evidence of a change, and have neither interval nor p value",
-            named.join(", ")
-        );
-        Message::warning(what)
-            .hint("identify with a model that describes the robot, and measure the same poses each time")
-    })
+    let largest = between.iter().map(|b| b.birge_ratio).fold(1.0, f64::max);
+    let message = warning!("model-misfits", campaigns = named, birge = format!("{largest:.1}"));
+    (between, Some(message))
+}
+
+/// Birge ratio of all changes of the robot's parameters to their uncertainties, at least 1 (Birge
+/// 1932, Phys. Rev. 40, 207; for correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)); 1 if covariances are
+/// unknown.
+fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usize)) -> CompareBetween {
+    let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
+    let names: Vec<&str> = robot.map(|t| t.name.as_str()).collect();
+    let change = change(all, &names, (from, to));
+    let squares =
+        |c: &Change| Some(c.sizes.dot(&Cholesky::new(c.correlation())?.solve(&c.sizes)) / c.sizes.len() as f64);
+    let ratio = change.as_ref().and_then(squares).filter(|f| f.is_finite()).map_or(1.0, |f| f.max(1.0).sqrt());
+    CompareBetween { from: from + 1, to: to + 1, parameters: change.map_or(0, |c| c.sizes.len()), birge_ratio: ratio }
 }
 
 /// Joint test of all robot parameters, Δᵀ (C₁ + C₂)⁻¹ Δ. It detects changes in directions that are

@@ -2,7 +2,8 @@
 
 use super::significance::{Difference, Recovered, recovered};
 use super::trend::{changed, pairs};
-use etalon_base::message::{Message, count, one_line};
+use etalon_base::message::{Message, one_line};
+use etalon_base::warning;
 use etalon_documents::*;
 
 /// Tolerance of equal paths in length, start and end, relative to the length.
@@ -21,28 +22,16 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
         let name = one_line(&stream.name);
         let paths: Vec<Iso9283Path> = all.iter().filter_map(of).collect();
         if paths.len() < all.len() {
-            let message = Message::warning(format!("not every campaign drove the path of stream `{name}`"));
-            messages.push(message.hint("streams are matched by their names"));
+            messages.push(warning!("stream-not-in-all", stream = name));
             continue;
         }
         if !paths.iter().all(|p| is_same(&paths[0], p)) {
-            let message =
-                Message::warning(format!("the commanded points of stream `{name}` differ: AT and RT are left out"));
-            messages.push(
-                message.hint(
-                    "streams of one name must drive one path in one frame, with the same path_points and near_mm",
-                ),
-            );
+            messages.push(warning!("stream-commands-differ", stream = name));
             continue;
         }
         let fewest = paths.iter().map(|p| p.passes).min().unwrap_or(0);
         if fewest < TESTED_PASSES {
-            let what = format!(
-                "AT and RT of stream `{name}` rest on {}: the test of a change was validated with {TESTED_PASSES}, which is \
-                 more",
-                count(fewest, "pass")
-            );
-            messages.push(Message::warning(what).hint("drive the path ten times, as ISO 9283 asks"));
+            messages.push(warning!("stream-few-passes", stream = name, passes = fewest, validated = TESTED_PASSES));
         }
         accuracies.push(accuracy(&name, &paths));
         repeatabilities.extend(repeatability(&name, &paths));
@@ -57,12 +46,7 @@ pub(super) fn doubt(trends: &[CompareTrend]) -> Option<Message> {
         |t: &&CompareTrend| [CompareFamily::PathAccuracy, CompareFamily::PathRepeatability].contains(&t.family);
     let changed = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let names: Vec<&str> = trends.iter().filter(of_path).filter(changed).map(|t| t.name.as_str()).collect();
-    let what = format!(
-        "called changed: {}. In simulated tests intervals of AT hold the truth in 93 to 95 %, those of RT in 90 to 98 %: this is \
-         a hint, not a proof",
-        names.join("; ")
-    );
-    (!names.is_empty()).then(|| Message::warning(what).hint("repeat the test before you act on it"))
+    (!names.is_empty()).then(|| warning!("path-change-uncertain", names))
 }
 
 fn is_same(a: &Iso9283Path, b: &Iso9283Path) -> bool {

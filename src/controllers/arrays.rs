@@ -7,7 +7,8 @@
 //! MATLAB.
 
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
@@ -73,7 +74,7 @@ impl Exporter for Npz {
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .last_modified_time(zip::DateTime::default());
-        let failed = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the arrays: {e}"));
+        let failed = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "NPZ", reason = e.to_string());
         for array in arrays(given)? {
             archive.start_file(format!("{}.npy", array.name), options).map_err(|e| failed(&e))?;
             archive.write_all(&npy(&array.content)).map_err(|e| failed(&e))?;

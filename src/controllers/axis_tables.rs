@@ -2,8 +2,9 @@
 //! direction) or computed. Positions and deviations are in mm for a linear axis, in deg for a
 //! rotary axis.
 
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_documents::AxisPosition;
 use std::fmt::Write;
 
@@ -56,11 +57,7 @@ pub fn plausible(positions: &[Deviation]) -> Result<()> {
     let steep = |pair: &&[Deviation]| change(pair) > STEEPEST * (pair[1].position - pair[0].position).abs();
     let Some(pair) = positions.windows(2).find(steep) else { return Ok(()) };
     let [from, to] = [pair[0].position, pair[1].position];
-    let message = Message::error(format!("the deviation changes by {} from {from} to {to}", change(pair)));
-    Err(message
-        .expected("5 % of the distance at most")
-        .hint("positions and deviations are in the same unit, mm or deg")
-        .into())
+    Err(error!("deviation-steep", change = change(pair), from, to).into())
 }
 
 /// Use of a table's value in a control, if its manufacturer does not publish it and it was observed
@@ -99,8 +96,8 @@ impl Sign {
 /// Fails with more than 256 positions.
 pub fn linuxcnc(positions: &[Deviation]) -> Result<String> {
     if positions.len() > MOST_ROWS {
-        let message = Message::error(format!("{} positions are too many for LinuxCNC", positions.len()));
-        return Err(message.expected("256 at most").into());
+        let positions = positions.len();
+        return Err(error!("axis-table-too-long", positions, controller = "LinuxCNC", most = MOST_ROWS).into());
     }
     let row = |p: &Deviation| format!("{:?} {:?} {:?}\n", p.position, p.position + p.forward, p.position + p.backward);
     Ok(positions.iter().map(row).collect())
@@ -204,8 +201,7 @@ pub struct Plane {
 pub fn beckhoff_plane(plane: &Plane, axes: MachineAxes, name: &str, sign: Sign, header: &[String]) -> Result<String> {
     let ([x, y], Plane { start, step, rows }) = (axes.base, plane);
     if (step[0] - step[1]).abs() > UNIT {
-        let message = Message::error("the positions of both axes of a plane of a Beckhoff CNC have the same distance");
-        return Err(message.expected(format!("{} mm for both", step[0])).into());
+        return Err(error!("plane-steps-differ", step_mm = step[0]).into());
     }
     let columns = rows.first().map_or(0, Vec::len);
     let mut out = commented("#", header) + &format!("# {}\n", sign.remark());
@@ -238,13 +234,12 @@ fn units(value: f64) -> f64 {
 /// First position, constant distance and last position.
 fn even(positions: &[Deviation]) -> Result<[f64; 3]> {
     let [first, .., last] = positions else {
-        return Err(Message::error("a table of a SINUMERIK has two positions at least").into());
+        return Err(error!("axis-table-too-short", positions = positions.len()).into());
     };
     let step = (last.position - first.position) / (positions.len() - 1) as f64;
     let off = |(i, p): (usize, &Deviation)| (p.position - first.position - i as f64 * step).abs() > UNIT;
     if positions.iter().enumerate().any(off) {
-        let message = Message::error("the positions of a table of a SINUMERIK have a constant distance");
-        return Err(message.hint("measure at equal distances, or use another table").into());
+        return Err(error!("axis-positions-uneven").into());
     }
     Ok([first.position, step, last.position])
 }

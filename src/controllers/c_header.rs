@@ -17,7 +17,7 @@ impl Exporter for CHeader {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let robot = identifier(&document.robot);
-        given.names("in C", |p| {
+        given.names("C", |p| {
             let unit = if p.unit == "1" { "RATIO".to_owned() } else { identifier(&p.unit) };
             format!("ETALON_{robot}_{}_{unit}", identifier(&p.name))
         })?;

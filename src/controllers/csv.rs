@@ -3,7 +3,8 @@
 
 use super::{Exporter, Given, status_word};
 use etalon_base::cell::without_formula as text;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 
 /// CSV with one parameter per row.
 pub(super) struct Csv;
@@ -29,7 +30,7 @@ impl Exporter for Csv {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let fail = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the parameters as CSV: {e}"));
+        let fail = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "CSV", reason = e.to_string());
         let warning = given.warning();
         let campaign = given.summary.map_or("", |summary| summary.name.as_str());
         let about = [&document.provenance.version, campaign, given.robot_name()].map(text);

@@ -8,7 +8,8 @@ use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
 use etalon_base::country::Country;
 use etalon_base::date::date;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::{CampaignSummary, Conditions, Issue, ParameterEntry};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
@@ -36,7 +37,7 @@ impl Exporter for Dcc {
             .with("xmlns:si", "https://ptb.de/si")
             .with("schemaVersion", "3.3.0");
         let header = given.header("D-SI units: mm, deg, 1")?;
-        root.document(&header).map_err(|e| Message::error(format!("cannot write the certificate: {e}")).into())
+        root.document(&header).map_err(|e| error!("cannot-encode", format = "DCC", reason = e.to_string()).into())
     }
 }
 
@@ -63,11 +64,7 @@ impl<'a> Stated<'a> {
             .filter(|word| word.len() == 10 && date(word).is_some())
             .map(str::to_owned)
             .collect();
-        let missing = || {
-            let message = Message::error("a calibration certificate needs the date of the measurements");
-            message.expected("`date = \"YYYY-MM-DD\"` in campaign.toml").hint("state it and run the campaign again")
-        };
-        let begin = dates.first().ok_or_else(missing)?.clone();
+        let begin = dates.first().ok_or_else(|| error!("certificate-date-missing"))?.clone();
         let end = dates.get(1).unwrap_or(&begin).clone();
         let hash = given.sha256()?;
         let identifier = format!("draft-{}", hash.get(..32).unwrap_or_default());

@@ -7,8 +7,9 @@
 
 use super::template::render;
 use super::{Exporter, Given, value};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use minijinja::context;
 use minijinja::value::Serde;
@@ -47,10 +48,10 @@ struct Towers {
 impl Towers {
     fn new(given: &Given, format: &str) -> Result<Self> {
         let (robot, values) = given.robot()?;
-        let arm = robot.kinematics().filter(|_| robot.model() == "delta_linear").ok_or_else(|| {
-            let message = Message::error(format!("`{}` is not a delta with towers", robot.model()));
-            message.hint(format!("`{format}` has deltas with towers only"))
-        })?;
+        let arm = robot
+            .kinematics()
+            .filter(|_| robot.model() == "delta_linear")
+            .ok_or_else(|| super::other_robot(format, robot, phrase!("kind-delta-towers")))?;
         let numbered = |name: &str| -> Result<[f64; 3]> {
             Ok([
                 value(robot, &values, &format!("{name}_1"))?,
@@ -63,7 +64,7 @@ impl Towers {
         // the towers
         let squares = |x: f64, y: f64| -> Result<[f64; 3]> {
             let ways = arm.all_joints(&values, &Pose { translation_mm: [x, y, 0.0], ..Pose::identity() });
-            let joints = ways.first().ok_or_else(|| Message::error("the platform does not reach the middle"))?;
+            let joints = ways.first().ok_or_else(|| error!("platform-out-of-reach"))?;
             Ok([0, 1, 2].map(|i| rods_mm[i].powi(2) - (joints[i] + offsets[i]).powi(2)))
         };
         let (middle, along, across) = (squares(0.0, 0.0)?, squares(STEP_MM, 0.0)?, squares(0.0, STEP_MM)?);
@@ -81,8 +82,7 @@ impl Towers {
         let turned_deg = off.iter().sum::<f64>() / 3.0;
         let corrections_deg = off.map(|v| v - turned_deg);
         if corrections_deg.iter().any(|v| v.abs() > 30.0) {
-            let message = Message::error("the towers are not 120 deg from each other, counterclockwise from above");
-            return Err(message.hint(format!("number them so, `{format}` has them in this order")).into());
+            return Err(error!("tower-order", format).into());
         }
         let heights_mm = [0, 1, 2].map(|i| offsets[i] - (rods_mm[i].powi(2) - radius_mm.powi(2)).sqrt());
         let tilts = robot.parameters().iter().zip(&values).filter(|(p, v)| is_tilt(p) && **v != 0.0);
@@ -144,7 +144,7 @@ impl Exporter for Klipper {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let towers = Towers::new(given, "klipper")?;
+        let towers = Towers::new(given, "klipper-delta")?;
         let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
         render(include_str!("templates/klipper_delta.cfg.j2"), values).map(String::into_bytes)
     }
@@ -197,8 +197,7 @@ impl Exporter for DeltaHal {
         let (robot, values) = given.robot()?;
         let pins = pins(robot.model());
         if pins.is_empty() {
-            let message = Message::error(format!("`{}` is not a delta", robot.model()));
-            return Err(message.hint("`rotarydeltakins` and `lineardeltakins` of LinuxCNC compute deltas only").into());
+            return Err(super::other_robot("linuxcnc-delta", robot, phrase!("kind-delta")).into());
         }
         // arrangement of the legs in rotarydeltakins-common.h and lineardeltakins-common.h
         let (first, order) = if robot.model() == "delta" { ("-y", "clockwise") } else { ("y", "counterclockwise") };

@@ -7,6 +7,7 @@
 //! of 3 µm at a lever of 400 mm.
 
 use super::{Exporter, Given, value};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
 use std::fmt::Write;
@@ -33,7 +34,7 @@ impl Exporter for Galil {
         let mut out: String = header.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#CALPAR\n";
         let mut problems = Problems::default();
-        let names = problems.keep(given.names("on a Galil controller", |p| variable(&p.name)));
+        let names = problems.keep(given.names("Galil DMC", |p| variable(&p.name)));
         for (p, name) in given.parameters.parameters.iter().zip(names.unwrap_or_default()) {
             match fixed_point(p) {
                 Ok(Fixed { value, rounding }) => {
@@ -112,8 +113,7 @@ fn prexyt(given: &Given) -> Result<String> {
         if value.abs() <= most {
             let _ = writeln!(out, "{name}={value:.6}");
         } else {
-            let what = format!("{name} = {value:.6} is too large for the inverse kinematics on a Galil controller");
-            return Err(Message::error(what).expected(format!("{most} at most")).into());
+            return Err(error!("galil-constant-too-large", name, value, most).into());
         }
     }
     Ok(out + "EN\n" + PREXYT)
@@ -134,16 +134,12 @@ fn fixed_point(p: &ParameterEntry) -> std::result::Result<Fixed, Message> {
     let value = (p.value * scale * STEPS).round() / STEPS;
     let rounding = (value - p.value * scale).abs();
     if value.abs() > LARGEST {
-        return Err(Message::error(format!("`{}` is too large for a variable of a Galil controller", p.name)));
+        return Err(error!("galil-value-too-large", parameter = p.name));
     }
     match p.standard_uncertainty {
         Some(u) if rounding > SHARE * u * scale => {
-            let (rounding, u) = (rounding / scale, u);
-            let what = format!(
-                "`{}` loses {rounding:.1e} {} on a Galil controller, its uncertainty is {u:.1e}",
-                p.name, p.unit
-            );
-            Err(Message::error(what).hint("use a format of floating-point numbers"))
+            let (rounding, unit) = (rounding / scale, &p.unit);
+            Err(error!("galil-rounding", parameter = p.name, rounding, unit, uncertainty = u))
         }
         _ => Ok(Fixed { value, rounding }),
     }

@@ -37,6 +37,8 @@ pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
 
+use etalon_base::catalogue::Phrase;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
@@ -191,8 +193,8 @@ impl<'a> Given<'a> {
     fn failed(&self) -> Vec<Message> {
         let mut failed = Vec::new();
         if !self.parameters.solver.termination.is_success() {
-            let what = format!("the parameters are not fit for a controller: {}", self.parameters.solver.termination);
-            failed.push(Message::error(what).hint("identify again before exporting"));
+            let termination = self.parameters.solver.termination.to_string();
+            failed.push(error!("parameters-not-converged", termination));
         }
         failed.extend(self.parameters.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
         failed
@@ -200,7 +202,7 @@ impl<'a> Given<'a> {
 
     /// Warning in a file about failed checks; `None` if all passed.
     fn warning(&self) -> Option<String> {
-        let worse = self.file.and_then(|(statement, _)| statement.worse_than_nominal());
+        let worse = self.file.and_then(|(statement, _)| statement.worse_than_nominal()).map(|worse| worse.to_string());
         let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).chain(worse).collect();
         (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
     }
@@ -215,17 +217,16 @@ impl<'a> Given<'a> {
         let document = self.parameters;
         let mut problems = Problems(if self.force { Vec::new() } else { self.failed() });
         if document.covariance.iter().flatten().any(|v| !v.is_finite()) {
-            problems.0.push(Message::error("the covariance holds a number that is not finite"));
+            problems.0.push(error!("covariance-not-finite"));
         }
         let mut seen = BTreeSet::new();
         for p in &document.parameters {
             let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];
             if numbers.iter().flatten().any(|v| !v.is_finite()) {
-                let what = format!("parameter `{}` has a number that is not finite", p.name);
-                problems.0.push(Message::error(what).expected("finite value, nominal value and uncertainty"));
+                problems.0.push(error!("parameter-not-finite", parameter = p.name));
             }
             if !seen.insert(&p.name) {
-                problems.0.push(Message::error(format!("there are two parameters `{}`", p.name)));
+                problems.0.push(error!("parameter-twice", parameter = p.name));
             }
         }
         problems.check().map(|_| ())
@@ -297,18 +298,17 @@ impl<'a> Given<'a> {
         Ok(lines)
     }
 
-    /// Names of the parameters in a format, by `name`.
+    /// Names of the parameters in a language, by `name`.
     ///
     /// # Errors
     ///
-    /// Reports parameters whose names coincide `there`.
-    fn names(&self, there: &str, name: impl Fn(&ParameterEntry) -> String) -> Result<Vec<String>> {
+    /// Reports parameters whose names coincide in the language.
+    fn names(&self, language: &str, name: impl Fn(&ParameterEntry) -> String) -> Result<Vec<String>> {
         let (mut seen, mut problems) = (BTreeMap::new(), Problems::default());
         let names: Vec<String> = self.parameters.parameters.iter().map(name).collect();
         for (p, name) in self.parameters.parameters.iter().zip(&names) {
             if let Some(other) = seen.insert(name, &p.name) {
-                let what = format!("parameters `{other}` and `{}` are both `{name}` {there}", p.name);
-                problems.0.push(Message::error(what).hint("rename one of them, or use another format"));
+                problems.0.push(error!("parameter-names-collide", first = other, second = p.name, name, language));
             }
         }
         problems.check().map(|_| names)
@@ -316,18 +316,14 @@ impl<'a> Given<'a> {
 
     /// Identified parameter with this name.
     fn entry(&self, name: &str) -> Result<&'a ParameterEntry> {
-        self.parameters.parameters.iter().find(|entry| entry.name == name).ok_or_else(|| {
-            let message = Message::error(format!("the parameters have no `{name}`"));
-            message.hint("name the robot.toml that they were identified with").into()
-        })
+        let entry = self.parameters.parameters.iter().find(|entry| entry.name == name);
+        entry.ok_or_else(|| error!("parameter-missing", parameter = name).into())
     }
 
     /// Robot with its identified parameters; base and targets are nominal if they are not among
     /// them.
     fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
-        let robot = self.robot.ok_or_else(|| {
-            Message::error("this format needs the robot itself").hint("name its robot.toml: --robot FILE")
-        })?;
+        let robot = self.robot.ok_or_else(|| error!("robot-missing"))?;
         let mut values = robot.nominal();
         for (value, p) in values.iter_mut().zip(robot.parameters()) {
             match self.entry(&p.name) {
@@ -406,9 +402,14 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|(name, _)| *name)
 }
 
+/// Rejection of a robot of another kind than the format describes.
+fn other_robot(format: &str, robot: &dyn Robot, kind: Phrase) -> Message {
+    error!("format-for-other-robots", format, model = robot.model(), kind)
+}
+
 /// Value of a parameter of a robot by name.
 fn value(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
-    let index = robot.index(name).ok_or_else(|| Message::error(format!("the robot has no parameter `{name}`")))?;
+    let index = robot.index(name).ok_or_else(|| error!("robot-parameter-missing", parameter = name))?;
     Ok(values[index])
 }
 

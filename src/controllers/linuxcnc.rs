@@ -7,8 +7,9 @@
 
 use super::template::render;
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, phrase};
 use etalon_robots::{JointChain, Parameter};
 use minijinja::context;
 use minijinja::value::Serde;
@@ -46,11 +47,8 @@ impl Exporter for LinuxCnc {
         let (robot, values) = given.robot()?;
         let chain = robot.joint_chain(&values);
         let chain = chain.filter(|c| c.joints.len() == JOINTS && c.joints.iter().all(|j| !j.prismatic));
-        let chain = chain.ok_or_else(|| {
-            let message = Message::error(format!("`{}` is not an arm of six joints that turn", robot.model()));
-            message.hint("`genserkins` of LinuxCNC computes such arms only")
-        })?;
-        let (base, rows) = table(&chain).ok_or_else(|| Message::error("two axes of the arm are one and the same"))?;
+        let chain = chain.ok_or_else(|| super::other_robot("linuxcnc", robot, phrase!("kind-six-axis-arm")))?;
+        let (base, rows) = table(&chain).ok_or_else(|| error!("axes-coincide"))?;
         let frame = |name, pose: &Pose| (name, pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
         let frames = [frame("first frame in the base", &base), frame("flange in the last frame", &chain.flange)];
         let header = given.header_of_geometry("mm, rad; offsets of joints in deg")?;

@@ -9,8 +9,9 @@ use super::code::{formulas, functions};
 use super::template::render;
 use super::{Exporter, Given, is_in_code, value};
 use etalon_base::expression::Formula;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Parameter, Quantity, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
@@ -33,14 +34,17 @@ impl Exporter for LinuxCncComponent {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let formulas = formulas(given)?;
-        let arm = robot.kinematics().filter(|arm| arm.joints().len() <= MOST_JOINTS);
-        let arm = arm.ok_or_else(|| Message::error("LinuxCNC moves nine joints at most"))?;
+        let format = "linuxcnc-component";
+        let other = || super::other_robot(format, robot, phrase!("kind-planar-or-serial"));
+        let arm = robot.kinematics().ok_or_else(other)?;
+        let joints = arm.joints().len();
+        if joints > MOST_JOINTS {
+            return Err(error!("format-too-many-joints", format, joints, most = MOST_JOINTS).into());
+        }
         let planar = arm.dimension() == 2;
         if !planar && formulas.iter().all(|formula| formula.name != "linearised") {
-            let message = Message::error("the component is for planar robots and serial arms");
-            return Err(message.hint("use linuxcnc-hexapod or linuxcnc-delta").into());
+            return Err(other().into());
         }
-        let joints = arm.joints().len();
         let direct = &formulas[0];
         let modes = |formula: &Formula, first: usize| formula.inputs.get(first..).unwrap_or_default().to_vec();
         let pose = if planar { direct.outputs.len() } else { 12 };

@@ -20,7 +20,7 @@ impl Exporter for Matlab {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
-        let names = given.names("in MATLAB", |p| identifier(&p.name))?;
+        let names = given.names("MATLAB", |p| identifier(&p.name))?;
         let identified: Vec<String> = document.identified().map(|p| format!("'{}'", identifier(&p.name))).collect();
         let (parameters, covariance) = (Serde(&document.parameters), Serde(&document.covariance));
         let values = context! { header => given.header("mm, deg, 1")?, names, parameters, identified, covariance };

@@ -6,7 +6,8 @@ use super::code::{Kind, Unit, Variable, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::ParameterEntry;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -22,7 +23,7 @@ pub(super) struct Scl;
 
 /// Names of the constants, which differ in more than case.
 fn names(given: &Given) -> Result<Vec<String>> {
-    given.names("in a PLC", |p| format!("c_{}", identifier(&p.name).to_ascii_lowercase()))
+    given.names("IEC 61131-3", |p| format!("c_{}", identifier(&p.name).to_ascii_lowercase()))
 }
 
 impl Exporter for TwinCat {
@@ -80,7 +81,8 @@ impl Exporter for PlcOpen {
             element("addData", [data]),
         ];
         let root = element("project", parts).with("xmlns", "http://www.plcopen.org/xml/tc6_0200");
-        root.document(&header).map_err(|e| Message::error(format!("cannot write the constants: {e}")).into())
+        root.document(&header)
+            .map_err(|e| error!("cannot-encode", format = "PLCopen XML", reason = e.to_string()).into())
     }
 }
 

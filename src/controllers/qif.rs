@@ -3,7 +3,8 @@
 
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::{ParameterEntry, ParametersDocument};
 
 /// XML with a characteristic for each parameter.
@@ -49,7 +50,7 @@ impl Exporter for Qif {
         .with("versionQIF", "3.0.0")
         .with("idMax", id(parameters.len(), Aspect::Definition) - 1);
         let document = root.document(&given.header("mm, deg, 1")?);
-        document.map_err(|e| Message::error(format!("cannot write the results: {e}")).into())
+        document.map_err(|e| error!("cannot-encode", format = "QIF", reason = e.to_string()).into())
     }
 }
 

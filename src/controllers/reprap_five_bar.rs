@@ -2,7 +2,8 @@
 
 use super::template::render;
 use super::{Exporter, Given, value};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_robots::{Parameter, Robot, Role};
 use minijinja::context;
@@ -37,8 +38,7 @@ impl Exporter for RepRapFiveBar {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         if robot.model() != "five_bar" {
-            let message = Message::error(format!("`{}` is not a five-bar", robot.model()));
-            return Err(message.hint("`M669 K9` of RepRapFirmware computes five-bars only").into());
+            return Err(super::other_robot("reprap-five-bar", robot, phrase!("kind-five-bar")).into());
         }
         // angles are relative to the world, so the base must be identified
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base);

@@ -2,7 +2,9 @@
 //! holds instead, position errors with these values, and header lines.
 
 use super::{Exporter, Given, name_of};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
+use etalon_base::{error, phrase};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 
@@ -27,19 +29,21 @@ impl Statement {
     /// Reason for not writing the file: the robot is less accurate with it than with nominal
     /// parameters.
     pub fn refusal(&self, format: &str) -> Option<Message> {
-        let what = format!("format `{format}` is not written: {}", self.worse_than_nominal()?);
-        let hint = "use a format that holds these parameters; `etalon export --force` writes the file";
-        Some(Message::error(what).hint(hint))
+        Some(error!("file-worse-than-nominal", format, reason = self.worse_than_nominal()?))
     }
 
     /// Both errors, if those of the file are larger than with nominal parameters.
-    pub(crate) fn worse_than_nominal(&self) -> Option<String> {
+    pub(crate) fn worse_than_nominal(&self) -> Option<Phrase> {
         let errors = self.errors.as_ref().filter(|e| self.parameters.is_some() && e.is_worse_than_nominal())?;
-        let names = self.left_out.join(", ");
-        let without = if names.is_empty() { names } else { format!(" without {names}") };
-        let [nominal, _, written] = millimetres(errors);
-        let set = &errors.set;
-        Some(format!("the error at {set} poses{without} is {written} mm (rms), with nominal parameters {nominal} mm"))
+        Some(phrase!(
+            "error-above-nominal",
+            set = errors.set.to_string(),
+            left_out = self.left_out,
+            left_out_count = self.left_out.len(),
+            written_mm = errors.written.rms_mm,
+            nominal_mm = errors.nominal.rms_mm,
+            decimals = decimals(errors),
+        ))
     }
 
     /// Header lines.
@@ -68,10 +72,14 @@ impl Statement {
 /// Root mean squares with nominal, identified and written values, with three digits of the
 /// smallest.
 fn millimetres(errors: &ControllerErrors) -> [String; 3] {
+    let decimals = decimals(errors);
+    [errors.nominal, errors.identified, errors.written].map(|e| format!("{:.decimals$}", e.rms_mm))
+}
+
+fn decimals(errors: &ControllerErrors) -> usize {
     let all = [errors.nominal, errors.identified, errors.written].map(|e| e.rms_mm);
     let least = all.into_iter().filter(|v| *v > 0.0).fold(f64::INFINITY, f64::min);
-    let decimals = (2.0 - least.log10().floor()).clamp(3.0, 6.0) as usize;
-    all.map(|v| format!("{v:.decimals$}"))
+    (2.0 - least.log10().floor()).clamp(3.0, 6.0) as usize
 }
 
 impl Given<'_> {
@@ -103,13 +111,10 @@ impl Given<'_> {
             let errors = set.and_then(|set| ControllerErrors::of(set, None));
             return Ok(Statement { errors, ..Statement::default() });
         }
-        let conditioned = self.parameters.conditioned(&names).ok_or_else(|| {
-            let what = format!("the covariance of {} is not in parameters.json", left_out.join(", "));
-            let format = name_of(exporter);
-            let hint =
-                format!("run the campaign with `controllers = [\"{format}\"]`: it identifies again without them");
-            Message::error(format!("format `{format}` does not hold all identified parameters, and {what}")).hint(hint)
-        })?;
+        let conditioned = self
+            .parameters
+            .conditioned(&names)
+            .ok_or_else(|| error!("covariance-missing", format = name_of(exporter), parameters = left_out))?;
         Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
     }
 

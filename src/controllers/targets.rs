@@ -1,7 +1,8 @@
 //! Poses to measure as targets for a controller: JSON by name, or a C header with arrays.
 
 use super::template::{comment, identifier, literal};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{Iso9283Places, PlanDocument};
 use serde::Serialize;
@@ -91,20 +92,17 @@ const SCHEMA: &str = "etalon/targets/1";
 
 fn write(all: Targets, file_name: &str) -> Result<Vec<u8>> {
     if all.targets.iter().flat_map(|t| t.values().values()).any(|v| !v.is_finite()) {
-        return Err(Message::error("a value of the plan is not finite: no target is written").into());
+        return Err(error!("targets-not-finite").into());
     }
     match file_name.rsplit_once('.').map(|(_, ending)| ending) {
         Some("h") => Ok(c_header(&all).into_bytes()),
         Some("json") => {
             let mut bytes = serde_json::to_vec_pretty(&all)
-                .map_err(|e| Message::error(format!("cannot write the targets as JSON: {e}")))?;
+                .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
             bytes.push(b'\n');
             Ok(bytes)
         }
-        _ => {
-            let message = Message::error(format!("`{file_name}` names no format of targets"));
-            Err(message.expected("a name that ends in `.json` or `.h`; `--poses` writes CSV").into())
-        }
+        _ => Err(error!("targets-format-unknown", file = file_name).into()),
     }
 }
 

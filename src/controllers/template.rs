@@ -1,7 +1,8 @@
 //! Text formats as templates (minijinja) in `templates/`, with their notation of names and numbers:
 //! digits that read back bit for bit.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, escape_formatter};
 
@@ -11,7 +12,7 @@ use minijinja::{Environment, Error, UndefinedBehavior, Value, escape_formatter};
 ///
 /// Fails if the template is invalid.
 pub(super) fn render(template: &str, values: Value) -> Result<String> {
-    let failed = |e: Error| Message::error(format!("the template of this format does not work: {e:#}"));
+    let failed = |e: Error| error!("cannot-encode", format = "text", reason = format!("{e:#}"));
     let mut environment = Environment::new();
     let mut syntax = SyntaxConfig::builder();
     let syntax = syntax.trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();

@@ -2,8 +2,9 @@
 //! including comments.
 
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Effect, Parameter};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -47,14 +48,11 @@ impl Exporter for Urdf {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, _) = given.robot()?;
-        let file = given.description.ok_or_else(|| {
-            let message = Message::error(format!("a robot of `model = \"{}\"` has no URDF", robot.model()));
-            message.hint("this format is for `model = \"urdf\"`")
-        })?;
+        let file = given.description.ok_or_else(|| super::other_robot("urdf", robot, phrase!("kind-urdf")))?;
         let mut edits = Vec::new();
         let mut left_out = Vec::new();
         edits_of(file.text, given, &mut edits, &mut left_out)
-            .ok_or_else(|| Message::error(format!("`{}` is not well-formed XML", file.file)))?;
+            .ok_or_else(|| error!("urdf-malformed", file = file.file))?;
         let mut lines = given.header_of_geometry("m, rad")?;
         lines.push(format!("origins of `{}` with identified errors", file.file));
         lines.extend(left_out);

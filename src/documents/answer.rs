@@ -2,6 +2,7 @@
 //! export, simulate, init.
 
 use super::{ControllerErrors, Source};
+use etalon_base::catalogue::{Arguments, Entry};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -41,7 +42,13 @@ pub struct JointTravel {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Finding {
-    /// Problem, in one sentence.
+    /// Id in the catalogue of messages; `etalon explain ID` explains it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub id: String,
+    /// Arguments of the text in the catalogue.
+    #[serde(default, skip_serializing_if = "Arguments::is_empty")]
+    pub arguments: Arguments,
+    /// Problem, in one English sentence.
     pub what: String,
     /// File of the problem.
     pub file: Option<String>,
@@ -61,6 +68,8 @@ impl From<&Message> for Finding {
     fn from(message: &Message) -> Self {
         let place = message.place.as_deref();
         Self {
+            id: message.id.clone().into_owned(),
+            arguments: message.arguments.clone(),
             what: message.what.clone(),
             file: place.map(|p| p.file.clone()),
             line: place.and_then(|p| p.line),
@@ -87,8 +96,58 @@ impl CheckDocument {
     }
 }
 
-/// Proposals of `etalon formats` for reading a delimited text.
+/// Answer of `etalon explain`: explanations of messages.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ExplanationDocument {
+    /// Schema and version: `etalon/explanation/1`.
+    pub schema: String,
+    /// Requested message, or all messages.
+    pub messages: Vec<Explanation>,
+}
+
+/// Explanation of one message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Explanation {
+    /// Id of the message.
+    pub id: String,
+    /// English text; arguments are in braces.
+    pub text: String,
+    /// Expected value or state; null if the text contains it.
+    pub expected: Option<String>,
+    /// Hint of the message; null without a hint of its own.
+    pub hint: Option<String>,
+    /// Meaning of the message.
+    pub meaning: String,
+    /// Consequence of the message.
+    pub reason: String,
+    /// Next action.
+    pub action: String,
+    /// Input that causes the message.
+    pub example: String,
+}
+
+impl ExplanationDocument {
+    /// Creates the explanations of these entries of the catalogue.
+    pub fn new<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Self {
+        let explanation = |entry: &Entry| Explanation {
+            id: entry.id.to_owned(),
+            text: entry.pattern(None).unwrap_or_default(),
+            expected: entry.pattern(Some("expected")),
+            hint: entry.pattern(Some("hint")),
+            meaning: entry.meaning.clone(),
+            reason: entry.reason.clone(),
+            action: entry.action.clone(),
+            example: entry.example.clone(),
+        };
+        let messages = entries.into_iter().map(explanation).collect();
+        Self { schema: "etalon/explanation/1".to_owned(), messages }
+    }
+}
+
+/// Proposals of `etalon formats` for reading a file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FormatsDocument {
     /// Schema and version: `etalon/formats/1`.
@@ -98,6 +157,16 @@ pub struct FormatsDocument {
     /// Name of the format, if the file states one. Such a file needs no proposal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub format: Option<String>,
+    /// Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`,
+    /// `commanded`, `recording` ...
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub kind: String,
+    /// Number of examined data rows.
+    #[serde(default)]
+    pub rows: usize,
+    /// Proposed contents of each column of the first reading, with reasons.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub columns: Vec<FormatsColumn>,
     /// Readings that explain the file, the proposed one first.
     pub readings: Vec<Reading>,
     /// Reasons for the first proposal.
@@ -110,12 +179,34 @@ pub struct FormatsDocument {
     pub toml: String,
 }
 
+/// A column and its proposed contents.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormatsColumn {
+    /// Number of the column, from 1.
+    pub number: usize,
+    /// Heading in the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heading: Option<String>,
+    /// Unit in the heading.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// Proposed contents of the column.
+    pub taken_for: String,
+    /// Evidence for the contents.
+    pub why: String,
+}
+
 /// One reading of a delimited text, without the unit of lengths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reading {
-    /// Value of the campaign's key `delimiter`.
-    pub delimiter: String,
+    /// Value of the campaign's key `delimiter`; absent for a sheet of a workbook.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub delimiter: Option<String>,
+    /// Value of the campaign's key `sheet`, for a workbook.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sheet: Option<String>,
     /// Value of the campaign's key `decimal`.
     pub decimal: String,
     /// Value of the campaign's key `thousands`, if digits are grouped.

@@ -22,6 +22,9 @@ pub struct CompareDocument {
     pub trends: Vec<CompareTrend>,
     /// Joint test of all robot parameters for each pair of campaigns.
     pub together: Vec<CompareTogether>,
+    /// Between-series components for each pair of campaigns with a misfit in at least one.
+    #[serde(default)]
+    pub between_series: Vec<CompareBetween>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
     /// Version, and the compared documents.
@@ -161,4 +164,19 @@ pub struct CompareTogether {
     pub p: f64,
     /// `true` if `p` is below 5 %.
     pub significant: bool,
+}
+
+/// Between-series component of two campaigns in which the model misfits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CompareBetween {
+    /// Number of the earlier campaign, from 1.
+    pub from: usize,
+    /// Number of the later campaign.
+    pub to: usize,
+    /// Number of robot parameters that both campaigns identified.
+    pub parameters: usize,
+    /// Birge ratio √(Δᵀ (C₁ + C₂)⁻¹ Δ / m) for m parameters, at least 1, by which intervals of
+    /// changes of parameters are enlarged.
+    pub birge_ratio: f64,
 }

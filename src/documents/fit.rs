@@ -3,6 +3,7 @@
 use super::Termination;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::warning;
 use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -247,17 +248,11 @@ impl FitDocument {
         let has_normal = matches!(found.element, Plane | Circle3d);
         let contacts = FitContacts::new(found);
         let unproved = || {
-            let (what, hint) = match contacts.proof {
-                ZoneProof::Local => (
-                    format!("the minimum zone is proved the narrowest among neighbouring {}s only", found.element),
-                    "compare its form with that of the fit by least squares, from which it was found",
-                ),
-                _ => (
-                    format!("it was not proved that no other {} has a narrower zone", found.element),
-                    "points this scattered hardly show the element: measure more of its surface",
-                ),
-            };
-            Message::warning(what).hint(hint)
+            let element = found.element;
+            match contacts.proof {
+                ZoneProof::Local => warning!("zone-proved-locally", element),
+                _ => warning!("zone-unproved", element),
+            }
         };
         Self {
             center_mm: centred.then_some(found.point_mm),

@@ -61,7 +61,8 @@ pub use study::*;
 pub use uncertainty::*;
 pub use verification::*;
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -80,7 +81,7 @@ pub struct Provenance {
 /// Returns a document as JSON text with a final line end.
 pub fn to_json<T: Serialize>(document: &T) -> Result<Vec<u8>> {
     let mut bytes = serde_json::to_vec_pretty(document)
-        .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+        .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
     bytes.push(b'\n');
     Ok(bytes)
 }

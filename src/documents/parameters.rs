@@ -64,6 +64,31 @@ impl ParametersDocument {
         identified.filter(move |p| !without.contains(p.name.as_str()))
     }
 
+    /// `true` if residuals exceed the stated uncertainty of the instrument. Parameters then absorb
+    /// unmodelled errors at the measured poses.
+    pub fn misfits(&self) -> bool {
+        use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
+        let from_residuals =
+            matches!(self.residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion);
+        self.residuals.stated_standard_uncertainty_mm.is_some() && from_residuals
+    }
+
+    /// Names of the robot's parameters that are effective rather than physical, because more than
+    /// half of their variance is due to unmodelled errors. Without a budget all identified
+    /// parameters are listed.
+    pub fn effective(&self) -> Vec<&str> {
+        if !self.misfits() {
+            return Vec::new();
+        }
+        let of_model = self.budget.iter().find(|source| source.source == UncertaintySource::Model);
+        let mostly = |k: usize, p: &ParameterEntry| match (of_model, p.standard_uncertainty) {
+            (Some(of_model), Some(u)) => of_model.standard_uncertainties.get(k).is_some_and(|m| 2.0 * m * m > u * u),
+            _ => self.budget.is_empty(),
+        };
+        let effective = self.identified().enumerate().filter(|(k, p)| p.role == Role::Robot && mostly(*k, p));
+        effective.map(|(_, p)| p.name.as_str()).collect()
+    }
+
     /// Checks that names, uncertainties and covariance are consistent.
     ///
     /// # Errors

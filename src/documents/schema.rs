@@ -13,6 +13,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("compare", schema::<CompareDocument>()),
         ("compensation", schema::<CompensationDocument>()),
         ("controllers", schema::<ControllersDocument>()),
+        ("explanation", schema::<ExplanationDocument>()),
         ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
         ("formats", schema::<FormatsDocument>()),

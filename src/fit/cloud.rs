@@ -9,9 +9,10 @@
 //! of the machine's width. Operations are fused exactly where [`F64x8::plus`] is used, and no
 //! register width reorders operations, so sums are bit-identical on all machines.
 
-use super::element::{Element, FitSettings, refuse};
+use super::element::{self, Element, FitSettings};
 use super::f64x8::{F64x8, LANES, Points, along};
 use super::packed::PackedPoints;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, unit};
 use etalon_math::symmetric_eigen;
@@ -154,7 +155,7 @@ impl<'a> Cloud<'a> {
             Self::surveyed(element.name(), element.minimum_points(), points, settings.weights, element.rough())?;
         // a held axis or radius needs one dimension less, but at least two about an axis
         let held = usize::from(settings.axis.is_some()).min(element.span() - 1);
-        cloud.spans(element, element.span() - held)?;
+        cloud.spans(element.name(), element.span() - held)?;
         Ok(cloud)
     }
 
@@ -187,11 +188,7 @@ impl<'a> Cloud<'a> {
     ) -> Result<Self> {
         let count = source.len();
         if count < minimum {
-            return Err(refuse(
-                format!("{} {} given for a {name}", count, if count == 1 { "point is" } else { "points are" }),
-                format!("at least {minimum} points"),
-                "measure more points, or name the ones that belong to the feature",
-            ));
+            return Err(error!("too-few-points", count, element = element::name(name), minimum).into());
         }
         let weight_unit = weight_unit(name, count, weights)?;
         let first = if count > 0 { source.at(0) } else { [0.0; 3] };
@@ -239,13 +236,10 @@ impl<'a> Cloud<'a> {
     }
 
     /// Checks points one by one so that the first invalid point can be named.
-    pub fn numbers(&self, name: impl std::fmt::Display) -> Result<()> {
+    pub fn numbers(&self, name: &str) -> Result<()> {
         let Some(i) = (0..self.len()).find(|&i| self.source.at(i).into_iter().any(outside)) else { return Ok(()) };
-        Err(refuse(
-            format!("point {} of the {name} is {:?}", i + 1, self.source.at(i)),
-            "finite coordinates in millimetres",
-            "look at this point in the export",
-        ))
+        let coordinates = format!("{:?}", self.source.at(i));
+        Err(error!("point-not-finite", number = i + 1, element = element::name(name), coordinates).into())
     }
 
     /// Sets centre, scale and axes from `count` points. Returns `true` if the previous axes were
@@ -282,7 +276,7 @@ impl<'a> Cloud<'a> {
     }
 
     /// Rejects points that span fewer than `dimensions` dimensions: identical, collinear, coplanar.
-    pub fn spans(&self, name: impl std::fmt::Display, dimensions: usize) -> Result<()> {
+    pub fn spans(&self, name: &str, dimensions: usize) -> Result<()> {
         // spread by rounding of the coordinates, and by rounding of the sums
         let farthest = self.centre_mm.iter().fold(0.0f64, |m, x| m.max(x.abs())) + self.scale_mm;
         let limit = (8.0 * f64::EPSILON * farthest / self.scale_mm).max(1e-13) * (self.len() as f64).sqrt();
@@ -290,12 +284,7 @@ impl<'a> Cloud<'a> {
         if spanned >= dimensions && self.scale_mm > 1e-100 {
             return Ok(());
         }
-        let (what, expected) = match spanned {
-            0 => ("all points are identical", "points apart from each other"),
-            1 => ("all points lie on one line", "points that are not on one line"),
-            _ => ("all points lie in one plane", "points that are not in one plane"),
-        };
-        Err(refuse(format!("no {name} can be fitted: {what}"), expected, "spread the points over the feature"))
+        Err(error!("points-degenerate", element = element::name(name), spanned).into())
     }
 
     /// Number of points.
@@ -361,11 +350,8 @@ fn weight_unit(name: &str, count: usize, weights: Option<&[f64]>) -> Result<[f64
     let largest = weights.iter().fold(0.0f64, |m, w| m.max(*w));
     let good = weights.len() == count && weights.iter().all(|w| w.is_finite() && *w > 1e-12 * largest && *w > 0.0);
     if !good {
-        return Err(refuse(
-            format!("the {} weights of the {name} do not fit its {count} points", weights.len()),
-            "one positive finite weight for each point, within a factor 1e12 of each other",
-            "use 1/u² of each point; leave a point out instead of giving it no weight",
-        ));
+        let element = element::name(name);
+        return Err(error!("weights-unusable", weights = weights.len(), element, points = count).into());
     }
     Ok([largest, weights.iter().map(|w| w / largest).sum::<f64>() / count as f64])
 }

@@ -8,8 +8,9 @@ use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES};
 use super::search::{Axial, no_start, rival_warning, search};
 use super::solver::{Refined, Surface, refine};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::warning;
 use nalgebra::{Matrix5, Vector5};
 use std::f64::consts::PI;
 
@@ -44,8 +45,7 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     fit.apex_angle_rad = Some(2.0 * half_angle.abs());
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
-        let what = "the apex angle of the cone is not distinguishable from zero (k = 2)";
-        fit.warnings.push(Message::warning(what).hint("fit a cylinder"));
+        fit.warnings.push(warning!("cone-is-cylinder"));
     }
     fit.finished(settings)
 }

@@ -1,7 +1,9 @@
 //! Elements that can be fitted to points, and quantities that may be held or compensated.
 
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, unit};
+use etalon_base::{error, phrase};
 use std::fmt;
 use std::str::FromStr;
 
@@ -105,13 +107,23 @@ impl fmt::Display for Element {
     }
 }
 
+impl IntoArgument for Element {
+    fn argument(&self) -> Argument {
+        name(self.name()).argument()
+    }
+}
+
+/// Name of an element in the language of a text.
+pub(super) fn name(name: &str) -> Phrase {
+    phrase!("element", name)
+}
+
 impl FromStr for Element {
     type Err = Problems;
 
     fn from_str(name: &str) -> Result<Self> {
-        Self::ALL.into_iter().find(|e| e.name() == name).ok_or_else(|| {
-            Message::error(format!("unknown element `{name}`")).hint_names(name, Self::ALL.map(Self::name)).into()
-        })
+        let known = Self::ALL.into_iter().find(|e| e.name() == name);
+        known.ok_or_else(|| error!("element-unknown", name).hint_names(name, Self::ALL.map(Self::name)).into())
     }
 }
 
@@ -152,26 +164,15 @@ impl Probe {
     pub(super) fn check(&self, element: Element) -> Result<()> {
         let radius = self.radius_mm;
         if !(radius.is_finite() && radius > 0.0) {
-            let hint = "state the qualified radius of the probe, not its diameter; leave it out for contact points";
-            return Err(refuse(format!("the probe radius is {radius} mm"), "a positive number", hint));
+            return Err(error!("probe-radius-not-positive", radius).into());
         }
         let straight = matches!(element, Element::Plane | Element::Line | Element::Line2d);
         match self.side {
-            Side::Inside | Side::Outside if straight => Err(refuse(
-                format!("a {element} has no inside: the side of the probe is not stated"),
-                format!("the direction from the {element} to the probe"),
-                "state it as three numbers, e.g. 0,0,1 for a probe above",
-            )),
-            Side::Towards(_) if !straight => Err(refuse(
-                format!("the side of the probe is stated by a direction, but a {element} has an inside"),
-                "inside (a bore) or outside (a shaft)",
-                "state where the ball was: inside or outside",
-            )),
-            Side::Towards(d) if unit(d).is_none() => Err(refuse(
-                format!("the direction {d:?} to the probe is none"),
-                "three finite numbers, not all zero",
-                "state the direction from what was touched to the probe",
-            )),
+            Side::Inside | Side::Outside if straight => Err(error!("probe-side-needs-direction", element).into()),
+            Side::Towards(_) if !straight => Err(error!("probe-side-needs-inside", element).into()),
+            Side::Towards(d) if unit(d).is_none() => {
+                Err(error!("probe-direction-zero", direction = format!("{d:?}")).into())
+            }
             _ => Ok(()),
         }
     }
@@ -204,37 +205,24 @@ impl FitSettings<'_> {
         self.probe.map_or(Ok(()), |probe| probe.check(element))?;
         if let Some(radius) = self.radius_mm {
             if !element.has_radius() {
-                return Err(refuse(format!("a {element} has no radius to hold"), "no radius", "leave the radius out"));
+                return Err(error!("held-radius-unsupported", element).into());
             }
             if !(radius.is_finite() && radius > 0.0) {
-                let hint = "state the radius in millimetres";
-                return Err(refuse(format!("the held radius is {radius} mm"), "a positive number", hint));
+                return Err(error!("held-radius-not-positive", radius).into());
             }
             if let Some(centres) = self.held_radius_mm().filter(|centres| *centres <= 0.0) {
-                let what = format!("a probe inside a {element} of radius {radius} mm has its centres at {centres} mm");
-                return Err(refuse(
-                    what,
-                    "a probe smaller than the held radius",
-                    "state the other side, or the radius",
-                ));
+                return Err(error!("held-radius-below-probe", element, radius, centres).into());
             }
         }
         let Some(axis) = self.axis else { return Ok(None) };
         if !element.has_direction() {
-            return Err(refuse(format!("a {element} has no axis to hold"), "no axis", "leave the axis out"));
+            return Err(error!("held-axis-unsupported", element).into());
         }
-        unit(axis).map(Some).ok_or_else(|| {
-            refuse(format!("the held axis {axis:?} has no direction"), "three numbers, not all zero", "state the axis")
-        })
+        unit(axis).map(Some).ok_or_else(|| error!("held-axis-zero", axis = format!("{axis:?}")).into())
     }
 
     /// Held radius for a fit of the points as measured: for a probe, of its centres.
     pub(super) fn held_radius_mm(&self) -> Option<f64> {
         self.radius_mm.map(|r| r + self.probe.map_or(0.0, |p| p.outwards_mm()))
     }
-}
-
-/// Error of one sentence with the expectation and a hint.
-pub(super) fn refuse(what: impl Into<String>, expected: impl Into<String>, hint: impl Into<String>) -> Problems {
-    Message::error(what).expected(expected).hint(hint).into()
 }

@@ -28,13 +28,13 @@ pub struct Enclosing {
 /// Finds the smallest circle that encloses all points of the plane; at least one point is needed.
 pub fn enclosing_circle(points: &[[f64; 2]]) -> Result<Enclosing> {
     let lifted: Vec<Vector> = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
-    let cloud = Cloud::centred("enclosing circle", 1, Source::Plane(points))?;
+    let cloud = Cloud::centred("enclosing-circle", 1, Source::Plane(points))?;
     Ok(smallest(&lifted, &cloud, 3))
 }
 
 /// Finds the smallest sphere that encloses all points; at least one point is needed.
 pub fn enclosing_sphere(points: &[Vector]) -> Result<Enclosing> {
-    let cloud = Cloud::centred("enclosing sphere", 1, Source::Space(points.into()))?;
+    let cloud = Cloud::centred("enclosing-sphere", 1, Source::Space(points.into()))?;
     Ok(smallest(points, &cloud, 4))
 }
 

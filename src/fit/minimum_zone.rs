@@ -9,12 +9,13 @@
 use super::chart::Chart;
 use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};
 use super::cloud::{Cloud, Source};
-use super::element::{Element, FitSettings, refuse};
+use super::element::{Element, FitSettings};
 use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
 use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -33,9 +34,7 @@ pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> 
         Element::Sphere => narrower_than_a_plane(sphere(points)?, points),
         Element::Cylinder => narrower_than_a_plane(cylinder_zone(points)?, points),
         Element::Cone => narrower_than_a_plane(cone_zone(points)?, points),
-        Element::Line | Element::Torus => Err(Message::error(format!("there is no minimum zone of a {element}"))
-            .expected("line2d, plane, circle2d, circle3d, sphere, cylinder or cone")
-            .into()),
+        Element::Line | Element::Torus => Err(error!("zone-unsupported", element).into()),
     }
 }
 
@@ -286,11 +285,7 @@ fn circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), &FitSettings::default())?;
     let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
     let Some((best, verified, iterations)) = narrowest_ring(&flat) else {
-        return Err(refuse(
-            "no minimum zone of a circle: the points lie as close to a line as to any circle",
-            "points on an arc that is higher than its form deviation",
-            "measure a longer arc, or look for the minimum zone of a line",
-        ));
+        return Err(error!("zone-straight").into());
     };
     let distances = distances(&flat, best.center);
     let (zone, middle) = MinimumZone::between(Element::Circle2d, &distances, cloud.scale_mm);

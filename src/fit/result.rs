@@ -8,10 +8,12 @@
 //! unchanged, and the result equals a fit to the contact points.
 
 use super::cloud::{Cloud, Gather};
-use super::element::{Element, FitSettings, Probe, Side, refuse};
+use super::element::{Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, warning};
 use etalon_math::{Termination, symmetric_eigen};
 
 /// Number of quantities in an [`ElementCovariance`].
@@ -310,23 +312,19 @@ impl Fit {
     /// Adds warnings about redundancy and the uncertainty of the radius.
     fn with_warnings(mut self) -> Self {
         if self.degrees_of_freedom == 0 {
-            let what = format!(
-                "the {} has no redundant point: residuals are zero and no uncertainty can be stated",
-                self.element
-            );
-            self.warnings.push(Message::warning(what).hint("measure more points than the minimum"));
+            self.warnings.push(warning!("element-without-redundancy", element = self.element));
         }
         let uncertain = self.standard_uncertainty().and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
         // U (k = 2, 95 %) above a tenth of the radius: the size is unreliable
         if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > 0.1 * radius) {
-            let covered = self.coverage_deg().map_or(String::new(), |d| format!(" over {d:.0} degrees"));
-            let what = format!(
-                "the radius {radius:.6} mm of the {} has an expanded uncertainty of {:.2e} mm (k = 2){covered}",
-                self.element,
-                2.0 * u
-            );
-            let hint = "measure a longer arc, or hold the radius at its nominal value";
-            self.warnings.push(Message::warning(what).hint(hint));
+            let covered_deg = self.coverage_deg().map_or("none".argument(), |d| d.round().argument());
+            self.warnings.push(warning!(
+                "radius-uncertain",
+                element = self.element,
+                radius_mm = radius,
+                expanded_mm = 2.0 * u,
+                covered_deg,
+            ));
         }
         self
     }
@@ -366,7 +364,7 @@ impl Fit {
         let Some(probe) = probe else { return Ok(self) };
         probe.check(self.element)?;
         if self.compensation.is_some() {
-            return Err(refuse("the fit is compensated already", "a fit to probe centres", "compensate once"));
+            return Err(error!("compensated-twice").into());
         }
         let (point_mm, radius_mm, minor_radius_mm) = (self.point_mm, self.radius_mm, self.minor_radius_mm);
         let moves = self.moves(&probe)?;
@@ -443,19 +441,12 @@ fn larger_than_nothing(element: Element, probe: &Probe, radius_mm: Option<f64>, 
     if radius > 0.0 {
         return Ok(radius);
     }
-    Err(refuse(
-        format!("a probe of radius {} mm cannot have touched the {element} from outside", probe.radius_mm),
-        format!("centres farther out than the probe radius; theirs is {centres:.6} mm"),
-        "state the other side: the probe was inside",
-    ))
+    let probe_mm = probe.radius_mm;
+    Err(error!("probe-larger-than-element", element, probe_mm, centres_mm = centres).into())
 }
 
 fn no_side(element: Element, to: Vector) -> Problems {
-    refuse(
-        format!("the direction {to:?} to the probe runs along the {element} and does not give a side"),
-        format!("a direction away from the {element}"),
-        "state the direction from what was touched to the probe",
-    )
+    error!("probe-direction-along-element", element, direction = format!("{to:?}")).into()
 }
 
 type Matrix = [[f64; QUANTITIES]; QUANTITIES];

@@ -1,9 +1,9 @@
 //! Best-fit rigid transform between two sets of corresponding points.
 
 use super::cloud::{Cloud, Source};
-use super::element::refuse;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, dot, minus, norm};
+use etalon_base::{error, warning};
 use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
@@ -44,24 +44,16 @@ impl RigidFit {
 /// is never a reflection (Horn 1987, J. Opt. Soc. Am. A 4, 629).
 pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     if from.len() != to.len() {
-        return Err(refuse(
-            format!("{} points cannot be laid onto {}", from.len(), to.len()),
-            "the same number of points in the same order",
-            "name each target once in both lists",
-        ));
+        return Err(error!("point-counts-differ", from = from.len(), to = to.len()).into());
     }
-    let a = Cloud::centred("rigid transform", 3, Source::Space(from.into()))?;
-    let b = Cloud::centred("rigid transform", 3, Source::Space(to.into()))?;
-    a.spans("rigid transform", 2)?;
-    b.spans("rigid transform", 2)?;
+    let a = Cloud::centred("rigid-transform", 3, Source::Space(from.into()))?;
+    let b = Cloud::centred("rigid-transform", 3, Source::Space(to.into()))?;
+    a.spans("rigid-transform", 2)?;
+    b.spans("rigid-transform", 2)?;
     let (values, vectors) = quaternions(a.points().zip(b.points()));
     let largest = values[3].abs().max(f64::MIN_POSITIVE);
     if (values[3] - values[2]) <= 1e-12 * largest {
-        return Err(refuse(
-            "no rigid transform can be fitted: more than one rotation fits equally well",
-            "two sets of points of the same shape",
-            "check that both lists name the targets in the same order, and that no set is a mirror image",
-        ));
+        return Err(error!("rotation-ambiguous").into());
     }
     let rotation = rotation_of(vectors[3]);
     let turn = Pose { rotation, translation_mm: [0.0; 3] };
@@ -127,13 +119,7 @@ fn with_uncertainty(to_T_from: Pose, residuals_mm: Vec<Vector>, from: &Cloud) ->
     let inertia = from.spread[1].hypot(from.spread[2]) * from.scale_mm;
     let mut warnings = Vec::new();
     if sigma > 0.0 && sigma / inertia > 0.01 {
-        let what = format!(
-            "the rotation has an expanded uncertainty of {:.1} degrees (k = 2)",
-            (2.0 * sigma / inertia).to_degrees()
-        );
-        warnings.push(
-            Message::warning(what).hint("use targets farther apart, and check that their names are not mixed up"),
-        );
+        warnings.push(warning!("rotation-uncertain", expanded_deg = (2.0 * sigma / inertia).to_degrees()));
     }
     RigidFit {
         to_T_from,

@@ -15,10 +15,11 @@ use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, SAMPLE, Source};
 use super::cone::cone;
 use super::cylinder::cylinder;
-use super::element::{Element, FitSettings, refuse};
+use super::element::{Element, FitSettings};
 use super::minimax::{Certificate, Row, best_step, certificate};
 use super::result::largest_component_positive;
 use super::zone::{FARTHEST, MinimumZone, Multipliers, SLACK, sides};
+use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, minus, norm};
 
@@ -168,11 +169,7 @@ fn held<const N: usize, R: Round<N>>(
 }
 
 pub(super) fn too_flat(element: Element) -> Problems {
-    refuse(
-        format!("no minimum zone of a {element}: the points lie as close to a plane as to any {element}"),
-        "points on a part of the surface that is higher than its form deviation",
-        "measure more of the surface, or look for the minimum zone of a plane",
-    )
+    error!("zone-flat", element).into()
 }
 
 /// Minimum zone of a sphere from at least four non-coplanar points.

@@ -7,10 +7,11 @@
 
 use super::chart::Chart;
 use super::cloud::Cloud;
-use super::element::{Element, refuse};
+use super::element::Element;
 use super::solver::{Refined, Surface, descend};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, dot};
+use etalon_base::{error, warning};
 
 /// Number of directions over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;
@@ -100,17 +101,12 @@ fn differ<const N: usize>(a: (&Vector, &[f64; N]), b: (&Vector, &[f64; N])) -> b
 
 /// Error if no start led to an element.
 pub(super) fn no_start(element: Element) -> Problems {
-    refuse(
-        format!("no {element} could be found through the points"),
-        format!("points on a {element}"),
-        "check that the points belong to this feature; else hold the axis",
-    )
+    error!("element-not-found", element).into()
 }
 
 /// Warning if a rival was found.
 pub(super) fn rival_warning(element: Element) -> Message {
-    Message::warning(format!("a different {element} fits the points about as well"))
-        .hint("measure more points where the element is not yet covered, or hold the axis")
+    warning!("element-ambiguous", element)
 }
 
 /// `count` directions spread evenly over a hemisphere (Fibonacci lattice: Swinbank & Purser 2006,

@@ -18,9 +18,10 @@
 
 use super::cloud::{Cloud, Gather, SAMPLE};
 use super::coverage::Coverage;
-use super::element::{Element, refuse};
+use super::element::Element;
 use super::f64x8::{F64x8, LANES, Points};
 use super::result::{Fit, QUANTITIES, Residuals, propagate};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::{Factor, Termination, TrustRegion, norm, svd};
@@ -221,13 +222,9 @@ impl<S, const N: usize> Refined<S, N> {
         let condition = self.condition();
         let known = condition <= CONDITION_LIMIT;
         if !self.termination.is_success() || !known || self.x.iter().any(|x| !x.is_finite()) {
-            cloud.numbers(element)?;
-            let ended = if known { self.termination } else { Termination::RankDeficient };
-            return Err(refuse(
-                format!("no {element} could be fitted: {ended}"),
-                format!("points that determine a {element}"),
-                "look at the points: too short an arc, too straight, or another element; else hold the radius or the axis",
-            ));
+            cloud.numbers(element.name())?;
+            let termination = if known { self.termination } else { Termination::RankDeficient };
+            return Err(error!("element-not-determined", element, termination = termination.to_string()).into());
         }
         let by_parameter = self.surface.quantities(&self.x);
         let degrees_of_freedom = (K * cloud.len()).saturating_sub(self.free.len());
@@ -238,7 +235,7 @@ impl<S, const N: usize> Refined<S, N> {
             coverage,
         );
         if !(residuals.squares * cloud.scale_mm).is_finite() {
-            cloud.numbers(element)?;
+            cloud.numbers(element.name())?;
         }
         let covariance = self.covariance(degrees_of_freedom);
         Ok(Fit {

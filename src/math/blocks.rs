@@ -110,6 +110,11 @@ impl<'a> Rows<'a> {
         product
     }
 
+    /// Product of the matrix and `x`, one number per row.
+    pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
+        self.entries().map(|row| row.map(|(j, v)| v * x[j]).sum()).collect()
+    }
+
     /// All columns of all rows.
     pub fn dense(&self) -> Vec<f64> {
         if self.blocks.is_none() {

@@ -132,7 +132,13 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
         let Some(step) = region.step(factor) else { return Termination::RankDeficient };
         let unscaled: Vec<f64> = step.p.iter().zip(&run.scale).map(|(p, d)| p / d).collect();
         let size = run.relative(&unscaled);
-        let trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
+        let mut trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
+        if step.is_damped
+            && run.iterations >= CURVED
+            && let Some(bend) = bend(run, &step.factor(factor), &unscaled)
+        {
+            trial.iter_mut().zip(bend).for_each(|(x, bend)| *x += bend);
+        }
         run.problem.residuals(&trial, &mut trial_residuals);
         let trial_cost = run.cost_of(&trial_residuals);
         let ratio = region.judge(&step, run.cost, trial_cost);
@@ -147,6 +153,32 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
         }
     }
     Termination::LostPatience
+}
+
+/// Number of damped steps after which the path counts as curved.
+const CURVED: usize = 20;
+/// Share of a step at which the second derivative along the step is evaluated.
+const AHEAD: f64 = 0.1;
+/// Largest ratio of correction to step; beyond it the second order adds no information.
+const MOST_BEND: f64 = 0.75;
+
+/// Correction of a step in a curved valley: half the geodesic acceleration along the step
+/// (Transtrum & Sethna 2012, arXiv:1201.5885, eq. 10 and 15). `step` is to be subtracted, `factor`
+/// belongs to the damped problem. `None` if the second order is no improvement.
+fn bend<P: Problem>(run: &Run<'_, P>, factor: &Factor, step: &[f64]) -> Option<Vec<f64>> {
+    if run.options.loss != Loss::Squares {
+        return None;
+    }
+    let ahead: Vec<f64> = run.x.iter().zip(step).map(|(x, s)| x - AHEAD * s).collect();
+    let mut second = vec![0.0; run.residuals.len()];
+    run.problem.residuals(&ahead, &mut second);
+    let along = run.rows().multiply(step);
+    for ((second, now), along) in second.iter_mut().zip(&run.residuals).zip(along) {
+        *second = 2.0 / AHEAD * ((*second - now) / AHEAD + along);
+    }
+    let acceleration = factor.solve_normal(run.rows(), &second, &run.scale)?;
+    let bends = 2.0 * run.scaled_length(&acceleration) <= MOST_BEND * run.scaled_length(step);
+    bends.then(|| acceleration.iter().map(|a| 0.5 * a).collect())
 }
 
 /// Continues with undamped steps while each step is shorter than the previous step.
@@ -363,6 +395,30 @@ mod tests {
                 j.copy_from_slice(&[e, x[0] * t * e]);
             }
         }
+    }
+
+    /// A narrow circular valley with a gentle slope, as for the unknown base of an arm that was
+    /// measured along a line.
+    struct Ring;
+
+    impl Problem for Ring {
+        fn residual_count(&self) -> usize {
+            3
+        }
+        fn residuals(&self, x: &[f64], r: &mut [f64]) {
+            r.copy_from_slice(&[1e5 * (x[0].hypot(x[1]) - 1.0), 1e-2 * (x[0] - 1.0), 1e-2 * x[1]]);
+        }
+        fn jacobian(&self, x: &[f64], j: &mut [f64]) {
+            let radius = x[0].hypot(x[1]);
+            j.copy_from_slice(&[1e5 * x[0] / radius, 1e5 * x[1] / radius, 1e-2, 0.0, 0.0, 1e-2]);
+        }
+    }
+
+    #[test]
+    fn a_curved_valley_is_followed() {
+        let solution = solve(&Ring, &[-0.8, 0.6], Options { iterations: 300, ..Options::default() });
+        assert!(solution.termination.is_success(), "{}", solution.termination);
+        assert!((solution.x[0] - 1.0).abs() < 1e-9 && solution.x[1].abs() < 1e-6, "{:?}", solution.x);
     }
 
     #[test]

@@ -25,6 +25,13 @@ pub struct BoundedStep {
     moved: f64,
 }
 
+impl BoundedStep {
+    /// Factor of the problem that the step solves, from the factor of the linear model.
+    pub fn factor(&self, factor: &Factor) -> Factor {
+        factor.damped(self.damping.sqrt())
+    }
+}
+
 impl TrustRegion {
     /// Creates a region of the size of the parameters, whose scaled length is `extent`.
     pub fn new(extent: f64) -> Self {

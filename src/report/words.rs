@@ -91,6 +91,7 @@ const OF_DOCUMENTS: [&str; 63] = [
 /// Texts of reports in one language, and sentences of documents with placeholders.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Words {
+    language: Language,
     texts: BTreeMap<String, String>,
     sentences: BTreeMap<String, String>,
 }
@@ -107,7 +108,12 @@ impl Words {
             toml::from_str(text)
                 .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))
         };
-        Ok(Self { texts: table(texts)?, sentences: table(sentences)? })
+        Ok(Self { language, texts: table(texts)?, sentences: table(sentences)? })
+    }
+
+    /// Language code (ISO 639-1).
+    pub fn code(&self) -> &'static str {
+        self.language.code()
     }
 
     /// Sentence of a document in this language; `None` without a translation.

@@ -73,7 +73,7 @@ pub enum FaultKind {
     },
     /// The lower limit is not below the upper limit.
     NoRange {
-        /// The key.
+        /// Key of the stated limits.
         key: &'static str,
         /// Lower and upper limit (mm or rad).
         ends: [f64; 2],

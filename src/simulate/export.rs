@@ -2,9 +2,10 @@
 
 use super::{Scene, Turn, geometric, repeatability};
 use crate::stages::gather;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use etalon_formats::Export;
 use etalon_formats::dialect::{ColumnRole, Encoding};
 use etalon_formats::exports::ExportRow;
@@ -42,35 +43,29 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
     let file = export.file.get_ref();
     let place = || scene.campaign.place(&export.file);
     if rows.is_empty() {
-        return Err(Message::error(format!("nothing in the truth goes to the export `{file}`"))
-            .at(place())
-            .hint("add a [[point]] with this `export`, or `label` or `target` to the export in the campaign")
-            .into());
+        return Err(error!("export-without-points", file).at(place()).into());
     }
     let decimals = scene.truth.decimals;
     if export.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
-        let message = Message::error("simulate writes UTF-8").at(place());
-        return Err(message.hint("leave out `encoding` of this export").into());
+        return Err(error!("simulate-utf8").at(place()).into());
     }
     let written: Vec<ExportRow> = rows.iter().map(|row| row.written(scene)).collect();
     let skipped = &scene.truth.skipped;
     let written = export.format.write(&written, export.unit, decimals, skipped).map_err(|m| m.at(place()))?;
     let read = gather::points_of(scene.campaign, export, &written)?;
-    let wrong = |what: String| {
-        Message::error(format!("`{file}` would not be read as it is meant: {what}")).at(place()).hint(
-            "name target, pose and cycle in `label` or `columns`; `pose = \"row\"` is for one target a file; without a \
-             cycle, `cycles = 1` in the truth",
-        )
-    };
     if read.len() != rows.len() {
-        return Err(wrong(format!("{} of {} rows", read.len(), rows.len())).into());
+        let message = error!("simulated-rows-lost", file, read = read.len(), rows = rows.len());
+        return Err(message.at(place()).into());
     }
     for (row, point) in rows.iter().zip(&read) {
         if !is_meant(row, point) {
             let Turn { pose, cycle, .. } = row.turn;
-            let named = format!("target {:?}, pose {:?}, cycle {:?}", point.target, point.pose, point.cycle);
-            let meant = format!("`{}`, pose {pose}, cycle {cycle}", row.target);
-            return Err(wrong(format!("line {} is {meant}, and names {named}", point.line)).into());
+            let meant = phrase!("measurement-name", target = row.target, pose, cycle);
+            let shown = |value: Option<String>| value.unwrap_or_else(|| "-".to_owned());
+            let target = shown(point.target.as_ref().map(ToString::to_string));
+            let found = [shown(point.pose.map(|p| p.to_string())), shown(point.cycle.map(|c| c.to_string()))];
+            let read = phrase!("measurement-name", target, pose = found[0], cycle = found[1]);
+            return Err(error!("simulated-row-misread", file, line = point.line, meant, read).at(place()).into());
         }
     }
     Ok(written)

@@ -2,7 +2,8 @@
 
 use super::Scene;
 use crate::stages::geometric::{self, Gathered};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_formats::Export;
@@ -34,9 +35,7 @@ pub(super) fn check(scene: &Scene) -> Result<()> {
     let definition = scene.campaign.file.geometric.as_ref();
     let table = scene.robot.rail_table();
     if scene.truth.geometric.is_some() && (definition.is_none() || table.is_none()) {
-        return Err(Message::error("the truth has [geometric], the campaign has not, or is of no PreXYT")
-            .hint("state [geometric] in campaign.toml: it names the labels")
-            .into());
+        return Err(error!("truth-geometric-without-campaign").into());
     }
     Ok(())
 }

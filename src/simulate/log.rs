@@ -2,8 +2,9 @@
 
 use super::Scene;
 use crate::stages::gather;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
+use etalon_base::{error, phrase};
 use etalon_campaign::JoinBy;
 use etalon_formats::table::ASSEMBLY;
 use etalon_formats::{JointLog, Log, LogRow};
@@ -41,17 +42,17 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
 /// Rejects logs that cannot consist of rows of standing poses ten seconds apart.
 fn writable(scene: &Scene, log: &Log) -> Result<()> {
     let timed = scene.campaign.file.join_by() == Some(JoinBy::Time);
-    let what = if log.format.has_channels() {
-        "a TwinCAT export"
+    let kind = if log.format.has_channels() {
+        "twincat"
     } else if log.standstill.is_some() {
-        "a log recorded while the robot moves"
+        "moving-log"
     } else if log.period_s.is_some() && timed {
-        "a log whose times follow from its period, for a join by time"
+        "period-log"
     } else if log.columns.values().any(|column| column.occurrence.is_some()) {
-        "a log that names columns twice"
+        "repeated-columns"
     } else {
         return Ok(());
     };
-    let message = Message::error(format!("simulate does not write {what}")).at(scene.campaign.place(&log.file));
-    Err(message.hint("state another log to simulate, then the real one").into())
+    let message = error!("simulate-not-written", what = phrase!("simulated-kind", kind));
+    Err(message.at(scene.campaign.place(&log.file)).into())
 }

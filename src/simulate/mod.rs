@@ -18,8 +18,9 @@ pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_valu
 pub use unmodelled::{Interpolation, Unmodelled};
 
 use etalon_base::cell::is_formula;
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector};
 use etalon_campaign::Campaign;
@@ -70,10 +71,7 @@ impl Scene<'_> {
         };
         let beyond =
             (1..).zip(self.joints.iter().zip(&self.stands)).filter_map(|(pose, p)| Some((pose, violation(p)?)));
-        let told = |(pose, why): (usize, String)| {
-            let message = Message::error(format!("pose {pose} is out of reach: {why}"));
-            message.hint("correct the pose in the truth, or [reach] in robot.toml")
-        };
+        let told = |(pose, why): (usize, String)| error!("truth-pose-out-of-reach", pose, reason = why);
         Problems(beyond.map(told).collect()).check().map(|_| ())
     }
 
@@ -96,9 +94,10 @@ impl Scene<'_> {
         let stated = self.campaign.file.contact.map_or(0.0, |c| c.standard_uncertainty_mm());
         let sigma_mm = self.truth.contact_um.map_or(stated, |um| um / 1000.0);
         let found = at.map(|v| v + contact.gaussian(sigma_mm));
-        let mut stated = self.robot.inverse(&self.values, &self.joints[pose], found).ok_or_else(|| {
-            Message::error(format!("pose {}: the true robot does not reach its point {at:?} mm", turn.pose))
-        })?;
+        let mut stated = self
+            .robot
+            .inverse(&self.values, &self.joints[pose], found)
+            .ok_or_else(|| error!("truth-point-out-of-reach", pose = turn.pose, point = format!("{at:?}")))?;
         let errors = self.joint_errors(turn, &stated);
         stated.iter_mut().zip(errors).for_each(|(q, error)| *q -= error);
         Ok(stated)
@@ -132,14 +131,9 @@ impl Scene<'_> {
 fn check_table(campaign: &Campaign, truth: &Truth) -> Result<()> {
     let has_rows = !truth.observe.is_empty() || !truth.known.is_empty();
     match &campaign.file.observations {
-        None if has_rows => Err(Message::error("the truth has [[observe]], and the campaign no [observations]")
-            .hint("state the table in campaign.toml: `[observations]` with `file`")
-            .into()),
+        None if has_rows => Err(error!("observe-without-table").into()),
         Some(stated) if truth.observe.is_empty() => {
-            let message = Message::error("the truth has no [[observe]] for the table of [observations]");
-            let hint =
-                "state what is observed: kind = \"point\", target = \"ball\" ...; docs/observations.md has the kinds";
-            Err(message.at(campaign.place(&stated.file)).hint(hint).into())
+            Err(error!("table-without-observe").at(campaign.place(&stated.file)).into())
         }
         _ => Ok(()),
     }
@@ -149,26 +143,18 @@ fn check_table(campaign: &Campaign, truth: &Truth) -> Result<()> {
 /// simulated; returns their names.
 pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if campaign.file.synthetic.is_none() {
-        return Err(Message::error("the campaign does not state that it is synthetic: its files may be measured ones")
-            .hint(
-                "state `synthetic = \"how the data are made\"` in campaign.toml: every report repeats it; \
-                 `etalon init --synthetic FOLDER` writes such a campaign with a truth",
-            )
-            .into());
+        return Err(error!("campaign-not-synthetic").into());
     }
     if truth.decimals > MOST_DECIMALS {
-        let what = format!("{} decimals are more than a number has", truth.decimals);
-        return Err(Message::error(what).expected(format!("0 to {MOST_DECIMALS}")).into());
+        return Err(error!("truth-decimals", decimals = truth.decimals, most = MOST_DECIMALS).into());
     }
     if let Some(export) = campaign.file.exports.iter().find(|export| !export.joints.is_empty()) {
-        let message = Message::error("a file with joints and points together is not simulated");
-        return Err(message.at(campaign.place(&export.file)).hint("state an export and a [log] of their own").into());
+        return Err(error!("joints-and-points-together").at(campaign.place(&export.file)).into());
     }
     let table = campaign.file.observations.as_ref();
     check_table(campaign, truth)?;
     if let Some(point) = truth.points.iter().find(|point| is_formula(&point.label)) {
-        let what = format!("the label `{}` of a [[point]] would be a formula in a spreadsheet", point.label);
-        return Err(Message::error(what).hint("give the point a label that does not begin with = + - or @").into());
+        return Err(error!("point-label-formula", label = point.label).into());
     }
     let mut robot = campaign.build_robot_with(&observed::targets(truth))?;
     let own = robot.parameters().len();
@@ -177,8 +163,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     let unstated = robot.parameters()[own..].iter().filter(|p| !truth.parameters.contains_key(&p.name));
     let unstated: Vec<String> = unstated.map(|p| format!("`{}`", p.name)).collect();
     if !unstated.is_empty() {
-        let what = format!("[parameters] does not state {}", unstated.join(", "));
-        return Err(Message::error(what).hint("state where the fixed things are that are observed").into());
+        return Err(error!("truth-parameters-missing", parameters = unstated).into());
     }
     let values = true_values(robot.as_ref(), &truth.parameters)?;
     let placed = &truth.export_T_world;

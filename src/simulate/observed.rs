@@ -3,9 +3,10 @@
 
 use super::Truth;
 use crate::stages::kinds::{self, ByColumn, Cell, Cells, Simulated, stated_schema, text};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::{Selection, StatedPoses};
 use etalon_robots::Robot;
 use schemars::JsonSchema;
@@ -100,7 +101,7 @@ pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
             let mut cells = cells(&stated.kind, &stated.target, &stated.to, &world);
             if let Some(coordinates) = &stated.coordinates {
                 if !kind.facts().is_position || cells.text("station").is_some() {
-                    return Err(Message::error("`coordinates` is for kind `point` without a station").into());
+                    return Err(error!("coordinates-of-other-kind").into());
                 }
                 cells.by_column.insert("coordinates".to_owned(), Cell::Text(coordinates.clone()));
             }
@@ -169,6 +170,5 @@ fn world_station(truth: &Truth) -> Result<String> {
 }
 
 fn within(table: &str, number: usize, problems: Problems) -> Problems {
-    let within = |m: Message| Message { what: format!("[[{table}]] {number}: {}", m.what), ..m };
-    Problems(problems.0.into_iter().map(within).collect())
+    problems.within(&phrase!("in-numbered-table", table, number))
 }

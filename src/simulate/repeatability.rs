@@ -4,7 +4,8 @@
 use super::{Scene, Turn};
 use crate::stages::geometric;
 use etalon_base::bounds::{MOST, at_most};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus};
 use etalon_formats::Export;
@@ -66,8 +67,7 @@ pub(super) fn points(
         return Ok(Vec::new());
     }
     let target = scene.robot.targets().iter().position(|t| *t == truth.target).ok_or_else(|| {
-        let message =
-            Message::error(format!("[repeatability] of the truth: the robot has no target `{}`", truth.target));
+        let message = error!("truth-target-unknown", target = truth.target);
         message.hint_names(&truth.target, scene.robot.targets().iter().map(String::as_str))
     })?;
     let mut robot = Noise::new(scene.truth.seed, VISITS);
@@ -82,8 +82,7 @@ pub(super) fn points(
             let pose = name.number().filter(|pose| (1..=scene.joints.len() as i64).contains(pose)).unwrap_or_default();
             let scatter = usize::try_from(pose - 1).ok().and_then(|i| truth.pose.get(i));
             let Some(scatter) = scatter else {
-                let message = Message::error(format!("pose {name} of the trajectory is not in the truth"));
-                return Err(message.hint("add it to `joints` of [[poses]] and to [[repeatability.pose]]").into());
+                return Err(error!("truth-pose-missing", pose = name).into());
             };
             let at = scene.target(Turn { pose, cycle, number: pose }, target);
             // side of the play after the last move along an axis
@@ -112,13 +111,11 @@ pub(super) fn points(
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let Some(truth) = &scene.truth.repeatability else { return Ok(()) };
     if scene.campaign.file.repeatability.is_none() {
-        return Err(Message::error("the truth has [repeatability], the campaign has not")
-            .hint("state [repeatability] in campaign.toml: it names labels and trajectory")
-            .into());
+        return Err(error!("truth-repeatability-without-campaign").into());
     }
     if truth.home.len() != scene.robot.joints().len() {
-        let what = format!("`home` has {} joint values, the robot {}", truth.home.len(), scene.robot.joints().len());
-        return Err(Message::error(what).into());
+        let (values, joints) = (truth.home.len(), scene.robot.joints().len());
+        return Err(error!("truth-home-count", values, joints).into());
     }
     Ok(())
 }

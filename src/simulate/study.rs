@@ -7,10 +7,11 @@ use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::parse;
 use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
 use etalon_identify::{Observation, Settings, identify_from};
@@ -68,7 +69,7 @@ impl Study<'_> {
             let found =
                 identify_from(self.robot, &measured, &self.settings, &self.robot.nominal()).map_err(remedied)?;
             if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
-                return Err(Message::error("too few poses to identify all parameters").into());
+                return Err(error!("study-too-few-poses").into());
             }
             for ((mean, square), value) in mean.iter_mut().zip(&mut squares).zip(&found.values) {
                 let before = value - *mean;
@@ -282,7 +283,7 @@ pub fn observations(places: &[Places], robot: &dyn Robot, folder: &Path) -> Resu
         one.add(robot, folder, &mut all)?;
     }
     if all.is_empty() {
-        return Err(Message::error("a set without poses, or none that the robot reaches").into());
+        return Err(error!("study-set-empty").into());
     }
     let targets = vec![Some([0.0; 3]); robot.targets().len()];
     let observe = |(k, (pose, joints)): (usize, (PoseName, Vec<f64>))| Observation {
@@ -334,10 +335,8 @@ impl Places {
                 }
                 continue;
             }
-            let ways = robot.inverse_all(&nominal, [x_mm, y_mm, 0.0]).ok_or_else(|| {
-                Message::error(format!("`{}` is not placed by positions", robot.model()))
-                    .hint("state `joints`, or a table in `file`")
-            })?;
+            let ways = robot.inverse_all(&nominal, [x_mm, y_mm, 0.0]);
+            let ways = ways.ok_or_else(|| error!("study-not-by-position", model = robot.model()))?;
             let pose = name();
             all.extend(ways.into_iter().map(|q| (pose, q)));
         }
@@ -388,8 +387,7 @@ impl StudyFile {
     /// Reports poses out of reach, parameters that a set does not determine, and robots without a
     /// tool pose.
     pub fn run(&self, robot: &dyn Robot, folder: &Path, mut progress: impl FnMut(&str)) -> Result<Vec<StudiedDesign>> {
-        let arm =
-            robot.kinematics().ok_or_else(|| Message::error(format!("`{}` has no pose of a tool", robot.model())))?;
+        let arm = robot.kinematics().ok_or_else(|| error!("study-without-tool", model = robot.model()))?;
         let truth = true_values(robot, &self.parameters)?;
         let commands = observations(&self.workspace, robot, folder)?;
         let mut designs = Vec::new();
@@ -404,10 +402,7 @@ impl StudyFile {
                     ..Settings::default()
                 };
                 let study = Study { robot, truth: &truth, settings, runs: self.runs.max(1), seed: self.seed };
-                let at_set = |mut problems: Problems| {
-                    problems.0.iter_mut().for_each(|m| m.what = format!("set `{}`: {}", set.name, m.what));
-                    problems
-                };
+                let at_set = |problems: Problems| problems.within(&phrase!("in-set", set = set.name));
                 let draws = study.draws(&poses, noise_um / 1e3, self.draws.max(1)).map_err(at_set)?;
                 let landings = |p: &[f64]| {
                     commands.iter().filter_map(|o| Landing::of(arm, &truth, p, self.frame, &o.joints)).collect()

@@ -9,6 +9,7 @@ use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, norm};
+use etalon_base::{error, phrase};
 use etalon_campaign::ObservationsDefinition;
 use etalon_formats::dialect::{Decimal, Delimiter, Encoding};
 use etalon_formats::log_column;
@@ -63,20 +64,21 @@ pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Ite
 
 /// Rejects table formats that cannot be written.
 fn writable(scene: &Scene, stated: &ObservationsDefinition) -> Result<()> {
-    let what = if stated.sheet.is_some() {
-        "a sheet of a workbook"
+    let kind = if stated.sheet.is_some() {
+        "workbook-sheet"
     } else if stated.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
-        "a table in another encoding than UTF-8"
+        "encoding"
     } else if stated.layout().delimiter == Delimiter::Blank {
-        "a table of observations with blanks between columns: cells that a row does not need are empty"
+        "blank-columns"
     } else if scene.truth.unmodelled.is_some() {
-        "a table of observations with errors of [unmodelled]"
+        "unmodelled"
     } else if !scene.robot.approached().is_empty() {
-        "a table of observations of a robot with backlash"
+        "backlash"
     } else {
         return Ok(());
     };
-    Err(Message::error(format!("simulate does not write {what}")).at(scene.campaign.place(&stated.file)).into())
+    let message = error!("simulate-not-written", what = phrase!("simulated-kind", kind));
+    Err(message.at(scene.campaign.place(&stated.file)).into())
 }
 
 /// Joint values of a measurement at which targets are in contact: the joint values of the truth,
@@ -105,9 +107,7 @@ fn touching(scene: &Scene, turn: Turn, items: &[&Item]) -> Result<Vec<f64>> {
             return Ok(q);
         }
     }
-    let message =
-        Message::error(format!("pose {}: no joint values near those of the truth touch what they should", turn.pose));
-    Err(message.hint("state joint values that come near to it, or a wider range of drawn ones").into())
+    Err(error!("truth-not-touching", pose = turn.pose).into())
 }
 
 /// Newton's method with minimum-norm steps from `q`.
@@ -247,10 +247,8 @@ impl Scene<'_> {
     /// the instrument's.
     fn u_rad(&self, stated_deg: Option<f64>) -> std::result::Result<f64, Message> {
         let instrument = self.campaign.file.instrument.rotation_uncertainty_rad();
-        let stated = stated_deg.map(f64::to_radians).or(instrument).ok_or_else(|| {
-            Message::error("the uncertainty of an angle is not stated")
-                .hint("state `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]]")
-        })?;
+        let stated = stated_deg.map(f64::to_radians).or(instrument);
+        let stated = stated.ok_or_else(|| error!("angle-uncertainty-missing"))?;
         Ok(stated * self.noise_scale())
     }
 
@@ -283,9 +281,5 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let others = others.map(|c| (c.pose, norm(c.error(robot.as_ref(), &values)), c.standard_uncertainty));
     let far = points.chain(others).find(|(_, off, u)| *off > FAR * u * scene.noise_scale().max(1.0) + rounding);
     let Some((pose, off, _)) = far else { return Ok(()) };
-    let what = format!(
-        "`{file}` would not be read as it is meant: an observation of pose {pose} is off by {off:.3} mm or rad"
-    );
-    let hint = "`pose = \"row\"` and `target` of [observations] are for one target and one row a pose";
-    Err(Message::error(what).at(here()).hint(hint).into())
+    Err(error!("simulated-table-misread", file, pose, off).at(here()).into())
 }

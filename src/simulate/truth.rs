@@ -2,8 +2,9 @@
 
 use super::setup::Setup;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::message::{Place, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_campaign::parse;
@@ -188,8 +189,7 @@ impl Circle {
 pub(super) fn stated_joints(robot: &dyn Robot, q: &[f64]) -> Result<Vec<f64>> {
     let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
     if q.len() != count {
-        let what = format!("a pose has {} joint values, the robot {count} joints", q.len());
-        return Err(Message::error(what).into());
+        return Err(error!("truth-joint-count", values = q.len(), joints = count).into());
     }
     let inward = |(i, q): (usize, &f64)| robot.joints().get(i).map_or(*q, |j| j.quantity.inward(*q));
     Ok(q.iter().enumerate().map(inward).collect())
@@ -218,13 +218,12 @@ impl Truth {
             let at = match &poses.label {
                 None => None,
                 Some(_) if !poses.circles.is_empty() => {
-                    return Err(Message::error("`label` in [[poses]] is for `joints`, not for `circles`").into());
+                    return Err(error!("truth-label-with-circles").into());
                 }
                 Some(label) => {
                     Some(self.points.iter().find(|p| p.label == *label).map(|p| p.at_mm).ok_or_else(|| {
-                        let message =
-                            Message::error(format!("[[poses]] names the point `{label}`, which is no [[point]]"));
-                        message.hint_names(label, self.points.iter().map(|p| p.label.as_str()))
+                        error!("truth-point-unknown", label)
+                            .hint_names(label, self.points.iter().map(|p| p.label.as_str()))
                     })?)
                 }
             };
@@ -279,9 +278,7 @@ impl Truth {
                 all.push(stated_joints(robot, q)?);
             }
             for circle in &poses.circles {
-                let platform = robot
-                    .platform()
-                    .ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
+                let platform = robot.platform().ok_or_else(|| error!("truth-circles-not-planar"))?;
                 for [x_mm, y_mm] in circle.positions() {
                     for theta in &poses.theta_deg {
                         let pose = PlanarPose { x_mm, y_mm, theta_rad: theta.to_radians() };
@@ -309,10 +306,9 @@ pub fn true_values(robot: &dyn Robot, given: &BTreeMap<String, f64>) -> Result<V
     let mut values = robot.nominal();
     for (name, value) in given {
         let names = robot.parameters().iter().map(|p| p.name.as_str());
-        let i = robot.index(name).ok_or_else(|| {
-            Message::error(format!("[parameters] names `{name}`, which is not a parameter of this robot"))
-                .hint_names(name, names)
-        })?;
+        let i = robot
+            .index(name)
+            .ok_or_else(|| error!("truth-parameter-unknown", parameter = name).hint_names(name, names))?;
         values[i] = robot.parameters()[i].quantity.inward(*value);
     }
     Ok(values)

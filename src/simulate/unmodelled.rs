@@ -2,7 +2,8 @@
 //! calibration.
 
 use super::Scene;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use schemars::JsonSchema;
@@ -64,11 +65,11 @@ impl Unmodelled {
         let names = || scene.robot.joints().iter().map(|j| j.name.as_str());
         let stated = self.backlash.keys().chain(self.interpolation.keys()).chain(self.homing.keys());
         if let Some(name) = stated.into_iter().find(|name| names().all(|n| n != name.as_str())) {
-            let message = Message::error(format!("[unmodelled] names `{name}`, which is not a joint of this robot"));
+            let message = error!("unmodelled-joint-unknown", joint = name);
             return Err(message.hint_names(name, names()).into());
         }
         if let Some((name, _)) = self.interpolation.iter().find(|(_, i)| i.period <= 0.0 || i.period.is_nan()) {
-            return Err(Message::error(format!("[unmodelled] `period` of `{name}` must be positive")).into());
+            return Err(error!("unmodelled-period", joint = name).into());
         }
         Ok(())
     }

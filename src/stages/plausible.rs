@@ -8,7 +8,7 @@ use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
+    Identification, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
     moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
@@ -87,7 +87,8 @@ pub fn plausibility(
     messages
 }
 
-/// An error where the poses give no more coordinates than parameters are identified: nothing is left that could contradict them.
+/// That the poses give no more coordinates than parameters are identified, so that nothing is left that could contradict them: an error where
+/// these rest on the poses alone, a warning beside nominal values.
 fn undetermined(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -106,7 +107,11 @@ fn undetermined(
             count(coordinates, "coordinate"),
             count(determined, "parameter")
         );
-        Message::error(what).hint("measure more poses, spread over the workspace")
+        let message = match settings.prior {
+            Prior::None => Message::error(what),
+            Prior::Tolerances { .. } => Message::warning(what).to_decide(),
+        };
+        message.hint("measure more poses, spread over the workspace")
     })
 }
 

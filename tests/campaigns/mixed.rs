@@ -333,3 +333,87 @@ fn cells_of_covariance(table: &str) -> Vec<usize> {
     let header = table.lines().next().unwrap().split(',');
     header.enumerate().filter(|(_, name)| name.starts_with('c') && name.ends_with("mm2")).map(|(k, _)| k).collect()
 }
+
+/// A six-axis arm whose reflector a tracker measured, all in one file with semicolons: neither [log] nor [join] is stated, and `target`
+/// names the reflector.
+#[test]
+fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let program = |arguments: &[&str]| {
+        let output = std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output();
+        let output = output.unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(program(&["init", "c", "--robot", "ur5e"]).0, Some(0));
+    let arm = etalon::campaign::read_robot(&at.join("c/robot.toml")).unwrap();
+    let arm = arm.build(&["LR".to_owned(), "RR".to_owned()]).unwrap();
+    let mut values = arm.nominal();
+    for (p, value) in arm.parameters().iter().zip(&mut values) {
+        *value += match p.name.as_str() {
+            "LR_x" | "RR_y" => 80.0,
+            "LR_z" | "RR_z" => 55.0,
+            "base_x" => 1500.0,
+            "d_4" => 0.3,
+            "theta_3" => 0.002,
+            _ => 0.0,
+        };
+    }
+    let mut noise = Noise::new(17, 1);
+    let row = |noise: &mut Noise| {
+        let q: Vec<f64> = (0..6).map(|_| noise.uniform(1.4)).collect();
+        let points = [0, 1].map(|k| arm.position(&values, &q, k).map(|x| x + noise.gaussian(0.01)));
+        let cells = q.iter().map(|q| q.to_degrees()).chain(points.into_iter().flatten());
+        cells.map(|v| format!("{v:.6}").replace('.', ",")).collect::<Vec<_>>().join(";") + "\n"
+    };
+    let head = "J1;J2;J3;J4;J5;J6;X1;Y1;Z1;X2;Y2;Z2\n";
+    for name in ["a.csv", "b.csv"] {
+        let text: String = (0..40).map(|_| row(&mut noise)).collect();
+        std::fs::write(at.join("c").join(name), head.to_owned() + &text).unwrap();
+    }
+    let joints: Vec<String> = (1..=6).map(|i| format!("q{i}_deg = \"J{i}\"")).collect();
+    let export = |file: &str, n: usize, target: &str, pose: &str| {
+        format!(
+            "[[export]]\nfile = \"{file}\"\nunit = \"mm\"\ntarget = \"{target}\"\n{pose}\n\
+             format = {{ delimiter = \";\", decimal = \",\", header = 1, columns = {{ x = \"X{n}\", y = \"Y{n}\", z = \"Z{n}\" }} }}\n\
+             joints = {{ {} }}\n",
+            joints.join(", ")
+        )
+    };
+    let run = |exports: &str| {
+        let text = format!(
+            "{HEAD}{exports}[frame.world]\nas_exported = true\n[identify]\ncalibration = \"index mod 10 < 7\"\nvalidation = \"rest\"\n"
+        );
+        std::fs::write(at.join("c/campaign.toml"), text).unwrap();
+        program(&["run", "c"])
+    };
+    let found = || -> ParametersDocument {
+        serde_json::from_slice(&std::fs::read(at.join("c/out/parameters.json")).unwrap()).unwrap()
+    };
+    let rms = || found().residuals.rms;
+
+    let (code, said) = run(&export("a.csv", 1, "LR", ""));
+    assert_eq!(code, Some(0), "{said}");
+    assert!(rms() < 0.02, "{}", rms());
+    // two points of each row; a second file, whose rows go on
+    let both = export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "");
+    let (code, said) = run(&both);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(rms() < 0.02 && found().parameters.iter().any(|p| p.name == "RR_x"), "{}", rms());
+    let second = export("b.csv", 1, "LR", "pose = \"row + 100\"");
+    let (code, said) = run(&(both.clone() + &second));
+    assert_eq!(code, Some(0), "{said}");
+    let poses = found().residuals.count;
+    assert!(rms() < 0.02 && poses > 200, "{} {poses}", rms());
+
+    // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
+    let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
+    assert!(code == Some(2) && said.contains("is there twice at pose 1") && said.contains("row + 100"), "{said}");
+    let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
+    assert!(code == Some(2) && said.contains("state different `joints`"), "{said}");
+    let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));
+    assert!(
+        code == Some(2) && said.contains("at least one target") && said.contains("`target` of the exports"),
+        "{said}"
+    );
+}

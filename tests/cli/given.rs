@@ -346,7 +346,7 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     assert!(read("at_once/etalon_kinematics.py").contains("# campaign: "));
     // nothing is written over
     let refused = etalon(&folder.path(), &["recommend", ".", "--write", "robot.toml"]);
-    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("is there already"));
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("error[file-exists]"));
     // a table as drawn: nothing is invented
     for (from, to) in
         [("gamma = 0.0828", "gamma = 0.0"), ("d3 = 0.8528", "d3 = 0.0"), ("delta = 0.9992", "delta = 1.0")]

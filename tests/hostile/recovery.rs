@@ -9,7 +9,7 @@ fn refused(scratch: &Scratch, parts: &[&str]) -> String {
 }
 
 fn errors(said: &str) -> usize {
-    said.matches("error: ").count()
+    said.lines().filter(|l| l.starts_with("error")).count()
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! Command `etalon iso9283 plan`.
 
 use super::super::{Verdict, pose_table, print, print_written, say};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
@@ -42,8 +43,7 @@ impl PlanOptions {
             [x0, y0, x1, y1] => [[x0, y0, 0.0], [x1, y1, 0.0]],
             [x0, y0, z0, x1, y1, z1] => [[x0, y0, z0], [x1, y1, z1]],
             _ => {
-                let message = Message::error(format!("--workspace-mm has {} numbers", self.workspace_mm.len()));
-                return Err(Problems::from(message.expected("six, or four for planar robots")).into());
+                return Err(Problems::from(error!("workspace-numbers", count = self.workspace_mm.len())).into());
             }
         };
         let plan = plan(&TestRequest {
@@ -79,17 +79,13 @@ impl PlanOptions {
 
 fn without_plan(error: PlanError) -> Problems {
     match error {
-        PlanError::ReorientationAlone => {
-            let message = Message::error("a reorientation without an orientation to begin with");
-            message.hint("state --orientation-deg as well").into()
-        }
+        PlanError::ReorientationAlone => error!("reorientation-alone").into(),
         PlanError::Other(problems) => problems,
     }
 }
 
 fn unknown_reach(model: &str) -> Problems {
-    let message = Message::error(format!("what a robot of model `{model}` reaches its file does not state"));
-    message.hint("leave --robot out, and try the places on the robot at low speed").into()
+    error!("reach-unknown", model).into()
 }
 
 fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<String>> {

@@ -14,8 +14,9 @@ pub(super) use python::PythonCode;
 pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, scl, units};
 
 use super::Given;
+use etalon_base::error;
 use etalon_base::expression::{Formula, Operation};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use serde::Serialize;
 
 /// Formulas of the robot with its identified parameters.
@@ -23,11 +24,11 @@ pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
     let (robot, values) = given.robot()?;
     let formulas = robot.kinematics().map(|arm| arm.formulas(&values)).unwrap_or_default();
     if formulas.is_empty() {
-        return Err(Message::error(format!("the kinematics of `{}` have no formulas", robot.model())).into());
+        return Err(error!("formulas-missing", model = robot.model()).into());
     }
     let finite = |step: &Operation| !matches!(step, Operation::Constant(bits) if !f64::from_bits(*bits).is_finite());
     if !formulas.iter().flat_map(|formula| &formula.steps).all(finite) {
-        return Err(Message::error("a constant of the kinematics is not finite").into());
+        return Err(error!("formula-constant-not-finite").into());
     }
     Ok(formulas)
 }

@@ -1,7 +1,8 @@
 //! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
 
 use super::{Given, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::{error, phrase};
 use std::fmt::Write;
 
 /// Counts of each axis per mm or deg of its joint.
@@ -32,14 +33,13 @@ impl Galil {
     /// Fails with more axes than a controller has, or if counts exceed its range.
     pub fn list(&self, given: &Given, targets: &[(String, Vec<f64>)]) -> Result<String> {
         let axes = "ABCDEFGH".get(..self.counts_per_unit.len());
-        let axes = axes.ok_or_else(|| Message::error("a Galil controller has eight axes at most"))?;
+        let axes = axes.ok_or_else(|| error!("galil-axes", joints = self.counts_per_unit.len()))?;
         let mut out: String = given.header("counts")?.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#TARGETS\n";
         for (name, joints) in targets {
             let counts = self.counts(joints);
             if counts.iter().any(|n| n.is_nan() || n.abs() > LARGEST) {
-                let message = Message::error(format!("target {name}: {counts:?} counts are out of range"));
-                return Err(message.expected(format!("at most {LARGEST} counts")).into());
+                return Err(error!("galil-counts-out-of-range", target = name, counts, most = LARGEST).into());
             }
             let cells: Vec<String> = counts.iter().map(|n| format!("{n}")).collect();
             let _ = writeln!(out, "REM {}\nPA {};BG {axes};AM {axes}", super::super::comment(name), cells.join(","));
@@ -79,11 +79,18 @@ impl Galil {
                             slots: slots(&numbers),
                             configuration: None,
                         }),
-                        None => problems.push(at_line(i + 1, format!("`{written}` is not a position of every axis"))),
+                        None => problems.push(at_line(
+                            i + 1,
+                            error!(
+                                "move-incomplete",
+                                command = written.as_ref(),
+                                coordinates = phrase!("position-of-every-axis"),
+                            ),
+                        )),
                     },
                     b"PR" | b"IP" | b"LI" | b"VP" | b"CR" => {
-                        let what = format!("`{written}` is not compensated: only absolute positions (PA) are");
-                        problems.push(at_line(i + 1, what));
+                        let message = error!("movement-not-compensated", command = written.as_ref());
+                        problems.push(at_line(i + 1, message));
                     }
                     _ => {}
                 }

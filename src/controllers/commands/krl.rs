@@ -8,6 +8,7 @@ use super::{
 };
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use std::fmt::Write;
 use std::ops::Range;
 
@@ -105,8 +106,9 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     }
     let line = line_of(text, open);
     if numbers.len() < NAMES.len() {
-        let message = at_line(line, "the target states a part of X, Y, Z, A, B and C");
-        return moves.then(|| message.hint("state all of them: the others are those of the position before it"));
+        let command = format!("{{{}}}", String::from_utf8_lossy(&text[inside]).trim());
+        let coordinates = phrase!("pose-of-six");
+        return moves.then(|| at_line(line, error!("move-incomplete", command, coordinates)));
     }
     found.targets.push(ProgramTarget {
         name: name_of(text, open, "="),

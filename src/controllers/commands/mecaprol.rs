@@ -5,6 +5,7 @@
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -62,7 +63,10 @@ impl CommandLanguage for Mecaprol {
                                 configuration: None,
                             });
                         }
-                        _ => problems.push(at_line(i + 1, format!("`{}` has not both X and Y", written()))),
+                        _ => problems.push(at_line(
+                            i + 1,
+                            error!("move-incomplete", command = written(), coordinates = phrase!("x-and-y")),
+                        )),
                     },
                     _ => {}
                 }
@@ -70,8 +74,7 @@ impl CommandLanguage for Mecaprol {
             }
         }
         if modes.len() > 1 {
-            let message = at_line(1, "the program changes the working mode");
-            problems.push(message.hint("give the targets of each working mode as a program of their own"));
+            problems.push(at_line(1, error!("working-mode-changes")));
         }
         super::none(problems)?;
         Ok(found)

@@ -14,6 +14,7 @@ mod urscript;
 pub use galil::Galil;
 
 use super::Given;
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use std::collections::BTreeSet;
@@ -67,7 +68,7 @@ pub trait CommandLanguage: Sync {
     /// Reports targets that cannot be compensated individually, and languages whose programs cannot
     /// be read.
     fn targets(&self, _program: &[u8], _freedoms: Freedoms) -> Result<Program> {
-        Err(Message::error("programs of this language are not read").hint("give the targets as a table").into())
+        Err(error!("program-not-readable").into())
     }
 }
 
@@ -314,9 +315,8 @@ fn slots(numbers: &[Number]) -> Vec<Slot> {
 }
 
 /// Error at a line of a program.
-fn at_line(line: usize, what: impl Into<String>) -> Message {
-    let place = etalon_base::message::Place { line: Some(line), ..Default::default() };
-    Message::error(what).at(place)
+fn at_line(line: usize, message: Message) -> Message {
+    message.at(etalon_base::message::Place { line: Some(line), ..Default::default() })
 }
 
 /// Returns the errors, if any.

@@ -6,6 +6,7 @@ use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
     skip_blanks, slots,
 };
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use std::fmt::Write;
@@ -58,8 +59,8 @@ impl CommandLanguage for Rapid {
                     let name = name_of(&text, next, ":=");
                     let length = numbers[3..].iter().map(|n| n.value * n.value).sum::<f64>().sqrt();
                     if (length - 1.0).abs() > 1e-3 {
-                        let what = format!("the quaternion of {name} has the length {length:.4}");
-                        problems.push(super::at_line(line_of(&text, next), what));
+                        let message = error!("quaternion-length", target = name, length);
+                        problems.push(super::at_line(line_of(&text, next), message));
                     }
                     let cf = |i: usize| lists[2][i].value as i64;
                     found.targets.push(ProgramTarget {

@@ -3,6 +3,7 @@
 use super::all;
 use crate::mirror::mirror;
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -48,7 +49,7 @@ impl Iso9283ComplianceDocument {
     /// Creates the document of all directions in which the robot was loaded.
     pub fn new(found: Vec<DirectionalCompliance>) -> Self {
         let short: Vec<&str> = found.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction).collect();
-        let warning = || Message::warning(format!("fewer than {CYCLES} cycles in direction {}", short.join(", ")));
+        let warning = || warning!("few-cycles-of-direction", least = CYCLES, directions = short);
         Self {
             schema: "etalon/iso9283-compliance/1".to_owned(),
             conventions: vec![

@@ -2,8 +2,9 @@
 
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
-use etalon_base::message::{Message, Problems, Result, count};
+use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
@@ -189,29 +190,24 @@ fn without_pass(error: PassError, near_mm: f64) -> Problems {
         PassError::NoPass { planes } => planes,
         PassError::Other(problems) => return problems,
     };
-    let through = format!("a motion through {planes} planes, each within {near_mm} mm of the path");
-    let hint = "are recording and path in the same frame, and driven the same way? --near-mm allows more";
-    Message::error("no pass of the commanded path was found").expected(through).hint(hint).into()
+    error!("path-without-pass", planes, near_mm).into()
 }
 
 /// Warnings of a recording and its standstills.
 fn messages(recording: &Recording, settings: &MotionSettings, standing: &[Standing]) -> Vec<Message> {
     let mut messages = Vec::new();
     if !recording.left_out.is_empty() {
-        let lines: Vec<String> = recording.left_out.iter().take(10).map(usize::to_string).collect();
-        let what = format!("{} left out: no robot moves as fast", count(recording.left_out.len(), "sample"));
-        messages.push(Message::warning(what).hint(format!("look at line {}", lines.join(", "))));
+        let lines: Vec<usize> = recording.left_out.iter().copied().take(10).collect();
+        messages.push(warning!("samples-too-fast", count = recording.left_out.len(), lines));
     }
     if settings.path.as_ref().is_some_and(|p| p.weave.is_some() && p.velocity_mm_s.is_some()) {
-        let message =
-            Message::warning("the commanded velocity is not compared: the path is the centre line of a weave");
-        messages.push(message.hint("velocities are those of a path that is driven without weaving"));
+        messages.push(warning!("weave-velocity-not-compared"));
     }
     let begins = |s: &&Standing| s.arrival.is_none() && s.standstill.samples.start > 0;
-    let unsettled: Vec<String> = standing.iter().filter(begins).map(|s| format!("{:.3}", s.from_s)).collect();
+    let unsettled = standing.iter().filter(begins).map(|s| (1e3 * s.from_s).round() / 1e3);
+    let unsettled: Vec<f64> = unsettled.collect();
     if settings.band_mm.is_some() && !unsettled.is_empty() {
-        let what = format!("arrivals that do not settle within the limit band: at {} s", unsettled.join(", "));
-        messages.push(Message::warning(what).hint("the band must be wider than the noise of the standing robot"));
+        messages.push(warning!("arrivals-unsettled", times_s = unsettled));
     }
     messages
 }
@@ -220,15 +216,11 @@ fn messages(recording: &Recording, settings: &MotionSettings, standing: &[Standi
 fn path_messages(driven: &Driven, path: &PathSettings) -> Vec<Message> {
     let mut messages = Vec::new();
     if driven.passes.incomplete > 0 {
-        let what = format!("{} begun and not ended: left out", count(driven.passes.incomplete, "pass"));
-        let hint = "was the motion cut off? where the robot rounds off a corner widely, --near-mm (near_mm) leaves out more of it";
-        messages.push(Message::warning(what).hint(hint));
+        messages.push(warning!("passes-incomplete", count = driven.passes.incomplete));
     }
     let compared = path.velocity_mm_s.is_some() && path.weave.is_none();
     if let Some(corner) = driven.central_corner().filter(|_| compared) {
-        let what = format!("the central part of the path holds a corner, at {:.3} mm", corner.along_mm[1]);
-        let hint = "where a robot slows down for it, that is in AV, RV and FV: state a path without it, or a smaller central part";
-        messages.push(Message::warning(what).hint(hint));
+        messages.push(warning!("corner-in-central-part", at_mm = corner.along_mm[1]));
     }
     messages
 }

@@ -6,6 +6,7 @@ use crate::{Conformity, LimitQuantity, LimitVerdict};
 use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::decision::DecisionRule;
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
@@ -66,8 +67,7 @@ impl Iso9283Document {
     pub fn evaluate(robots: &PoseTest, settings: &PoseTestSettings) -> Result<Self> {
         let count = robots.robots().len();
         if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
-            let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
-            return Err(message.hint("test each robot by itself; together they give the exchangeability").into());
+            return Err(error!("limits-for-several-robots", robots = count).into());
         }
         let test = &robots.of_first_robot();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
@@ -380,17 +380,14 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     let mut messages = test.warnings.clone();
     messages.extend(several_ways(test));
     let named = |wanted: fn(&Iso9283Pose) -> bool| {
-        let names: Vec<String> = poses.iter().filter(|p| wanted(p)).map(|p| p.pose.to_string()).collect();
-        (!names.is_empty()).then(|| names.join(", "))
+        let names: Vec<PoseName> = poses.iter().filter(|p| wanted(p)).map(|p| p.pose).collect();
+        (!names.is_empty()).then_some(names)
     };
     if let Some(short) = named(|p| p.cycles < CYCLES) {
-        let message = Message::warning(format!("fewer than {CYCLES} cycles at pose {short}"));
-        messages.push(message.hint("ISO 9283 asks for 30; the intervals show what fewer leave open"));
+        messages.push(warning!("few-cycles", least = CYCLES, poses = short));
     }
     if let Some(coarse) = named(|p| p.quarter_rule_met == Some(false)) {
-        let what = format!("the instrument's uncertainty exceeds a quarter of what it verifies at pose {coarse}");
-        let message = Message::warning(what);
-        messages.push(message.hint("the values are upper bounds of the robot's; measure with a better instrument"));
+        messages.push(warning!("instrument-too-coarse", poses = coarse));
     }
     messages
 }
@@ -440,11 +437,6 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<String> {
 /// assume one direction (7.2.1, 7.2.2).
 fn several_ways(visits: &PoseTest) -> Option<Message> {
     let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
-    let poses: Vec<String> = several.map(|p| p.pose.to_string()).collect();
-    let what = format!(
-        "approached in several ways: pose {}; AP, RP and their intervals are of all visits together",
-        poses.join(", ")
-    );
-    let hint = "what the standard calls RP is that of each approach, listed beside it; together they hold vAP as well, and their scatter is not Gaussian";
-    (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
+    let poses: Vec<PoseName> = several.map(|p| p.pose).collect();
+    (!poses.is_empty()).then(|| warning!("several-approaches", poses))
 }

@@ -389,7 +389,8 @@ impl Reader<'_> {
         let first = measured().nth(2).and(measured().next())?;
         let angles = |p: &Point| {
             let [x, y, z] = p.xyz_mm.map(|v| v / self.unit.in_mm());
-            x.abs() <= TAU && (0.0..=PI).contains(&y) && z * self.unit.in_mm() > 100.0
+            // points in m that are near the instrument have such x and y too: a distance is one by its number
+            x.abs() <= TAU && (0.0..=PI).contains(&y) && z > 100.0
         };
         measured().all(angles).then(|| {
             let what = "x, y and z look like azimuth and zenith in rad, and distance: all rows hold two small angles and one length";

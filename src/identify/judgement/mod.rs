@@ -7,6 +7,7 @@ pub(crate) mod diagnosis;
 pub(crate) mod excitation;
 pub(crate) mod logs;
 pub(crate) mod predict;
+pub(crate) mod regional;
 pub(crate) mod reliability;
 pub(crate) mod robust;
 pub(crate) mod significance;

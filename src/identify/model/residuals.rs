@@ -211,6 +211,16 @@ impl<'a> Residuals<'a> {
         self.observations.iter().zip(&self.rows).map(of).chain(conditions)
     }
 
+    /// `true` if all residuals but those of what is stated are coordinates of targets.
+    pub fn is_coordinates(&self) -> bool {
+        self.platform.is_none() && self.conditions.is_empty()
+    }
+
+    /// Joints of each observation, with the number of its residuals.
+    pub fn coordinate_rows(&self) -> impl Iterator<Item = (&[f64], usize)> {
+        self.observations.iter().zip(&self.rows).map(|(o, &rows)| (o.joints.as_slice(), rows))
+    }
+
     /// The pose of each residual.
     pub fn poses(&self) -> Vec<PoseName> {
         self.seen().flat_map(|s| std::iter::repeat_n(s.pose, s.rows)).collect()

@@ -24,7 +24,7 @@ const LEFT: f64 = 0.05;
 /// What a sum of squares falls by, at least, where parameters alone contradict a hypothesis.
 const FALLS_BY: f64 = 16.0;
 /// Iterations of one fit.
-const ITERATIONS: usize = 40;
+const ITERATIONS: usize = 60;
 
 /// Observations with a robot that is to explain them.
 pub(crate) struct Hypothesis<'a> {
@@ -73,7 +73,7 @@ impl Hypothesis<'_> {
             Prior { parameter, value, weight: sigma_mm / u.max(1e-9) }
         };
         let priors: Vec<Prior> = all.iter().map(|&i| prior(i)).collect();
-        let options = Options { iterations: ITERATIONS, step: 1e-6, ..Options::default() };
+        let options = Options { iterations: ITERATIONS, step: 1e-9, ..Options::default() };
         let solution =
             etalon_math::solve(&WithPriors::new(&problem, &priors), self.start.unwrap_or(&self.placed), options);
         let rows = problem.residual_count();
@@ -141,8 +141,13 @@ impl Fitted {
     }
 
     /// `true` if little of the spread of the positions is left.
-    pub fn is_near(&self) -> bool {
+    fn is_near(&self) -> bool {
         self.share < LEFT
+    }
+
+    /// `true` if the residuals show the noise: parameters that are far off shrink them.
+    pub fn shows_noise(&self) -> bool {
+        self.is_near() && self.off <= OFF
     }
 
     /// Sum of squares for each residual.

@@ -16,7 +16,7 @@ use etalon_math::{Options, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
 
 /// Poses on which changes are tried.
-const SUBSET: usize = 48;
+const SUBSET: usize = 32;
 /// Changes of which all parameters are fitted: those that bring the nominal robot nearest.
 const FITS: usize = 12;
 /// Nominal values of which all parameters are fitted.
@@ -116,7 +116,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
         cases.extend(wrong_nominal(robot, stated.as_ref()?, least_mm));
     }
     // one standard deviation for all
-    let sigma_mm = cases.iter().map(|(_, fitted)| fitted).chain(&as_stated).filter(|fitted| fitted.is_near());
+    let sigma_mm = cases.iter().map(|(_, fitted)| fitted).chain(&as_stated).filter(|fitted| fitted.shows_noise());
     let sigma_mm = sigma_mm.map(|fitted| fitted.noise_mm).fold(f64::INFINITY, f64::min);
     let sigma_mm = if sigma_mm.is_finite() { sigma_mm.max(least_mm) } else { least_mm };
     let unchanged = stated.as_ref().and_then(|case| case.fit(robot, sigma_mm, as_stated.as_ref()));
@@ -481,6 +481,26 @@ mod tests {
             Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         (1..=40).map(pose).collect()
+    }
+
+    /// Forty poses with points in inches, from a frame that lies elsewhere.
+    #[test]
+    fn a_unit_is_named_and_sound_data_have_no_slip() {
+        let robot = Prexyt::default();
+        let mut observations = measured(&robot, 0.0);
+        assert_eq!(set_up_error(&robot, &observations, 0.003), None);
+        for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+            *p = [25.4 * p[0] + 900.0, 25.4 * p[1] - 700.0, 0.0];
+        }
+        let found = set_up_error(&robot, &observations, 0.003).expect("a slip");
+        assert_eq!(found.changes[0].0, "the measured points in millimetres instead of inches");
+        assert!(found.changed_mm < 0.01 && found.stated_mm > 1.0, "{found:?}");
+        // joints of another robot, and points that nothing explains
+        let mut noise = Noise::new(16, 6);
+        for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+            *p = [noise.uniform(200.0), noise.uniform(200.0), 0.0];
+        }
+        assert_eq!(set_up_error(&robot, &observations, 0.003), None);
     }
 
     #[test]

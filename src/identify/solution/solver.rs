@@ -4,7 +4,7 @@ use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
-use crate::solution::evidence::most_probable_scale;
+use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
@@ -17,11 +17,13 @@ const SUBSET: usize = 96;
 /// Changes of what is held after which the search ends.
 const ROUNDS: usize = 8;
 /// Iterations of one solution: robots are near nominal, and take a dozen.
-const ITERATIONS: usize = 300;
+const ITERATIONS: usize = 600;
 /// Noise that the first, tied solution takes residuals to have.
 const ANCHOR_MM: f64 = 0.01;
 /// Least noise beside which nominal values count.
 const LEAST_NOISE_MM: f64 = 1e-4;
+/// Share of the parameters that nominal values determine beyond which these may be what keeps residuals large.
+const BY_NOMINAL: f64 = 0.2;
 /// Relative change of the noise below which nominal values weigh as they should.
 const SETTLED: f64 = 0.02;
 
@@ -83,14 +85,20 @@ pub(crate) fn solve_identifiable(
         found.weight = weight;
         found.iterations += before;
     }
-    // a whole turn more or less is the same robot: the angle nearest to nominal is taken (a rotation vector is not an angle)
-    for (value, p) in found.values.iter_mut().zip(robot.parameters()) {
-        if p.quantity == Quantity::Angle && p.role != Role::Target {
+    whole_turns(robot, &mut found.values);
+    found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
+    Ok(found)
+}
+
+/// Takes the angles nearest to nominal: a whole turn more or less is the same robot. Components of
+/// a rotation vector (free base, targets) are left alone.
+fn whole_turns(robot: &dyn Robot, values: &mut [f64]) {
+    let vector = |role: Role| role == Role::Target || role == Role::Base && robot.free_base().is_some();
+    for (value, p) in values.iter_mut().zip(robot.parameters()) {
+        if p.quantity == Quantity::Angle && !vector(p.role) {
             *value -= ((*value - p.nominal) / TAU).round() * TAU;
         }
     }
-    found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
-    Ok(found)
 }
 
 impl Estimation<'_> {
@@ -142,12 +150,15 @@ impl Estimation<'_> {
             if !solution.termination.is_success() {
                 return Err(diagnose_failure(self, &start, solution.termination));
             }
-            let noise = problem.noise(Some(&solution)).max(LEAST_NOISE_MM / problem.unit);
+            let least = problem.noise(None).max(LEAST_NOISE_MM / problem.unit);
+            let shown = problem.noise(Some(&solution)).max(least);
+            let data = plain.with_weight(shown);
+            let data = Residuals::new(robot, observations, &data, &free, &values)?;
+            let by_nominal = problem.undetermined(&solution) > BY_NOMINAL * free.len() as f64;
+            let probable = most_probable((&data, &start), &solution.x, [least, shown], by_nominal);
+            let (noise, probable) = (probable.noise, probable.scale);
             let found = groups(&values, noise)?;
             let now = held_by(&found);
-            let plain = plain.with_weight(noise);
-            let data = Residuals::new(robot, observations, &plain, &free, &values)?;
-            let probable = most_probable_scale(&data, &solution.x, &start, noise);
             let settled = now == held && (noise / weight - 1.0).abs() < SETTLED && probable == scale;
             if settled || round == ROUNDS {
                 return Ok(Identifiable { values, free, groups: found, solution, iterations, weight, prior });

@@ -60,7 +60,10 @@ fn sentence(trend: &CompareTrend, words: &Words) -> String {
     let changed: Vec<String> =
         trend.changes.iter().filter(|c| c.significant == Some(true)).map(|c| comparison::pair(c, words)).collect();
     match changed.is_empty() {
-        true if trend.changes.iter().all(|c| c.significant.is_none()) => words.say("no uncertainty is known"),
+        true if trend.changes.iter().all(|c| c.significant.is_none()) => {
+            let known = trend.changes.iter().any(|c| c.low.is_some());
+            if known { words.say("not judged: the model misfits") } else { words.say("no uncertainty is known") }
+        }
         true => words.say("No significant change."),
         false => words.fill("Significant: {0}.", &[&changed.join(", ")]),
     }

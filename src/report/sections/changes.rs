@@ -1,13 +1,16 @@
 //! Significant changes between campaigns: a section for each family of quantities.
 
-use crate::model::{Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, strong_term, term};
+use crate::model::{
+    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, significant, strong_term, term,
+};
 use crate::number::{self, stated};
 use crate::plots::trend;
 use crate::words::comparison::{Change, change, family, quantity, unit, value};
 use crate::words::{Words, isolated};
 use etalon_base::message::one_line;
 use etalon_documents::{
-    CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue, ComparedCampaign,
+    CompareBetween, CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue,
+    ComparedCampaign,
 };
 use std::fmt::Display;
 
@@ -144,6 +147,17 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
     compare.conventions.iter().for_each(|c| section.push(Block::text(Text::document(c, words))));
     section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
+    let columns = Columns::<CompareBetween>::new()
+        .page("campaign", "", |b| format!("{} – {}", b.from, b.to))
+        .sheet("campaign", "", |b| b.to)
+        .sheet("against", "", |b| b.from)
+        .both("parameters", "", |b| b.parameters)
+        .page("Birge ratio", "", |b| significant(Some(b.birge_ratio), 3))
+        .sheet("Birge ratio", "", |b| b.birge_ratio);
+    let between = Table::of(words, &compare.between_series, columns).on("Between series");
+    if !compare.between_series.is_empty() {
+        section.table(words.say("What differs between series"), "", between);
+    }
     section.on_terminal()
 }
 
@@ -154,6 +168,7 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
     let judged = |c: &CompareChange| match c.significant {
         Some(true) => strong_term(words, "changed"),
         Some(false) => term(words, "no significant change"),
+        None if c.low.is_some() => term(words, "not judged: the model misfits"),
         None => term(words, "no uncertainty is known"),
     };
     let columns = Columns::<Row>::new()
@@ -235,12 +250,18 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
             (Grade::Open, words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
         }
     };
-    let unjudged = compare.trends.iter().filter(robot).filter(|t| !judged(t)).count();
+    let known = |t: &&CompareTrend| t.changes.iter().any(|c| c.low.is_some());
+    let unjudged = || compare.trends.iter().filter(robot).filter(|t| !judged(t));
+    let (misfits, unjudged) = (unjudged().filter(known).count(), unjudged().filter(|t| !known(t)).count());
     let unknown = words.fill("{0} could not be judged: no uncertainty is known.", &[&unjudged]);
+    let misfit = words.fill("{0} could not be judged: the model misfits.", &[&misfits]);
     let moved = compare.trends.iter().any(|t| t.family == CompareFamily::MeanPosition && of(t));
     let elsewhere = words.say("Mean positions changed: the robot, or how its frame was found.");
-    let more: Vec<String> =
-        [(unjudged > 0, unknown), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
+    let more: Vec<String> = [(unjudged > 0, unknown), (misfits > 0, misfit), (moved, elsewhere)]
+        .into_iter()
+        .filter(|m| m.0)
+        .map(|m| m.1)
+        .collect();
     let class = if more.is_empty() { class } else { Grade::Open };
     let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
     let frames = || compare.trends.iter().filter(|t| t.family == CompareFamily::SetUp).filter(judged);

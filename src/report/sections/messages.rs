@@ -68,14 +68,22 @@ fn class(message: &Message) -> &'static str {
 
 fn notice(m: &Message, words: &Words) -> Block {
     let severity = words.fill("{0}:", &[&words.say(class(m))]);
-    let mut lines = vec![Text::from(severity + " ").and(Text::document(&m.what, words))];
+    let texts = m.texts(words.code());
+    let text = |text: &str| match m.id.is_empty() {
+        true => Text::document(text, words),
+        false => Text::from(text.to_owned()),
+    };
+    let mut lines = vec![Text::from(severity + " ").and(text(&texts.what))];
+    if !m.id.is_empty() {
+        lines[0] = std::mem::take(&mut lines[0]).and(" ").and(Text::code(&m.id));
+    }
     lines.extend(m.place.as_ref().map(|p| {
         let line = p.line.map(|line| format!(", {}", words.fill("line {0}", &[&line]))).unwrap_or_default();
         let text = p.text.as_ref().map(|text| Text::from(": ").and(Text::code(&one_line(text))));
         Text::name(&p.file).and(line).and(text.unwrap_or_default())
     }));
-    let remark = |what: String, said: &String| Text::from(what + " ").and(Text::document(said, words));
-    lines.extend(m.expected.as_ref().map(|text| remark(words.say("expected:"), text)));
-    lines.extend(m.hint.as_ref().map(|text| remark(words.say("hint:"), text)));
+    let remark = |label: String, said: &String| Text::from(label + " ").and(text(said));
+    lines.extend(texts.expected.as_ref().map(|text| remark(words.say("expected:"), text)));
+    lines.extend(texts.hint.as_ref().map(|text| remark(words.say("hint:"), text)));
     Block::Notice { class: class(m), lines }
 }

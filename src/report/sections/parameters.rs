@@ -20,6 +20,7 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     for (title, of) in &groups {
         section.table(title, "", table(of, words));
     }
+    section.push(Block::text(effective_values(document, words)));
     section.push(Block::Table(sheet(&document.parameters)));
     section.table(words.say("What the parameters mean"), "", meanings(&document.parameters, words).detail());
     section.figures(sketch::pictures(&document.sketches, words));
@@ -32,6 +33,18 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     section.figures(figures);
     section.push(super::messages::routine(&document.messages, words));
     section
+}
+
+/// Sentence on parameters that are effective rather than physical; empty if the model fits.
+fn effective_values(document: &ParametersDocument, words: &Words) -> String {
+    let effective = document.effective();
+    if effective.is_empty() {
+        return String::new();
+    }
+    words.fill(
+        "Effective rather than physical: {0}. Residuals exceed the uncertainty of the instrument, and most of the uncertainty of these values is of what the model leaves out: they fit the measured poses, and need not be dimensions of the robot.",
+        &[&effective.join(", ")],
+    )
 }
 
 /// Groups of parameters by owner (robot, base, targets, fixtures), because their magnitudes differ.

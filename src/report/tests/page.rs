@@ -45,6 +45,25 @@ fn the_demo_page_has_what_a_reader_needs() {
     assert_eq!(page.matches("<svg").count(), 15);
 }
 
+/// A parameter is effective if residuals exceed the instrument's uncertainty, and if most of the
+/// parameter's uncertainty is due to the model.
+#[test]
+fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_table() {
+    let mut documents = Documents::demo();
+    assert!(!page(&documents).contains("Effective rather than physical"));
+    let parameters = &mut documents.parameters;
+    parameters.residuals.uncertainties_from = etalon_documents::UncertaintyFrom::ResidualsByRegion;
+    let of: Vec<(String, f64)> =
+        parameters.identified().map(|p| (p.name.clone(), p.standard_uncertainty.unwrap())).collect();
+    let share = |k: usize| if k == 1 { 0.8 } else { 0.6 };
+    parameters.budget = vec![etalon_documents::BudgetSource {
+        source: etalon_documents::UncertaintySource::Model,
+        standard_uncertainties: of.iter().enumerate().map(|(k, (_, u))| share(k) * u).collect(),
+    }];
+    assert_eq!(parameters.effective(), [of[1].0.as_str()]);
+    assert!(page(&documents).contains(&format!("Effective rather than physical: {}.", of[1].0)));
+}
+
 #[test]
 fn the_page_needs_no_network_and_runs_no_script_but_its_own() {
     let page = page(&Documents::demo());

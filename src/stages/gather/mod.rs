@@ -147,7 +147,30 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
             Err(more) => problems.0.extend(more.0),
         }
     }
-    (logs, said)
+    let mixed = campaign.file.exports.iter().any(|export| !export.joints.is_empty());
+    (if mixed && logs.len() > 1 { vec![together(logs)] } else { logs }, said)
+}
+
+/// One log of the joints of several exports, whose rows keep their numbers in their files.
+fn together(logs: Vec<JointLog>) -> JointLog {
+    let mut all = JointLog::default();
+    for (log, number) in logs.into_iter().zip(1..) {
+        // joints of a file may be in another order
+        let order: Vec<Option<usize>> = match all.joints.is_empty() {
+            true => (0..log.joints.len()).map(Some).collect(),
+            false => all.joints.iter().map(|name| log.joints.iter().position(|other| other == name)).collect(),
+        };
+        if all.rows.is_empty() {
+            all = JointLog { rows: Vec::new(), ..log.clone() };
+        }
+        all.files.push(log.file);
+        all.rows.extend(log.rows.into_iter().map(|row| LogRow {
+            file: Some(number),
+            joints: order.iter().map(|k| k.and_then(|k| row.joints.get(k).copied()).unwrap_or(f64::NAN)).collect(),
+            ..row
+        }));
+    }
+    all
 }
 
 /// The points that an export brings if this is its text, before rules about blunders.

@@ -3,7 +3,8 @@
 //! in both directions along each axis, three times.
 
 use crate::iso9283::statistics::sample::positions;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, dot, minus};
 
 /// Compliance of a robot under forces in one direction.
@@ -36,10 +37,9 @@ pub struct Loaded {
 /// needed.
 pub fn compliance(readings: &[Loaded], direction: Vector) -> Result<Compliance> {
     let ends: Vec<Vector> = readings.iter().flat_map(|r| [r.position_mm, r.unloaded_mm]).collect();
-    positions(&ends, 2, "static compliance")?;
+    positions(&ends, 2, "static-compliance")?;
     if readings.iter().any(|r| !(r.force_n > 0.0 && r.force_n.is_finite())) {
-        let message = Message::error("static compliance: a force is not positive");
-        return Err(message.expected("the size of the force; its direction gives the sign").into());
+        return Err(error!("force-not-positive").into());
     }
     let given: Vec<f64> = readings.iter().map(|r| dot(minus(r.position_mm, r.unloaded_mm), direction)).collect();
     let squares: f64 = readings.iter().map(|r| r.force_n * r.force_n).sum();
@@ -104,8 +104,7 @@ pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> 
         for r in of.iter().filter(|r| r.force_n > 0.0) {
             let without = of.iter().filter(|o| o.cycle == r.cycle && o.force_n == 0.0).map(|o| o.position_mm);
             let Some(unloaded_mm) = centroid(&without.collect::<Vec<_>>()) else {
-                let what = format!("direction {name}, cycle {}: no row without force", r.cycle);
-                return Err(Message::error(what).hint("record the unloaded position, force 0").into());
+                return Err(error!("unloaded-position-missing", direction = name, cycle = r.cycle).into());
             };
             loaded.push(Loaded { force_n: r.force_n, position_mm: r.position_mm, unloaded_mm });
         }
@@ -124,7 +123,7 @@ pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> 
         });
     }
     if directions.is_empty() {
-        return Err(Message::error("no row has a force").into());
+        return Err(error!("force-missing").into());
     }
     Ok(directions)
 }

@@ -110,10 +110,12 @@ impl Ran {
         let name = name.into();
         let campaign = Campaign::read(&scratch.path()).unwrap();
         let outcome = documents_of(&campaign).unwrap_or_else(|problems| panic!("{name}: {problems}"));
-        let robot = match campaign.file.observations {
-            Some(_) => campaign.build_robot_with(&["tool".to_owned()]).unwrap(),
-            None => campaign.build_robot_with(&[]).unwrap(),
+        let targets: Vec<String> = match (&campaign.file.observations, name.as_str()) {
+            (None, _) => Vec::new(),
+            (_, "linear-delta") => (1..=3).map(|k| format!("SMR_{k}")).collect(),
+            _ => vec!["tool".to_owned()],
         };
+        let robot = campaign.build_robot_with(&targets).unwrap();
         let description = campaign.robot.description().map(|(file, text)| (file.to_owned(), text.to_owned()));
         Self { name, scratch, robot, description, outcome }
     }
@@ -234,7 +236,7 @@ fn pose_of_line(line: &str) -> Pose {
 
 /// Parameters of a list in a text, by name.
 fn list(format: &str, text: &str, robot: &dyn Robot) -> BTreeMap<String, f64> {
-    let number = |text: &str| text.split([',', ')', ' ']).find(|v| !v.is_empty()).unwrap().parse::<f64>().unwrap();
+    let number = |text: &str| text.split([',', '(', ')', ' ']).find(|v| !v.is_empty()).unwrap().parse::<f64>().unwrap();
     let after = |key: String| {
         let rest = text.split_once(&key).unwrap_or_else(|| panic!("{key}: {text}")).1;
         number(rest.lines().next().unwrap())
@@ -334,6 +336,76 @@ fn python_code(file: &File) -> Option<f64> {
     Some(file.rms_of_program(Command::new("python3").args(["-B", "-c", script]).current_dir(folder)))
 }
 
+/// The number behind a text.
+fn after(text: &str, key: &str) -> f64 {
+    let rest = text.split_once(key).unwrap_or_else(|| panic!("{key}: {text}")).1;
+    rest.split(|c: char| !"0123456789.-+e".contains(c)).find(|v| !v.is_empty()).unwrap().parse().unwrap()
+}
+
+/// The stated error where the joints that a file gives at the platform's poses are those of its values, not a number elsewhere.
+fn by_inverse(file: &File, joints: impl Fn(&Pose) -> Vec<f64>) -> f64 {
+    let arm = file.ran.robot.kinematics().unwrap();
+    let same = |o: &Observation| {
+        let pose = arm.tool_pose(&file.values, &o.joints).unwrap();
+        joints(&pose).iter().zip(&o.joints).all(|(a, b)| (a - b).abs() < 1e-4)
+    };
+    if file.validation().iter().all(same) {
+        file.rms(|o, k| arm.position(&file.values, &o.joints, k))
+    } else {
+        f64::NAN
+    }
+}
+
+/// Struts by genhexkins: |t + R platform - base|, less what LinuxCNC adds to the joint values.
+fn hexapod(file: &File) -> f64 {
+    let text = file.text();
+    let end = |leg: usize, end: &str| {
+        ["x", "y", "z"].map(|axis| after(&text, &format!("setp genhexkins.{end}.{leg}.{axis} ")))
+    };
+    let joint = |pose: &Pose, leg: usize| {
+        let strut = norm(minus(pose.apply(end(leg, "platform")), end(leg, "base")));
+        strut - after(&text, &format!("# joint {leg}: its position in LinuxCNC is the joint value + "))
+    };
+    by_inverse(file, |pose| (0..6).map(|leg| joint(pose, leg)).collect())
+}
+
+/// Carriages of three upright towers: z + sqrt(L2 - level distance2), as Klipper's `delta.py` has them.
+fn klipper(file: &File) -> f64 {
+    let text = file.text();
+    let sections: Vec<&str> = text.split("[stepper_").skip(1).collect();
+    let all = |key: &str| -> Vec<f64> { sections.iter().map(|section| after(section, key)).collect() };
+    let (radius, angles) = (after(&text, "delta_radius: "), all("angle: "));
+    let (rods, heights) = (all("arm_length: "), all("position_endstop: "));
+    let (x0, y0, turned) =
+        (after(&text, "in the base: x "), after(&text, " mm, y "), after(&text, "turned by ").to_radians());
+    by_inverse(file, |pose| {
+        let (sin, cos) = turned.sin_cos();
+        let [x, y, z] = pose.translation_mm;
+        let (x, y) = (cos * (x - x0) + sin * (y - y0), cos * (y - y0) - sin * (x - x0));
+        let carriage = |i: usize| {
+            let (sin, cos) = angles[i].to_radians().sin_cos();
+            let level = (x - radius * cos).powi(2) + (y - radius * sin).powi(2);
+            z + (rods[i].powi(2) - level).sqrt() - heights[i] - (rods[i].powi(2) - radius.powi(2)).sqrt()
+        };
+        (0..3).map(carriage).collect()
+    })
+}
+
+/// The URDF as the program reads one.
+fn urdf(file: &File) -> f64 {
+    let folder = file.ran.scratch.path();
+    std::fs::write(folder.join("calibrated.urdf"), &file.bytes).unwrap();
+    let toml = std::fs::read_to_string(folder.join("robot.toml")).unwrap();
+    std::fs::write(folder.join("calibrated.toml"), toml.replace("arm.urdf", "calibrated.urdf")).unwrap();
+    let read = etalon::campaign::read_robot(&folder.join("calibrated.toml")).unwrap();
+    let read = read.build(file.ran.robot.targets()).unwrap();
+    let mut values = read.nominal();
+    for (value, p) in values.iter_mut().zip(read.parameters()).filter(|(_, p)| p.role != Role::Robot) {
+        *value = file.values[file.ran.robot.index(&p.name).unwrap()];
+    }
+    file.rms(|o, k| read.position(&values, &o.joints, k))
+}
+
 /// The error of a file as its reader has it; `None` where the reader's program is not installed.
 fn read_back(format: &str, file: &File) -> Option<f64> {
     match format {
@@ -342,6 +414,9 @@ fn read_back(format: &str, file: &File) -> Option<f64> {
         }
         "universal-robots" => Some(universal_robots(file)),
         "linuxcnc" => Some(linuxcnc(file)),
+        "linuxcnc-hexapod" => Some(hexapod(file)),
+        "klipper-delta" => Some(klipper(file)),
+        "urdf" => Some(urdf(file)),
         "c-kinematics" => c_code(file),
         _ => python_code(file),
     }
@@ -387,9 +462,14 @@ fn files_of_drawn_arms_are_as_accurate_as_they_say() {
 #[test]
 fn files_of_other_robots_are_as_accurate_as_they_say() {
     let lists = ["json", "csv", "c-header", "matlab", "python"];
-    let code = ["c-kinematics"];
-    let robots: [(&str, &[&str]); 5] =
-        [("prexyt-cmm", &[]), ("dextar", &[]), ("hexapod", &code), ("delta", &code), ("linear-delta", &code)];
+    let robots: [(&str, &[&str]); 6] = [
+        ("prexyt-cmm", &[]),
+        ("dextar", &[]),
+        ("hexapod", &["c-kinematics", "linuxcnc-hexapod"]),
+        ("delta", &["c-kinematics"]),
+        ("linear-delta", &["c-kinematics", "klipper-delta"]),
+        ("column-arm", &["c-kinematics", "urdf"]),
+    ];
     let of_robot =
         |(sample, more): &(&str, &[&str])| wrong(&Ran::new(*sample, copy_sample(sample)), &[&lists[..], more].concat());
     let all: Vec<_> = robots.par_iter().map(of_robot).collect();

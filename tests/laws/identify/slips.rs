@@ -1,7 +1,7 @@
 //! Drawn arms with one slip each: nearly all are refused or warned about, and most by the right cause; without the slip no cause is named. The
 //! data are synthetic. `ETALON_SLIPS` is the number of arms, `ETALON_SLIPS_FIRST` the first seed.
 
-use super::priors::{Case, drawn};
+use super::drawn::{Drawn, drawn_arm, number};
 use super::set_ups::{Bench, Slip, slips_of_joints, slips_of_points, spoilt};
 use etalon::base::message::{Message, Problems, Rank, Severity};
 use etalon::base::noise::Noise;
@@ -20,10 +20,6 @@ const POSES: usize = 120;
 const FEWEST: usize = 20;
 /// Chi-square beyond that without the slip, relatively, that the slip shows by.
 const SHOWS: f64 = 1.5;
-
-fn number(name: &str, default: u64) -> u64 {
-    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
-}
 
 /// What is said of observations, and chi-square for each degree of freedom of a result whose parameters are within their tolerances.
 struct Said {
@@ -77,12 +73,12 @@ struct Outcome {
 }
 
 fn outcome(seed: u64) -> Option<Outcome> {
-    let case = drawn(seed, POSES);
+    let case = drawn_arm(seed, POSES);
     if case.calibration.len() < FEWEST {
         return None;
     }
-    let Case { robot, calibration, noise_mm, bends, width, .. } = case;
-    let bench = Bench { name: "drawn arm", robot: Box::new(robot), observations: calibration, u_mm: noise_mm };
+    let Drawn { what: drawn, robot, calibration, noise_mm, .. } = case;
+    let bench = Bench { name: "drawn arm", robot, observations: calibration, u_mm: noise_mm };
     let robot = bench.robot.as_ref();
     let without = said(robot, &bench.observations, noise_mm);
     let mut slips: Vec<(String, Vec<Observation>, Vec<String>)> = Vec::new();
@@ -102,11 +98,7 @@ fn outcome(seed: u64) -> Option<Outcome> {
     let text_with = text(&with.messages);
     let decide = |m: &Message| m.rank == Rank::Decide && !without.messages.contains(m);
     Some(Outcome {
-        name: format!(
-            "{seed}: {what} ({} joints, {} poses, width {width}, noise {noise_mm:.3}, bends {bends})",
-            robot.joints().len(),
-            bench.observations.len()
-        ),
+        name: format!("{what} of {drawn}"),
         named_without: text(&without.messages).contains(NAMES_A_CAUSE),
         hidden,
         refused: with.messages.iter().any(|m| m.severity == Severity::Error),

@@ -4,7 +4,8 @@
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::statistics::sample::{mean_position, spread};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use std::ops::Range;
 
@@ -53,10 +54,7 @@ fn middle(samples: &Range<usize>) -> Range<usize> {
 /// All standstills in the order of time; both thresholds must be positive.
 pub fn standstills(stream: &Stream, still: &Stillness) -> Result<Vec<Standstill>> {
     if !(still.radius_mm > 0.0 && still.duration_s > 0.0) {
-        let message = Message::error("a standstill needs a radius and a duration that are positive");
-        return Err(message
-            .hint("larger than the noise of a standing robot, and shorter than the shortest stop")
-            .into());
+        return Err(error!("standstill-thresholds").into());
     }
     let (time_s, points) = (stream.time_s(), stream.positions_mm());
     let mut found: Vec<Range<usize>> = Vec::new();

@@ -3,6 +3,7 @@
 use crate::iso9283::statistics::sample::followed;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 
 /// Samples in the order of recording. Times increase, all numbers are finite, and angles are
 /// continuous.
@@ -41,9 +42,7 @@ pub struct Unusable {
 
 impl From<Unusable> for Problems {
     fn from(unusable: Unusable) -> Self {
-        let Message { what, .. } = &unusable.message;
-        let what = format!("sample {}: {what}", unusable.sample + 1);
-        Message { what, ..unusable.message }.into()
+        unusable.message.within(phrase!("in-sample", sample = unusable.sample + 1)).into()
     }
 }
 
@@ -54,20 +53,19 @@ impl Stream {
     /// Checks at least two samples; each list of angles is as long as the list of positions.
     pub fn new(time_s: Vec<f64>, positions_mm: Vec<Vector>, angles_rad: &[Vec<f64>]) -> Result<Self, Unusable> {
         let n = positions_mm.len();
-        let wrong =
-            |sample: usize, what: String| Err(Unusable { sample, message: Message::error(what), is_late: false });
+        let wrong = |sample: usize, message: Message| Err(Unusable { sample, message, is_late: false });
         if n < 2 || time_s.len() != n || angles_rad.iter().any(|a| a.len() != n) {
-            return wrong(n, "a recorded path needs two samples or more, all with the same columns".to_owned());
+            return wrong(n, error!("stream-too-short"));
         }
         for i in 0..n {
             let angles = angles_rad.iter().map(|a| a[i]);
             // larger values have non-finite squares
             if !positions_mm[i].iter().copied().chain(angles).chain([time_s[i]]).all(|v| v.abs() < 1e100) {
-                return wrong(i, "a coordinate or the time is missing or is not a finite number".to_owned());
+                return wrong(i, error!("stream-value-missing"));
             }
             if i > 0 && time_s[i] <= time_s[i - 1] {
-                let what = format!("time does not go on: {} s after {} s", time_s[i], time_s[i - 1]);
-                return Err(Unusable { sample: i, message: Message::error(what), is_late: true });
+                let message = error!("time-not-increasing", later_s = time_s[i], earlier_s = time_s[i - 1]);
+                return Err(Unusable { sample: i, message, is_late: true });
             }
         }
         Ok(Self { time_s, positions_mm, angles_rad: angles_rad.iter().map(|a| followed(a)).collect() })

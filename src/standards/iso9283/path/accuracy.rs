@@ -6,7 +6,8 @@ use crate::iso9283::path::commanded::{CommandPoint, CommandedPath};
 use crate::iso9283::path::passes::{Pass, angles_at, check, positions_at};
 use crate::iso9283::pose::accuracy::angle_accuracy_rad;
 use crate::iso9283::statistics::sample::mean_position;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 
 /// Path accuracy AT.
@@ -24,7 +25,7 @@ pub struct PathAccuracy {
 
 /// AT_p of at least one pass.
 pub fn path_accuracy(passes: &[Pass], points: &[CommandPoint]) -> Result<PathAccuracy> {
-    check(passes, points, 1, "path accuracy")?;
+    check(passes, points, 1, "path-accuracy")?;
     let means_mm: Vec<Vector> = (0..points.len()).map(|i| mean_position(&positions_at(passes, i))).collect();
     let deviations_mm: Vec<f64> = means_mm.iter().zip(points).map(|(m, p)| norm(minus(*m, p.position_mm))).collect();
     let (worst, at_mm) = largest(&deviations_mm);
@@ -48,8 +49,7 @@ pub fn path_accuracy_on_reorientation(
     path: &CommandedPath,
 ) -> Result<PathAccuracy> {
     if !path.turned_rad().iter().any(|turned| *turned > 0.0) {
-        let message = Message::error("path accuracy on reorientation: no commanded angle changes along the path");
-        return Err(message.hint("state the commanded angles of the path").into());
+        return Err(error!("path-without-reorientation").into());
     }
     path_accuracy(passes, points)
 }

@@ -50,7 +50,7 @@ impl PathBootstrap {
     /// deviation at which the observed AT_p is at either end of the draws. The errors follow
     /// Student's distribution, with the shape of the scatter of the passes.
     pub fn accuracy(&self, passes: &[Pass], points: &[CommandPoint], found: &PathAccuracy) -> Result<Interval> {
-        check(passes, points, 3, "interval of path accuracy")?;
+        check(passes, points, 3, "path-accuracy-interval")?;
         let chosen = chosen(points.len(), found.worst);
         let deviations: Vec<Vector> = chosen.iter().map(|&i| minus(found.means_mm[i], points[i].position_mm)).collect();
         let rests = rests(passes, &chosen);
@@ -103,7 +103,7 @@ impl PathBootstrap {
         points: &[CommandPoint],
         found: &PathRepeatability,
     ) -> Result<Interval> {
-        check(passes, points, 3, "interval of path repeatability")?;
+        check(passes, points, 3, "path-repeatability-interval")?;
         let chosen = chosen(points.len(), found.worst);
         let rests = rests(passes, &chosen);
         let n = passes.len();

@@ -1,7 +1,8 @@
 //! Commanded path: a polyline through corners; a curve is given by as many points as it needs.
 
 use crate::iso9283::statistics::sample::followed;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 
 /// A path in space or in the plane, with the angles commanded along it.
@@ -45,17 +46,16 @@ impl CommandedPath {
     /// Creates a path from at least two points, each different from the previous one; angles turn
     /// the shorter way.
     pub fn new(points_mm: Vec<Vector>, angles_rad: &[Vec<f64>]) -> Result<Self> {
-        crate::iso9283::statistics::sample::positions(&points_mm, 2, "commanded path")?;
+        crate::iso9283::statistics::sample::positions(&points_mm, 2, "commanded-path")?;
         let n = points_mm.len();
         if angles_rad.iter().any(|a| a.len() != n || a.iter().any(|v| !v.is_finite())) {
-            return Err(Message::error("commanded path: an angle is missing or is not a finite number").into());
+            return Err(error!("commanded-angle-missing").into());
         }
         let mut along_mm = vec![0.0];
         for (i, pair) in points_mm.windows(2).enumerate() {
             let leg = norm(minus(pair[1], pair[0]));
             if leg == 0.0 {
-                let message = Message::error(format!("commanded path: points {} and {} are the same", i + 1, i + 2));
-                return Err(message.hint("a robot that turns in place drives no path").into());
+                return Err(error!("commanded-point-repeated", first = i + 1, second = i + 2).into());
             }
             along_mm.push(along_mm[i] + leg);
         }

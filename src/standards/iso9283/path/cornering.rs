@@ -4,7 +4,8 @@
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::{CommandPoint, Corner};
 use crate::iso9283::path::passes::{Pass, check};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 
 /// Cornering deviations, the worst of all passes.
@@ -35,8 +36,7 @@ pub fn cornering(
     let first = points.iter().position(within).filter(|&i| points[i].along_mm < at_mm);
     let last = points.iter().rposition(within).filter(|&i| points[i].along_mm > at_mm);
     let (Some(first), Some(last)) = (first, last) else {
-        let message = Message::error("cornering: no command point on the half of a leg beside the corner");
-        return Err(message.hint("state more command points").into());
+        return Err(error!("corner-without-points").into());
     };
     // direction away from the first leg
     let along = dot(corner.incoming, corner.outgoing);

@@ -3,8 +3,9 @@
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::CommandPoint;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm};
+use etalon_base::{error, phrase};
 use std::ops::Range;
 
 /// Crossing of an attained path with the plane of a command point, interpolated linearly between
@@ -50,8 +51,7 @@ pub struct Passes {
 /// last crossing counts.
 pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<Passes> {
     if points.len() < 2 || near_mm.is_nan() || near_mm <= 0.0 {
-        let message = Message::error("passes of a path need two command points and a distance that is positive");
-        return Err(message.into());
+        return Err(error!("passes-need-points").into());
     }
     let mut found = Passes { complete: Vec::new(), incomplete: 0 };
     // passes in progress, the oldest first: on a closed path a pass may start before the previous
@@ -110,14 +110,13 @@ fn crossing(stream: &Stream, sample: usize, point: &CommandPoint, forwards: bool
 }
 
 /// Rejects fewer than `least` passes, and passes of other command points.
-pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, what: &str) -> Result<()> {
+pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, characteristic: &str) -> Result<()> {
+    let of = || phrase!("characteristic", name = characteristic);
     if passes.len() < least {
-        let message =
-            Message::error(format!("{what}: {} of the path", etalon_base::message::count(passes.len(), "pass")));
-        return Err(message.expected(format!("at least {least}")).into());
+        return Err(error!("too-few-passes", of = of(), count = passes.len(), least).into());
     }
     if points.is_empty() || passes.iter().any(|pass| pass.crossings.len() != points.len()) {
-        return Err(Message::error(format!("{what}: the passes are of another path")).into());
+        return Err(error!("passes-of-other-path", of = of()).into());
     }
     Ok(())
 }

@@ -22,7 +22,7 @@ pub struct PathRepeatability {
 
 /// RT_p of at least two passes.
 pub fn path_repeatability(passes: &[Pass], points: &[CommandPoint]) -> Result<PathRepeatability> {
-    check(passes, points, 2, "path repeatability")?;
+    check(passes, points, 2, "path-repeatability")?;
     let at = |i: usize| {
         let radius = spread(&radii_mm(&positions_at(passes, i), &[0, 1, 2]));
         radius.mean + 3.0 * radius.deviation

@@ -4,7 +4,8 @@
 use crate::iso9283::path::commanded::CommandPoint;
 use crate::iso9283::path::passes::{Pass, check};
 use crate::iso9283::statistics::sample::spread;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{minus, norm};
 
 /// Path velocity characteristics.
@@ -33,16 +34,15 @@ pub fn path_velocity(
     commanded_mm_s: f64,
     share: f64,
 ) -> Result<PathVelocity> {
-    check(passes, points, 1, "path velocity")?;
+    check(passes, points, 1, "path-velocity")?;
     if !(commanded_mm_s > 0.0 && commanded_mm_s.is_finite()) {
-        return Err(Message::error("path velocity: the commanded velocity must be positive").into());
+        return Err(error!("velocity-not-positive").into());
     }
     let (from, to) = central(points, share);
     let part_mm = (1..points.len()).map(|i| points[i].along_mm - points[i - 1].along_mm).fold(f64::INFINITY, f64::min);
     let neighbours = |i: usize| points[i + 1].along_mm - points[i].along_mm < 1.5 * part_mm;
     if (from..to).filter(|&i| neighbours(i)).count() < 2 {
-        let message = Message::error("path velocity: the central part holds fewer than three command points");
-        return Err(message.hint("state more command points, or a larger central part").into());
+        return Err(error!("velocity-too-few-points").into());
     }
     let velocities = |pass: &Pass| -> Vec<f64> {
         let pairs = (from..to).filter(|&i| neighbours(i)).map(|i| (&pass.crossings[i], &pass.crossings[i + 1]));

@@ -3,7 +3,8 @@
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::statistics::sample::spread;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, unit};
 use std::ops::Range;
 
@@ -76,17 +77,16 @@ pub struct Weave {
 /// does not reach. The first and the last turn may belong to a standing robot and do not count; at
 /// least three others are needed.
 pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &Weave) -> Result<Weaving> {
-    let wrong = |what: &str| Message::error(format!("weaving: {what}"));
     let positive = |v: f64| v > 0.0 && v.is_finite();
-    let along = unit(along).ok_or_else(|| wrong("the centre line has no direction"))?;
+    let along = unit(along).ok_or_else(|| error!("weave-direction"))?;
     let part = dot(weave.across, along);
     let across = unit([0, 1, 2].map(|k| weave.across[k] - part * along[k]));
-    let across = across.ok_or_else(|| wrong("the swing is along the centre line, or has no direction"))?;
+    let across = across.ok_or_else(|| error!("weave-direction"))?;
     if !positive(weave.stroke_mm) || !positive(weave.frequency_hz) {
-        return Err(wrong("commanded stroke and frequency must be positive").into());
+        return Err(error!("weave-command").into());
     }
     if samples.end > stream.len() || samples.is_empty() {
-        return Err(wrong("no samples").into());
+        return Err(error!("weave-without-samples").into());
     }
     let origin = stream.positions_mm()[samples.start];
     let points = &stream.positions_mm()[samples.clone()];
@@ -94,8 +94,7 @@ pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &We
     let turns = turns(&swing, 0.25 * weave.stroke_mm);
     let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
     if inner.len() < 3 {
-        let message = wrong(&format!("{} turns", turns.len()));
-        return Err(message.expected("five or more, a quarter of the commanded stroke apart at least").into());
+        return Err(error!("weave-too-few-turns", turns = turns.len()).into());
     }
     let strokes: Vec<f64> = inner.windows(2).map(|t| (swing[t[1]] - swing[t[0]]).abs()).collect();
     let time_s = |turn: usize| stream.time_s()[samples.start + turn];

@@ -1,7 +1,8 @@
 //! Test geometry: cube, test plane, poses P1 to P5 and paths (ISO 9283:1998 6; except for the poses
 //! unverified against a bought copy) in a stated workspace.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm, unit};
 use std::f64::consts::TAU;
 
@@ -46,8 +47,7 @@ pub fn layout(low_mm: Vector, high_mm: Vector, plane: usize) -> Result<Layout> {
     let sides = if planar { &extent[..2] } else { &extent[..] };
     let side_mm = sides.iter().copied().fold(f64::INFINITY, f64::min);
     if !norm(extent).is_finite() || side_mm.is_nan() || side_mm <= 0.0 || plane >= PLANES.len() {
-        let message = Message::error("the workspace is not a box");
-        return Err(message.expected("the smallest x, y, z, then the largest").into());
+        return Err(error!("workspace-not-box").into());
     }
     let half = 0.5 * side_mm;
     let centre = [0, 1, 2].map(|k| 0.5 * (low_mm[k] + high_mm[k]));

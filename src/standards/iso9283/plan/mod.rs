@@ -7,7 +7,8 @@ mod reach;
 pub use reach::{Reach, UnknownReach, Unreached, reach};
 
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 
 /// User's request for a test.
@@ -82,8 +83,7 @@ pub fn plan(request: &TestRequest) -> std::result::Result<TestPlan, PlanError> {
     let angles: &[&str] = if planar { &ANGLES[2..] } else { &ANGLES };
     for (option, given) in [("orientation", &request.orientation_deg), ("reorientation", &request.reorientation_deg)] {
         if !(given.is_empty() || given.len() == angles.len()) || given.iter().any(|v| !v.is_finite()) {
-            let message = Message::error(format!("the {option} has {} angles", given.len()));
-            return Err(Problems::from(message.expected(angles.join(", "))).into());
+            return Err(Problems::from(error!("angle-count", option, count = given.len(), angles)).into());
         }
     }
     if request.orientation_deg.is_empty() && !request.reorientation_deg.is_empty() {
@@ -121,11 +121,11 @@ pub fn plan(request: &TestRequest) -> std::result::Result<TestPlan, PlanError> {
 
 fn plane(name: Option<&str>, planar: bool) -> Result<usize> {
     match name {
-        Some(_) if planar => Err(Message::error("a planar robot has one test plane").hint("leave it out").into()),
-        Some(name) => PLANES.iter().position(|(known, _)| *known == name).ok_or_else(|| {
-            let message = Message::error(format!("`{name}` is not a test plane"));
-            message.expected(PLANES.map(|(known, _)| known).join(", ")).into()
-        }),
+        Some(_) if planar => Err(error!("planar-test-plane").into()),
+        Some(name) => PLANES
+            .iter()
+            .position(|(known, _)| *known == name)
+            .ok_or_else(|| error!("test-plane-unknown", name, planes = PLANES.map(|(known, _)| known)).into()),
         None => Ok(0),
     }
 }

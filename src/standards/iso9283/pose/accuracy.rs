@@ -30,7 +30,7 @@ pub struct PoseAccuracy {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn pose_accuracy(attained_mm: &[Vector], commanded_mm: Vector) -> Result<PoseAccuracy> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 1, "pose accuracy")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 1, "pose-accuracy")?;
     let mean_mm = mean_position(attained_mm);
     let deviation_mm = minus(mean_mm, commanded_mm);
     Ok(PoseAccuracy { mean_mm, deviation_mm, ap_mm: norm(deviation_mm) })

@@ -3,8 +3,9 @@
 
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, phrase};
 
 /// Mean positions compared with their least-squares plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,8 +21,8 @@ pub struct Coplanarity {
 /// Evaluates coplanarity of at least four non-collinear poses.
 pub fn coplanarity(poses_mm: &[Vec<Vector>]) -> Result<Coplanarity> {
     if poses_mm.len() < 4 {
-        let message = Message::error(format!("coplanarity: {} poses", poses_mm.len()));
-        return Err(message.expected("at least four: three lie in a plane anyhow").into());
+        let of = phrase!("characteristic", name = "coplanarity");
+        return Err(error!("too-few-of", of, sets = phrase!("poses", count = poses_mm.len()), least = 4).into());
     }
     for points in poses_mm {
         crate::iso9283::statistics::sample::positions(points, 1, "coplanarity")?;
@@ -48,8 +49,7 @@ pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
         let normal = cross(ab, ac);
         // three points define a plane if they deviate from a line by a thousandth of their distance
         if norm(normal) <= 1e-3 * norm(ab) * norm(ac) {
-            let message = Message::error("coplanarity: three of the four mean positions lie on a line");
-            return Err(message.hint("name four poses that span a plane").into());
+            return Err(error!("coplanar-poses-on-line").into());
         }
         *distance_mm = unit(normal).map_or(0.0, |n| dot(minus(means[i], a), n).abs());
     }

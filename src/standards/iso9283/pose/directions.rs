@@ -5,9 +5,10 @@
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 
 /// Variation of one pose over its approaches.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,11 +90,13 @@ pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
 /// approaches at right angles with 30 cycles each).
 pub fn variation(approaches_mm: &[Vec<Vector>]) -> Result<Variation> {
     if approaches_mm.len() < 2 {
-        let message = Message::error(format!("variation over approaches: {} of them", approaches_mm.len()));
-        return Err(message.expected("at least two").into());
+        let of = phrase!("characteristic", name = "variation");
+        return Err(
+            error!("too-few-of", of, sets = phrase!("approaches", count = approaches_mm.len()), least = 2).into()
+        );
     }
     for points in approaches_mm {
-        crate::iso9283::statistics::sample::positions(points, 1, "variation over approaches")?;
+        crate::iso9283::statistics::sample::positions(points, 1, "variation")?;
     }
     let means_mm: Vec<Vector> = approaches_mm.iter().map(|points| mean_position(points)).collect();
     let (vap_mm, between) = farthest(means_mm.len(), |h, k| norm(minus(means_mm[h], means_mm[k])));

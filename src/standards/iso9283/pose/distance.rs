@@ -3,7 +3,8 @@
 
 use crate::iso9283::pose::test::{PosePair, PoseTest};
 use crate::iso9283::statistics::sample::{SampleSpread, coordinates, spread, unwrapped, wrapped};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 
@@ -78,8 +79,7 @@ pub fn distance(first_mm: &[Vector], second_mm: &[Vector], commanded_mm: [Vector
     crate::iso9283::statistics::sample::positions(first_mm, 2, "distance")?;
     crate::iso9283::statistics::sample::positions(second_mm, 2, "distance")?;
     if first_mm.len() != second_mm.len() {
-        let message = Message::error(format!("distance: {} and {} positions", first_mm.len(), second_mm.len()));
-        return Err(message.expected("both poses in the same cycles").into());
+        return Err(error!("distance-counts-differ", first = first_mm.len(), second = second_mm.len()).into());
     }
     let attained: Vec<Vector> = first_mm.iter().zip(second_mm).map(|(p, q)| minus(*p, *q)).collect();
     let commanded = minus(commanded_mm[0], commanded_mm[1]);

@@ -4,9 +4,10 @@
 use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use std::collections::BTreeSet;
 
 /// Drift of one pose.
@@ -33,8 +34,8 @@ const QUIET: f64 = 0.1;
 /// Evaluates drift over at least two sets of at least two positions of one pose.
 pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Drift> {
     if sets_mm.len() < 2 {
-        let message = Message::error(format!("drift: {} sets of cycles", sets_mm.len()));
-        return Err(message.expected("at least two").into());
+        let of = phrase!("characteristic", name = "drift");
+        return Err(error!("too-few-of", of, sets = phrase!("sets-of-cycles", count = sets_mm.len()), least = 2).into());
     }
     let ap_mm: Vec<f64> =
         sets_mm.iter().map(|set| Ok(pose_accuracy(set, commanded_mm)?.ap_mm)).collect::<Result<_>>()?;

@@ -6,7 +6,8 @@ use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability}
 use crate::iso9283::pose::test::TestedPose;
 use crate::iso9283::statistics::sample::{covariance, mean_position};
 use crate::iso9283::statistics::scatter::drawn_together;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::symmetric_eigen;
 
@@ -25,15 +26,14 @@ pub struct NoiseFree {
 /// Evaluates at least three visits, at least one with several readings.
 pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
     for readings in visits_mm {
-        crate::iso9283::statistics::sample::positions(readings, 1, "noise of readings")?;
+        crate::iso9283::statistics::sample::positions(readings, 1, "reading-noise")?;
     }
     let means: Vec<Vector> = visits_mm.iter().map(|readings| mean_position(readings)).collect();
-    crate::iso9283::statistics::sample::positions(&means, 3, "repeatability without noise")?;
+    crate::iso9283::statistics::sample::positions(&means, 3, "rp-without-noise")?;
     let repeated: Vec<&Vec<Vector>> = visits_mm.iter().filter(|readings| readings.len() > 1).collect();
     let degrees: usize = repeated.iter().map(|readings| readings.len() - 1).sum();
     if degrees == 0 {
-        let message = Message::error("repeatability without noise: no visit was read twice");
-        return Err(message.hint("readings of one visit give the instrument's noise").into());
+        return Err(error!("visits-read-once").into());
     }
     let mut noise = [[0.0; 3]; 3];
     for readings in repeated {

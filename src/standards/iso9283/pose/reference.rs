@@ -2,8 +2,9 @@
 //! repeatedly. They show relative movements of instrument and foundation, for which measurements
 //! are compensated.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, minus, norm};
+use etalon_base::{error, phrase};
 use etalon_fit::rigid;
 
 /// One measurement of the reference targets, compared with the first.
@@ -23,10 +24,11 @@ pub struct Epoch {
 /// three and non-collinear.
 pub fn epochs(targets_mm: &[Vec<Vector>]) -> Result<Vec<Epoch>> {
     let Some(first) = targets_mm.first() else {
-        return Err(Message::error("reference targets: none was measured").into());
+        let of = phrase!("characteristic", name = "reference-targets");
+        return Err(error!("too-few-of", of, sets = phrase!("epochs", count = 0), least = 1).into());
     };
     let against = |(i, now): (usize, &Vec<Vector>)| -> Result<Epoch> {
-        crate::iso9283::statistics::sample::positions(now, 3, "reference targets")?;
+        crate::iso9283::statistics::sample::positions(now, 3, "reference-targets")?;
         let moved_mm = now.iter().zip(first).map(|(a, b)| norm(minus(*a, *b))).fold(0.0, f64::max);
         let fitted = rigid(now, first)?;
         // the first epoch coincides with itself, without rounding

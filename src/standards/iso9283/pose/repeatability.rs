@@ -42,7 +42,7 @@ pub struct PoseRepeatability {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn pose_repeatability(attained_mm: &[Vector]) -> Result<PoseRepeatability> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 2, "pose repeatability")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 2, "pose-repeatability")?;
     let radius = spread(&radii_mm(attained_mm, &[0, 1, 2]));
     let closeness = |axes: &[usize]| {
         let radius = spread(&radii_mm(attained_mm, axes));

@@ -48,7 +48,7 @@ pub(crate) const TAIL: f64 = 0.025;
 /// If AP is within four standard uncertainties of zero, its direction is random and the lower end
 /// is zero.
 pub fn accuracy_interval(attained_mm: &[Vector], accuracy: &PoseAccuracy) -> Result<Interval> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 3, "interval of AP")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 3, "ap-interval")?;
     let n = attained_mm.len() as f64;
     let scatter = Scatter::new(attained_mm);
     let mean = scatter.along(accuracy.deviation_mm);
@@ -81,7 +81,7 @@ fn units(d: Vector, variances: Vector) -> f64 {
 /// 95 % interval of RP from at least three positions: chi-square with the degrees of freedom that
 /// match the relative variance of mean + 3 s.
 pub fn repeatability_interval(attained_mm: &[Vector], repeatability: &PoseRepeatability) -> Result<Interval> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 3, "interval of RP")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 3, "rp-interval")?;
     let n = attained_mm.len() as f64;
     let degrees = (n - 1.0) * worth(Scatter::new(attained_mm).drawn_together);
     // radii about the sample mean are too small by the factor √(1 − 1/n)

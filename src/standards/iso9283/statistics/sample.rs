@@ -1,17 +1,26 @@
 //! Means and standard deviations that are exact for equal values, and angles without jumps.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 use std::f64::consts::TAU;
 
 /// Rejects fewer than `least` positions, and non-finite positions.
-pub(crate) fn positions(points: &[Vector], least: usize, what: &str) -> Result<()> {
+pub(crate) fn positions(points: &[Vector], least: usize, characteristic: &str) -> Result<()> {
     if points.len() < least {
-        let message = Message::error(format!("{what}: {} attained positions", points.len()));
-        return Err(message.expected(format!("at least {least}")).into());
+        return Err(error!(
+            "too-few-positions",
+            of = phrase!("characteristic", name = characteristic),
+            count = points.len(),
+            least
+        )
+        .into());
     }
     match points.iter().position(|&p| !norm(p).is_finite()) {
-        Some(i) => Err(Message::error(format!("{what}: position {} is not finite", i + 1)).into()),
+        Some(i) => {
+            let of = phrase!("characteristic", name = characteristic);
+            Err(error!("position-not-finite", of, number = i + 1).into())
+        }
         None => Ok(()),
     }
 }
