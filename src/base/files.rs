@@ -104,7 +104,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_by(path, |file| Ok(file.write_all(bytes)?))
 }
 
-/// Like [`write`], with a file that `fill` writes incrementally.
+/// Like [`write()`], with a file that `fill` writes incrementally.
 pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<T>) -> Result<T> {
     let fail = |e: anyhow::Error| match e.downcast::<Problems>() {
         Ok(problems) => problems,

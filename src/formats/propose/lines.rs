@@ -113,8 +113,11 @@ impl Proposal<'_> {
     fn named(&self, columns: &[usize], said: &str) -> String {
         match self.table.columns.iter().any(|column| column.name.is_some()) {
             true => {
-                let names: Vec<&str> =
-                    columns.iter().take(8).filter_map(|i| self.table.columns[*i].name.as_deref()).collect();
+                let names: Vec<&str> = columns
+                    .iter()
+                    .take(8)
+                    .filter_map(|i| self.table.columns[*i].name.as_deref())
+                    .collect();
                 format!("{said}: {}", names.join(", "))
             }
             false => {
@@ -232,9 +235,7 @@ impl Proposal<'_> {
         }
         let has = |role: ColumnRole| roles.contains(&role);
         if has(ColumnRole::Label) {
-            out.push_str(
-                "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n",
-            );
+            out.push_str("label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n");
         } else if !has(ColumnRole::Target) {
             let tag = points.map(|points| points.tag.replace(' ', "_")).filter(|_| self.found.points.len() > 1);
             match tag {
@@ -283,7 +284,8 @@ impl Proposal<'_> {
 
     /// What reading the whole file this way runs into.
     fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<String> {
-        let (points, problems) = point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
+        let (points, problems) =
+            point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
         let mut doubts: Vec<String> = problems
             .0
             .iter()
@@ -298,11 +300,9 @@ impl Proposal<'_> {
         }
         let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
         let refused: Vec<_> = points.iter().filter(|p| p.refused.is_some()).collect();
-        doubts.extend(
-            origin.map(|p| {
-                format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)
-            }),
-        );
+        doubts.extend(origin.map(|p| {
+            format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)
+        }));
         if let Some(p) = refused.first() {
             let more = if refused.len() > 1 { format!(", and {} more", refused.len() - 1) } else { String::new() };
             doubts.push(format!("line {}: {}{more}", p.line, p.refused.as_deref().unwrap_or("")));
@@ -322,8 +322,7 @@ impl Proposal<'_> {
             return self.observations(joints, &turned);
         }
         document.kind = "export with joints".to_owned();
-        let readable =
-            self.best.dialect.delimiter.is_some() && self.best.header <= 1 && self.best.dialect.comment.is_none();
+        let readable = self.best.dialect.delimiter.is_some() && self.best.header <= 1 && self.best.dialect.comment.is_none();
         if !readable || self.found.points.len() > 1 {
             return self.points(document) + "\n" + &self.log(None) + "\n" + &self.join_by_row();
         }
@@ -370,16 +369,11 @@ impl Proposal<'_> {
         for (name, at) in ["x", "y", "z"].into_iter().zip(points.columns) {
             columns.extend(at.map(|at| format!("{name}_{unit} = {}", self.column(at))));
         }
-        let angle =
-            |at: usize| self.table.columns[at].heading.unit.filter(|u| ["deg", "rad"].contains(u)).unwrap_or("UNIT");
+        let angle = |at: usize| self.table.columns[at].heading.unit.filter(|u| ["deg", "rad"].contains(u)).unwrap_or("UNIT");
         match turned.len() {
-            4 => columns
-                .extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
+            4 => columns.extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
             _ => columns.extend(
-                ["a", "b", "c"]
-                    .into_iter()
-                    .zip(turned)
-                    .map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
+                ["a", "b", "c"].into_iter().zip(turned).map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
             ),
         }
         let mut out = format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "));
@@ -423,10 +417,7 @@ impl Proposal<'_> {
     fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> String {
         document.kind = "observations".to_owned();
         document.reasons.push(self.named(&[joints, &[distance]].concat(), "joints and one length in each row"));
-        document.questions.push(
-            "the point from which the distance is measured: a column `other` and a column `kind` (`distance`)"
-                .to_owned(),
-        );
+        document.questions.push("the point from which the distance is measured: a column `other` and a column `kind` (`distance`)".to_owned());
         let unit = self.table.columns[distance].heading.unit.unwrap_or("UNIT");
         let mut columns = self.observation_columns(joints);
         columns.push(format!("distance_{unit} = {}", self.column(distance)));
@@ -448,10 +439,7 @@ impl Proposal<'_> {
             document.kind = "commanded".to_owned();
             document.doubts.push("every coordinate is called commanded: it is no measurement".to_owned());
         }
-        format!(
-            "# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n",
-            self.file
-        )
+        format!("# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n", self.file)
     }
 
     /// Lines of a log, in a format of which more is known or none.
@@ -471,22 +459,18 @@ impl Proposal<'_> {
                 Meaning::Cycle => "cycle".to_owned(),
                 Meaning::Label => "label".to_owned(),
                 Meaning::Time => {
-                    let unit =
-                        unit_of(at).or(self.table.columns[at].heading.unit).filter(|u| ["s", "ms", "ns"].contains(u));
+                    let unit = unit_of(at).or(self.table.columns[at].heading.unit).filter(|u| ["s", "ms", "ns"].contains(u));
                     format!("time_{}", unit.unwrap_or("s"))
                 }
                 _ => match unit_of(at) {
-                    Some(unit @ ("s" | "ms" | "ns")) if self.found.first(Meaning::Time).is_none() => {
-                        format!("time_{unit}")
-                    }
+                    Some(unit @ ("s" | "ms" | "ns")) if self.found.first(Meaning::Time).is_none() => format!("time_{unit}"),
                     _ => continue,
                 },
             };
             columns.push(format!("{key} = {}", self.column(at)));
         }
         for (k, at) in self.found.joint_columns().into_iter().enumerate() {
-            let unit =
-                unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
+            let unit = unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
             columns.push(format!("q{}_{unit} = {}", k + 1, self.column(at)));
         }
         let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));

@@ -135,8 +135,11 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
 
 /// The same of a file, or of a sheet whose cells are separated by tabs.
 fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
-    let mut document =
-        FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
+    let mut document = FormatsDocument {
+        schema: "etalon/formats/1".to_owned(),
+        file: file.to_owned(),
+        ..FormatsDocument::default()
+    };
     if let Some((Some(format), Recognised { what, unit, .. })) = known(text).filter(|_| sheet.is_none()) {
         document.format = Some(format.to_owned());
         document.kind = "export".to_owned();
