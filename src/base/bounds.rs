@@ -1,10 +1,10 @@
-//! Largest counts that files and options may state: checked before anything is allocated for them.
+//! Upper limits of counts in files and options, checked before memory is allocated.
 
 use super::message::Result;
 use crate::error;
 use serde::{Deserialize, Deserializer, de};
 
-/// Largest number of poses, repeats or draws that a file states.
+/// Largest number of poses, repeats or draws in a file.
 pub const MOST: u64 = 1_000_000;
 
 /// Reads a count of a TOML file, at most `M`.
@@ -18,10 +18,11 @@ pub fn at_most<'de, D: Deserializer<'de>, T: TryFrom<i64>, const M: u64>(
     }
 }
 
-/// Checks the product of counts, which is named `what`.
+/// Checks the product of counts; `what` names the product.
 ///
 /// # Errors
-/// A product above `most`, with the counts that make it.
+///
+/// Reports a product above `most` with its factors.
 pub fn product_at_most(what: &str, counts: &[(&str, u64)], most: u64) -> Result<()> {
     let product = counts.iter().fold(1u64, |product, (_, count)| product.saturating_mul(*count));
     if product <= most {

@@ -1,7 +1,8 @@
-//! The catalogue of messages: one text for each id and language (Fluent), and an explanation above the English text.
+//! The catalogue of messages: one text for each id and language (Fluent), and an explanation above
+//! the English text.
 //!
-//! Ids and arguments are written by [`error!`](crate::error), [`warning!`](crate::warning) and [`phrase!`](crate::phrase);
-//! `tests/catalogue.rs` compares every call with the texts.
+//! Ids and arguments are written by [`error!`](crate::error), [`warning!`](crate::warning) and
+//! [`phrase!`](crate::phrase); `tests/catalogue.rs` compares every call with the texts.
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::types::{FluentNumber, FluentNumberOptions};
@@ -78,7 +79,8 @@ pub trait IntoArgument {
     fn argument(&self) -> Argument;
 }
 
-/// [`Phrase`](crate::catalogue::Phrase) of an id of the catalogue; arguments as of [`error!`](crate::error).
+/// [`Phrase`](crate::catalogue::Phrase) of an id of the catalogue; arguments as of
+/// [`error!`](crate::error).
 #[macro_export]
 macro_rules! phrase {
     (@value $name:ident) => { $name };
@@ -94,13 +96,14 @@ impl Phrase {
         Self { id: Cow::Borrowed(id), arguments: Arguments::new() }
     }
 
-    /// The same text with one more argument.
+    /// Adds an argument.
     pub fn with(mut self, name: &str, value: &(impl IntoArgument + ?Sized)) -> Self {
         self.arguments.insert(name.to_owned(), value.argument());
         self
     }
 
-    /// Text in a language (ISO 639-1); English if the catalogue lacks the language, the id if it lacks the text.
+    /// Text in a language (ISO 639-1); English if the catalogue lacks the language, the id if it
+    /// lacks the text.
     pub fn text(&self, language: &str) -> String {
         render(&self.id, None, &self.arguments, language).unwrap_or_else(|| self.id.clone().into_owned())
     }
@@ -309,15 +312,15 @@ pub(crate) fn render(id: &str, attribute: Option<&str>, arguments: &Arguments, l
 pub struct Entry {
     /// Id of the message.
     pub id: &'static str,
-    /// Name of the crate that reports it.
+    /// Name of the crate that reports the message.
     pub file: &'static str,
-    /// What the message means; empty for a phrase, which is part of other texts.
+    /// Meaning of the message; empty for a phrase, which is part of other texts.
     pub meaning: String,
-    /// Why it matters.
+    /// Consequence of the message.
     pub reason: String,
-    /// What to do.
+    /// Action to take.
     pub action: String,
-    /// Input that causes it.
+    /// Input that causes the message.
     pub example: String,
 }
 

@@ -1,4 +1,4 @@
-//! Names of poses: whole numbers, or any other text.
+//! Names of poses: integers or other texts.
 
 use super::cell::is_formula;
 use super::message::Message;
@@ -13,9 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
-/// The name of a pose: a whole number (`7`, `07`), or any other text (`home`, `A-3`, `P7`), letter by letter as it is written.
+/// Name of a pose: an integer (`7`, `07`), or any other text, as written (`home`, `A-3`, `P7`).
 ///
-/// Numbers sort before texts, texts by natural order: `P2` before `P10`.
+/// Numbers sort before texts, texts in natural order: `P2` before `P10`.
 ///
 /// # Examples
 ///
@@ -35,20 +35,21 @@ use std::sync::{Mutex, PoisonError};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PoseName {
-    /// A number.
+    /// Integer.
     Number(i64),
-    /// A text that is not a number. Every text is stored once, until the program ends.
+    /// Other text; every text is stored once, until the program ends.
     Text(&'static str),
 }
 
-/// Texts of poses that occurred.
+/// All texts of poses so far.
 static TEXTS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
 
-/// The most characters of a name.
+/// Maximum length of a name (characters).
 const LONGEST: usize = 100;
 
 impl PoseName {
-    /// The pose of this name, blanks around it left out. A name that no table or spreadsheet could hold is an error.
+    /// Parses a name without surrounding blanks. Names that a table or spreadsheet cannot hold are
+    /// errors.
     pub fn new(name: &str) -> Result<Self, Message> {
         let name = name.trim();
         if let Ok(number) = name.parse() {
@@ -71,7 +72,7 @@ impl PoseName {
         })))
     }
 
-    /// Its number, if it is one.
+    /// Number of the pose, if it is an integer.
     pub fn number(self) -> Option<i64> {
         match self {
             Self::Number(number) => Some(number),
@@ -79,8 +80,8 @@ impl PoseName {
         }
     }
 
-    /// What is left of a name without capital letters, blanks, `_`, `-` and leading zeros: names that agree so are two spellings
-    /// of one.
+    /// Name without case, blanks, `_`, `-` and leading zeros; names with equal folded form are
+    /// spellings of one name.
     fn folded(self) -> String {
         let mut folded = String::new();
         for part in parts(&self.to_string().to_lowercase()) {
@@ -94,7 +95,8 @@ impl PoseName {
     }
 }
 
-/// The first pose among these that another one before it names in another spelling (`P1` and `p 01`): the other, and its index.
+/// Finds the first pose that is another spelling of an earlier one (`P1` and `p 01`): message and
+/// index.
 pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Option<(Message, usize)> {
     let mut known: BTreeSet<&'static str> = BTreeSet::new();
     let mut by_spelling: BTreeMap<String, PoseName> = BTreeMap::new();
@@ -160,10 +162,11 @@ impl PartialOrd for PoseName {
     }
 }
 
-/// What natural order compares: runs of digits as numbers, anything else letter by letter.
+/// Unit of natural order: runs of digits compare as numbers, everything else character by
+/// character.
 #[derive(PartialEq, Eq)]
 enum Part<'a> {
-    /// Without leading zeros.
+    /// Digits without leading zeros.
     Digits(&'a str),
     Other(char),
 }
@@ -274,7 +277,7 @@ mod tests {
         names.sort();
         assert_eq!(names.iter().map(ToString::to_string).collect::<Vec<_>>(), {
             let mut expected = sorted;
-            // of equal numbers the text decides
+            // equal numbers are ordered by their texts
             expected.swap(6, 7);
             expected
         });

@@ -1,4 +1,4 @@
-//! Exports that carry joint values beside the points: each row is joined with itself.
+//! Exports with joint values beside the points: each row is joined with itself.
 
 use super::{CampaignFile, Join, JoinBy};
 use etalon_base::error;
@@ -8,8 +8,8 @@ use etalon_formats::{Export, Log, LogKind};
 use toml::Spanned;
 
 impl CampaignFile {
-    /// Adds a log for each file whose exports state `joints`, and the join by rows, where neither is stated; errors where joints cannot
-    /// be read.
+    /// Adds a log for each file whose exports state `joints`, and the join by rows, if neither is
+    /// stated; returns errors if joints cannot be read.
     pub(super) fn add_joints_of_exports(&mut self, stated: SourceText) -> Vec<Message> {
         if !self.logs.is_empty() || self.exports.iter().all(|export| export.joints.is_empty()) {
             return Vec::new();
@@ -26,7 +26,7 @@ impl CampaignFile {
             if export.pose.is_none() && !named(ColumnRole::Pose) && !in_label {
                 export.pose = Some(FromRow::default());
             }
-            // several points of a row have the joints of the row
+            // several points of a row share the joints of the row
             if self.logs.iter().all(|log| log.file.get_ref() != export.file.get_ref()) {
                 let mut log = log_of(export);
                 if !self.logs.is_empty() {
@@ -41,7 +41,7 @@ impl CampaignFile {
         wrong
     }
 
-    /// What contradicts an export with `joints`, with the text that states it.
+    /// Contradiction to an export with `joints`, with the text that states it.
     pub fn joints_stated_twice(&self) -> Option<(Message, &Spanned<String>)> {
         let mut mixed = self.exports.iter().filter(|export| !export.joints.is_empty());
         let export = mixed.next()?;
@@ -61,7 +61,8 @@ impl CampaignFile {
         (self.join_by() != Some(JoinBy::Row)).then(|| (error!("joints-joined-by-row"), &export.file))
     }
 
-    /// Targets that exports state for all their rows and that nothing else claims: those of the robot, where `[join]` names none.
+    /// Targets that exports state for all their rows and that have no other use; these are the
+    /// robot's targets if `[join]` names none.
     pub fn stated_targets(&self) -> Vec<String> {
         let mixed = self.exports.iter().any(|export| !export.joints.is_empty());
         let of_world = self.frame.iter().flat_map(|frame| frame.world.targets.iter().flatten());

@@ -1,10 +1,11 @@
-//! Words for contradictions in the description of a robot.
+//! Messages for faults in the description of a robot.
 
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use etalon_robots::{FaultKind, JointFault, JointRef, TreeFault};
 
-/// A fault in words; `spellings` spells a key with its units, as the file does first, and `file` is the file with links and joints.
+/// Message for a fault. `spellings` spells a key with its units, the spelling of the file first;
+/// `file` is the file with links and joints.
 pub(super) fn message(fault: &FaultKind, spellings: &dyn Fn(&str) -> Vec<String>, file: &str) -> Message {
     use FaultKind as Kind;
     let spelled = |key: &str| spellings(key).swap_remove(0);

@@ -1,4 +1,4 @@
-//! `robot.toml`: the keys of every model, and those of its own model, which that model reads.
+//! `robot.toml`: keys of all models, and keys of the selected model, which that model reads.
 
 use super::toml_file::{self, Recovered, UnreadKeys};
 use super::urdf::{self, Urdf};
@@ -19,57 +19,58 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// `robot.toml`.
+/// Contents of `robot.toml`.
 #[derive(Clone, Debug)]
 pub struct RobotFile {
     /// Name for the report.
     pub name: Option<String>,
     nominal: BTreeMap<String, f64>,
     tolerance: BTreeMap<String, f64>,
-    /// The model and the values of its own keys; none where the file does not read.
+    /// Model with the values of its own keys; `None` if the file could not be read.
     description: Option<(&'static Model, Values)>,
-    /// The file as the user named it, and its text.
+    /// Name and text of the file, as the user named it.
     source: (String, String),
-    /// What of the file did not read.
+    /// Entries of the file that could not be read.
     unread: UnreadKeys,
-    /// The file that describes the robot.
+    /// Additional file that describes the robot.
     beside: Option<Beside>,
 }
 
 /// A file that robot.toml names.
 #[derive(Clone, Debug)]
 struct Beside {
-    /// As the user named it.
+    /// Name, as the user wrote it.
     name: String,
     path: PathBuf,
     text: String,
     stamp: Stamp,
 }
 
-/// `robot.toml`.
+/// Keys of `robot.toml` common to all models.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct CommonKeys {
     /// Name of the robot, for the report and for `etalon compare`.
     name: Option<String>,
-    /// The kinematic model.
+    /// Kinematic model.
     #[serde(deserialize_with = "model")]
     #[schemars(schema_with = "models")]
     model: &'static Model,
-    /// Nominal parameters by name, in mm, deg or without unit. The geometry of the robot must be stated; other parameters
-    /// have the values of the model.
+    /// Nominal parameters by name (mm, deg or without unit). The geometry of the robot must be
+    /// stated; other parameters default to the values of the model.
     #[serde(default)]
     nominal: BTreeMap<String, f64>,
-    /// How far from nominal a parameter may be identified, beyond which the set-up is wrong and nothing is exported: of all lengths
-    /// of the robot (`length_mm`, 10 where it is not stated), all angles (`angle_deg`, 2), all gains and couplings (`ratio`, 0.05), or of one
-    /// parameter by its name, in mm, deg or without unit.
+    /// Tolerances about nominal values. If an identified parameter is beyond its tolerance, the
+    /// set-up is considered wrong and nothing is exported. Either for all lengths of the robot
+    /// (`length_mm`, default 10), all angles (`angle_deg`, default 2), all gains and couplings
+    /// (`ratio`, default 0.05), or for one parameter by its name (mm, deg or without unit).
     #[serde(default)]
     tolerance: BTreeMap<String, f64>,
 }
 
 const COMMON: [&str; 4] = ["name", "model", "nominal", "tolerance"];
 
-/// Keys of `tolerance` that are those of a whole kind.
+/// Keys of `tolerance` that apply to all parameters of a kind.
 const KINDS: [(&str, Quantity); 3] =
     [("length_mm", Quantity::Length), ("angle_deg", Quantity::Angle), ("ratio", Quantity::Ratio)];
 
@@ -95,7 +96,7 @@ impl JsonSchema for RobotFile {
     }
 }
 
-/// The keys of these models in one table.
+/// Schema of the keys of these models in one table.
 fn keys(models: &[&Model]) -> Schema {
     let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
     let mut whole = CommonKeys::json_schema(&mut generator);
@@ -106,8 +107,8 @@ fn keys(models: &[&Model]) -> Schema {
     whole
 }
 
-/// The keys of one model: those that it must have too, and whatever under keys of other models,
-/// which are reported as such.
+/// Schema of the keys of one model, including mandatory keys, which allows keys of other models
+/// with any value, as these are reported separately.
 fn keys_of(model: &Model) -> Json {
     let mut schema = keys(&[model]).to_value();
     let own = robot_keys::schema(&model.keys(), &mut SchemaGenerator::default()).to_value();
@@ -129,7 +130,7 @@ fn keys_of(model: &Model) -> Json {
     schema
 }
 
-/// Adds the properties of `other` that `whole` does not have, and those of the tables that both have.
+/// Adds properties of `other` that are missing in `whole`, also in common tables.
 fn merge(whole: &mut Map<String, Json>, other: Option<&Map<String, Json>>) {
     let Some(other) = other.and_then(|other| other.get("properties")).and_then(Json::as_object) else { return };
     let Some(properties) = whole.get_mut("properties").and_then(Json::as_object_mut) else { return };
@@ -141,7 +142,7 @@ fn merge(whole: &mut Map<String, Json>, other: Option<&Map<String, Json>>) {
     }
 }
 
-/// Reads a table that is a robot.toml; keys that only other models have are left out.
+/// Reads a table as robot.toml; keys that only other models have are ignored.
 fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::Error> {
     let span = root.span();
     let (mut common, mut own) = (DeTable::new(), DeTable::new());
@@ -175,7 +176,7 @@ fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::
     })
 }
 
-/// Keys that other models have, and this one has not.
+/// Keys of other models that this model lacks.
 fn foreign(model: &Model) -> impl Iterator<Item = Vec<String>> {
     let own = robot_keys::paths(&model.keys());
     let all = MODELS.into_iter().rev().flat_map(|other| robot_keys::paths(&other.keys()));
@@ -183,14 +184,15 @@ fn foreign(model: &Model) -> impl Iterator<Item = Vec<String>> {
 }
 
 impl RobotFile {
-    /// Place of a key, given by the keys that lead to it; the file where the key is missing.
+    /// Place of a key, given by the keys that lead to it; the file if the key is missing.
     fn place(&self, path: &[&str]) -> Place {
         let (name, text) = &self.source;
         let span = toml_file::find(text, path);
         span.map_or_else(|| Place::file(name.as_str()), |span| Place::span(name.as_str(), text, span))
     }
 
-    /// Faults of the description in words, with their places in this file or in the one with links and joints.
+    /// Messages for faults of the description, with their places in this file or in the file with
+    /// links and joints.
     fn worded(&self, faults: &Faults, keys: &[Key], urdf: Option<&Urdf>) -> Problems {
         let file = self.description_name().unwrap_or_default();
         let message = |fault: &etalon_robots::Fault| {
@@ -198,7 +200,7 @@ impl RobotFile {
             let path_of = |own: &str| [&table[..], &[own.to_owned()]].concat();
             let find =
                 |path: &[String]| toml_file::find(&self.source.1, &path.iter().map(String::as_str).collect::<Vec<_>>());
-            // as the file states it, if it does
+            // as spelled in the file, if stated
             let spellings = |name: &str| {
                 let mut all =
                     robot_keys::named(keys, name).map_or_else(|| vec![name.to_owned()], robot_keys::spellings);
@@ -216,10 +218,10 @@ impl RobotFile {
         Problems(faults.0.iter().map(message).collect())
     }
 
-    /// The robot file that is left when everything that does not fit is taken away, and what that is.
+    /// Reads a robot file without the entries that do not fit, and returns the problems.
     pub(super) fn recover(path: &Path, text: &str) -> (Option<Self>, Problems) {
         let name = path.display().to_string();
-        // of a file that states no model, keys of any
+        // without a stated model, keys of any model
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = MODELS.iter().find(|model| written.trim_matches(['"', '\'']) == model.name);
         let schema = stated.map_or_else(|| keys(&MODELS).to_value(), |model| keys_of(model));
@@ -232,7 +234,7 @@ impl RobotFile {
         (robot, problems)
     }
 
-    /// Reads the file that describes the robot, where there is one, beside `robot`.
+    /// Reads the file that describes the robot, relative to `robot`, if there is one.
     fn read_description(&self, robot: &Path) -> Result<Option<Beside>> {
         let Some(file) = self.description_name() else { return Ok(None) };
         if self.unread.affects_entry("file") {
@@ -252,27 +254,28 @@ impl RobotFile {
         if let Value::Text(file) = values.get(key.name)? { Some((key.name, file)) } else { None }
     }
 
-    /// The file that describes the robot, as robot.toml names it.
+    /// Name of the file that describes the robot, as in robot.toml.
     fn description_name(&self) -> Option<&str> {
         Some(self.tree_key()?.1)
     }
 
-    /// The file that describes the robot, as robot.toml names it, and its text.
+    /// Name, as in robot.toml, and text of the file that describes the robot.
     pub fn description(&self) -> Option<(&str, &str)> {
         Some((self.description_file()?.0, self.beside.as_ref()?.text.as_str()))
     }
 
-    /// Path of the file that describes the robot, where there is one.
+    /// Path of the file that describes the robot, if there is one.
     pub fn description_path(&self) -> Option<PathBuf> {
         Some(self.beside.as_ref()?.path.clone())
     }
 
-    /// The file that describes the robot, as robot.toml names it, and what identifies it.
+    /// Name, as in robot.toml, and stamp of the file that describes the robot.
     pub fn description_file(&self) -> Option<(&str, &Stamp)> {
         Some((self.description_name()?, &self.beside.as_ref()?.stamp))
     }
 
-    /// Stands for a file that does not read, of which no robot can be built; the problems are reported already.
+    /// Placeholder for an unreadable file, from which no robot can be built; its problems are
+    /// already reported.
     pub(super) fn unreadable() -> Self {
         Self {
             name: None,
@@ -285,9 +288,9 @@ impl RobotFile {
         }
     }
 
-    /// The robot with these targets, where the model has none of its own.
+    /// Builds the robot; `targets` applies if the model has no targets of its own.
     pub fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>> {
-        // what did not read is reported already
+        // unreadable entries are already reported
         let readable = self.description.as_ref().filter(|(model, _)| {
             let essential = robot_keys::essential(&model.keys());
             !self.unread.affects_entry("model") && essential.iter().all(|key| !self.unread.affects_entry(key))
@@ -304,8 +307,8 @@ impl RobotFile {
         built.map_err(|more| problems.0.extend(more.0)).ok().filter(|_| problems.0.is_empty()).ok_or(problems)
     }
 
-    /// The robot with these joints bending, by their numbers from 1, and these targets; `None` if the file states which joints bend, or the
-    /// model has no such key.
+    /// Builds the robot with these joints bending, by number from 1, and these targets; `None` if
+    /// the file states bending joints, or if the model has no such key.
     pub fn build_bending(&self, joints: &[usize], targets: &[String]) -> Option<Box<dyn Robot>> {
         const KEY: &str = "bending";
         let (model, values) = self.description.as_ref()?;
@@ -318,11 +321,11 @@ impl RobotFile {
         file.build(targets).ok()
     }
 
-    /// The robot as its description alone has it.
+    /// Robot by its description alone.
     fn built(&self, model: &Model, mut values: Values, targets: &[String]) -> Result<Box<dyn Robot>> {
         let mut urdf = None;
         if let Some((key, _)) = self.tree_key() {
-            // a file that does not read is reported already
+            // an unreadable file is already reported
             let Some(Beside { name, text, .. }) = &self.beside else { return Err(Problems::default()) };
             let file = urdf.insert(urdf::read(name, text)?);
             values.insert(key, Value::Tree(file.tree.clone()));
@@ -330,7 +333,7 @@ impl RobotFile {
         model.build(&values, targets).map_err(|faults| self.worded(&faults, &model.keys(), urdf.as_ref()))
     }
 
-    /// Errors about keys that only other models have.
+    /// Errors for keys that only other models have.
     fn odd_keys(&self, model: &Model) -> Problems {
         let mut odd: Vec<Message> = Vec::new();
         let (name, text) = &self.source;
@@ -353,7 +356,7 @@ impl RobotFile {
         self.nominal.contains_key(parameter)
     }
 
-    /// Writes the nominal values of the file over those of `robot`.
+    /// Overwrites nominal values of `robot` with those of the file.
     fn nominal(&self, robot: &dyn Robot, geometry_is_stated: bool, values: &mut [f64]) -> Result<()> {
         let mut problems = Problems::default();
         for (name, value) in &self.nominal {
@@ -364,7 +367,7 @@ impl RobotFile {
                 continue;
             };
             let p = &robot.parameters()[i];
-            // the mirrored arm explains the measurements as well
+            // the mirrored arm fits the measurements equally well
             let is_length = p.quantity == Quantity::Length && p.role == Role::Robot && p.nominal > 0.0;
             if is_length && !geometry_is_stated && *value <= 0.0 {
                 let message = error!("nominal-length-not-positive", parameter = name);
@@ -378,7 +381,8 @@ impl RobotFile {
         problems.check().map(|_| ())
     }
 
-    /// Writes the tolerances of the file over those of the model: those of a kind first, then those of single parameters.
+    /// Overwrites tolerances of the model with those of the file: first those of a kind, then those
+    /// of single parameters.
     fn tolerances(&self, definition: &mut Definition) -> Result<()> {
         let mut problems = Problems::default();
         for (name, &value) in &self.tolerance {
@@ -403,7 +407,8 @@ impl RobotFile {
         problems.check().map(|_| ())
     }
 
-    /// An error about geometry that the file does not state: the model's own is that of one machine, not of this one.
+    /// Error for geometry that the file does not state, because the model's default belongs to
+    /// another machine.
     fn unstated(&self, robot: &dyn Robot) -> Option<Message> {
         let own = |p: &&Parameter| p.role == Role::Robot && p.quantity != Quantity::Ratio && p.nominal != 0.0;
         let names = robot.parameters().iter().filter(own).map(|p| p.name.as_str());

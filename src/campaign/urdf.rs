@@ -1,4 +1,5 @@
-//! URDF files: links and joints of a robot, in metres and radians. What the program does not need is passed over.
+//! URDF files: links and joints of a robot (m, rad). Elements that the program does not need are
+//! skipped.
 
 use super::robot_faults;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -9,16 +10,16 @@ use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoin
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Elements that say nothing of kinematics and masses.
+/// Elements without information about kinematics and masses.
 const SKIPPED: [&str; 7] = ["visual", "collision", "transmission", "gazebo", "material", "sensor", "ros2_control"];
 
 /// A URDF file.
 #[derive(Debug)]
 pub(super) struct Urdf {
-    /// Its links and joints.
+    /// Links and joints.
     pub tree: Arc<Tree>,
     name: String,
-    /// Places of its joints.
+    /// Places of the joints.
     places: Vec<Place>,
 }
 
@@ -30,7 +31,7 @@ impl Urdf {
         self.places.get(joint).cloned()
     }
 
-    /// The chain with the most moving joints.
+    /// Chain with the most moving joints.
     pub fn longest_chain(&self) -> Result<LongestChain> {
         self.tree.longest_chain().map_err(|Faults(faults)| {
             let message = |fault: &Fault| {
@@ -42,7 +43,7 @@ impl Urdf {
     }
 }
 
-/// Links and joints of a file.
+/// Reads links and joints of a file.
 pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
     if let Some(at) = without_comments(text).find("<xacro:") {
@@ -118,7 +119,7 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     };
     let axis = node.child("axis").map_or(Ok([1.0, 0.0, 0.0]), |axis| vector(axis, "xyz", file, [1.0, 0.0, 0.0]));
     let kind = text(node, "type")?;
-    // those of a continuous joint are of its effort alone
+    // limits of a continuous joint apply to its effort only
     let limited = ["revolute", "prismatic"].contains(&kind.as_str());
     let limits = node.child("limit").filter(|_| limited).map(|limit| -> Result<[f64; 2]> {
         let [lower, upper] = [number(limit, "lower", file, 0.0)?, number(limit, "upper", file, 0.0)?];
@@ -146,7 +147,7 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     })
 }
 
-/// The pose that `<origin xyz rpy>` of an element states, in mm.
+/// Pose of an element's `<origin xyz rpy>` (mm).
 fn origin(node: Node, file: &str) -> Result<Pose> {
     let Some(origin) = node.child("origin") else { return Ok(Pose::identity()) };
     let [xyz, rpy] = [vector(origin, "xyz", file, [0.0; 3])?, vector(origin, "rpy", file, [0.0; 3])?];

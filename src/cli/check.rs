@@ -1,4 +1,4 @@
-//! `etalon check`
+//! Command `etalon check`.
 
 use super::{Verdict, print_text, print_with, remark};
 use crate::run::walk::{Checked, checked};
@@ -7,12 +7,12 @@ use etalon_campaign::Campaign;
 use etalon_documents::{CheckDocument, JointTravel};
 use std::path::{Path, PathBuf};
 
-/// Find everything that is wrong with a campaign, without computing
+/// Find all errors of a campaign without computing.
 #[derive(Debug, clap::Args)]
 pub struct Check {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Print errors, warnings and what was read as JSON
+    /// Print errors, warnings and imported rows as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -50,7 +50,7 @@ impl Check {
     }
 }
 
-/// What the campaign's files hold, and everything that is wrong.
+/// Contents of the campaign's files, and all their problems.
 fn find(path: &Path) -> (Option<Checked>, Problems) {
     let (campaign, mut problems) = match Campaign::recover(path) {
         Ok(found) => found,

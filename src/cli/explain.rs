@@ -1,4 +1,4 @@
-//! `etalon explain`
+//! Command `etalon explain`.
 
 use super::{Verdict, print, print_text};
 use etalon_base::catalogue::{Entry, entries};
@@ -7,15 +7,15 @@ use etalon_base::message::Problems;
 use etalon_documents::{Explanation, ExplanationDocument};
 use std::fmt::Write;
 
-/// Explain a message by its id, or list all messages
+/// Explain a message by its id, or list all messages.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   etalon explain                        list ids and texts
   etalon explain parameter-twice        meaning, consequence, remedy and an example")]
 pub struct Explain {
-    /// Id of the message, as it stands in brackets: error[ID]
+    /// Id of the message, as shown in brackets: error[ID].
     id: Option<String>,
-    /// Print the explanation as JSON
+    /// Print the explanation as JSON.
     #[arg(long)]
     json: bool,
 }

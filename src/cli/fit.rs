@@ -1,4 +1,4 @@
-//! `etalon fit`
+//! Command `etalon fit`.
 
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
@@ -13,45 +13,47 @@ use etalon_formats::Format;
 use etalon_formats::dialect::Unit;
 use std::path::PathBuf;
 
-/// Fit a geometric element to the points of files
+/// Fit a geometric element to the points of files.
 ///
-/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format or --columns states
-/// another format. A QIF file states which points belong to which feature: each measured feature is fitted and compared with the
-/// values in the file.
+/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format
+/// or --columns states another format. In a QIF file each measured feature is fitted to its points
+/// and compared with the values in the file.
 #[derive(Debug, clap::Args)]
 pub struct FitCommand {
-    /// line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus, enclosing-circle or enclosing-sphere;
-    /// without it every measured feature of QIF files
+    /// Element: line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus,
+    /// enclosing-circle or enclosing-sphere; may be omitted for QIF files, whose features are all
+    /// fitted.
     #[arg(value_name = "ELEMENT")]
     element: String,
-    /// Files with points
+    /// Files with points.
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Format of the files, by the name that a campaign gives it: inspec, geopak_gws, ply, polyworks_report ...
+    /// Format of the files by its name in campaigns: inspec, geopak_gws, ply, polyworks_report ...
     #[arg(long, value_name = "NAME", conflicts_with = "columns")]
     format: Option<String>,
     #[command(flatten)]
     text: TextFormat,
-    /// One fit for each label instead of one over all points
+    /// Fit each label separately instead of all points together.
     #[arg(long)]
     by_label: bool,
-    /// Hold the radius of a circle, sphere or cylinder
+    /// Hold the radius of a circle, sphere or cylinder.
     #[arg(long, value_name = "MM")]
     radius_mm: Option<f64>,
-    /// The points are centres of a probe of this radius: the element is moved to the surface
+    /// Radius of the probe whose centres are the points; the element is offset to the surface.
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     probe_radius_mm: Option<f64>,
-    /// Where the probe was: inside or outside; for a plane or line the direction to the probe, e.g. 0,0,1
+    /// Side of the probe: inside or outside; for a plane or line the direction to the probe, e.g.
+    /// 0,0,1.
     #[arg(long, value_name = "SIDE", allow_hyphen_values = true)]
     probe_side: Option<String>,
-    /// Fit a circle in space by the full orthogonal distance instead of plane, projection, circle
+    /// Fit a circle in space by orthogonal distances instead of plane, projection and circle.
     #[arg(long)]
     orthogonal: bool,
-    /// Fit a line2d, plane, circle2d, circle3d, sphere, cylinder or cone by minimum zone (Chebyshev) instead of least
-    /// squares: the form of ISO 1101
+    /// Fit a line2d, plane, circle2d, circle3d, sphere, cylinder or cone by minimum zone
+    /// (Chebyshev) instead of least squares: the form of ISO 1101.
     #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
-    /// Print JSON: an object; a list of them with --by-label and for QIF
+    /// Print JSON: an object, or a list of objects with --by-label and for QIF.
     #[arg(long)]
     json: bool,
 }
@@ -93,13 +95,13 @@ impl FitCommand {
         }
     }
 
-    /// Whether a file is given in place of the element.
+    /// `true` if a file is given in place of the element.
     fn all_features(&self) -> bool {
         let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
         !known && std::path::Path::new(&self.element).is_file()
     }
 
-    /// One fit over all points, or one for each label.
+    /// Fits all points together, or each label separately.
     fn groups(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         let points = self.read(texts)?;
         let mut groups: Vec<(String, Vec<Vector>)> = Vec::new();
@@ -116,7 +118,8 @@ impl FitCommand {
         groups.iter().map(|(label, points)| self.fit(label, Source::from(points))).collect()
     }
 
-    /// The measured features of QIF files; one that cannot be fitted is reported and left out.
+    /// Fits the measured features of QIF files; features that cannot be fitted are reported and
+    /// omitted.
     fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         if self.radius_mm.is_some() || self.text.stated() {
             return Err(error!("qif-with-columns").into());
@@ -150,13 +153,13 @@ impl FitCommand {
         Ok(documents)
     }
 
-    /// What the options state, with a probe.
+    /// Settings of the options, with a probe.
     fn settings(&self, probe: Option<Probe>) -> FitSettings<'static> {
         let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
         FitSettings { radius_mm: self.radius_mm, circle, probe, ..FitSettings::default() }
     }
 
-    /// The side of the probe, where it is stated.
+    /// Stated side of the probe, if any.
     fn side(&self) -> Result<Option<Side>, Problems> {
         let Some(text) = self.probe_side.as_deref() else { return Ok(None) };
         let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
@@ -168,7 +171,7 @@ impl FitCommand {
         }
     }
 
-    /// The probe that the options state.
+    /// Stated probe, if any.
     fn probe(&self) -> Result<Option<Probe>, Problems> {
         match (self.probe_radius_mm, self.side()?) {
             (None, None) => Ok(None),
@@ -178,7 +181,7 @@ impl FitCommand {
         }
     }
 
-    /// Labels and points of all files, in millimetres.
+    /// Labels and points of all files (mm).
     fn read(&self, texts: &[(String, String)]) -> Result<Vec<(String, Vector)>, Problems> {
         let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = Vec::new();
@@ -190,7 +193,7 @@ impl FitCommand {
         Ok(all)
     }
 
-    /// The points of all files, if all are plain tables and no label matters.
+    /// Points of all files, if all are plain tables and no label matters.
     fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
         if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
             return Ok(None);
@@ -206,7 +209,7 @@ impl FitCommand {
         Ok((!all.is_empty()).then_some(all))
     }
 
-    /// The format that the options state.
+    /// Stated format.
     fn format(&self) -> Result<Format, Problems> {
         self.format.as_deref().map_or_else(|| self.text.format(), |name| word("--format", name))
     }

@@ -1,4 +1,4 @@
-//! `etalon formats`
+//! Command `etalon formats`.
 
 use super::{Verdict, print};
 use etalon_base::message::Result;
@@ -6,13 +6,13 @@ use etalon_documents::FormatsDocument;
 use etalon_formats::propose_file;
 use std::path::PathBuf;
 
-/// Propose how to read files, with reasons and doubts, as lines to paste into campaign.toml
+/// Propose how to read files, with reasons and doubts, as lines to paste into campaign.toml.
 #[derive(Debug, clap::Args)]
 pub struct Formats {
-    /// The files
+    /// Files to read.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Print all readings as JSON, one document a file
+    /// Print all readings as JSON, one document per file.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! `etalon init`
+//! Command `etalon init`.
 
 mod from;
 
@@ -13,18 +13,20 @@ use serde::Deserialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Write a commented campaign to start from
+/// Write a commented campaign to start from.
 #[derive(Debug, clap::Args)]
 pub struct Init {
-    /// New folder of the campaign
+    /// New folder of the campaign.
     folder: PathBuf,
-    /// Add a truth, from which `etalon simulate` writes the exports and logs
+    /// Add a truth, from which `etalon simulate` writes the exports and logs.
     #[arg(long)]
     synthetic: bool,
-    /// Describe the robot by this URDF, which is copied beside robot.toml: its chain with the most moving joints
+    /// Describe the robot by this URDF, which is copied beside robot.toml: its chain with the most
+    /// moving joints.
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
-    /// Take the published geometry of this robot (ur5e, irb120 ...), or an example of a model (five-bar, xy-theta, hexapod, delta ...)
+    /// Use the published geometry of this robot (ur5e, irb120 ...), or an example of a model
+    /// (five-bar, xy-theta, hexapod, delta ...).
     #[arg(long, value_name = "NAME", conflicts_with_all = ["synthetic", "urdf"])]
     robot: Option<String>,
     /// Propose the whole campaign from these files: exports, logs, tables with both, observations. They are copied into the folder; `etalon
@@ -42,7 +44,7 @@ const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
 const ROBOTS: &str = include_str!("init/robots.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
 
-/// In the template, a comment.
+/// Line of the template, a comment, that states synthetic data.
 const SYNTHETIC: &str = "# synthetic = \"how the data were made\"";
 const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nobody measured them\"";
 
@@ -104,7 +106,7 @@ impl Init {
         Ok(Verdict::Met)
     }
 
-    /// A campaign of a robot of the table.
+    /// Creates a campaign for a robot of the built-in table.
     fn known(&self, name: &str) -> anyhow::Result<Verdict> {
         let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
@@ -149,26 +151,27 @@ fn known_robot(name: &str) -> anyhow::Result<KnownRobot> {
 
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
 
-/// The campaign of a robot whose joints are in these columns.
+/// Campaign of a robot with these joint columns.
 fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
     let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", &format!("controllers = {controllers}"));
     text.replace("COLUMNS\n", &format!("{columns}\n")).replace("TARGETS", &format!("{targets:?}")).into_bytes()
 }
 
-/// Robots whose geometry is known.
+/// Robots with known geometry.
 #[derive(Deserialize, JsonSchema)]
 struct Known {
     #[serde(rename = "robot")]
     robots: Vec<KnownRobot>,
 }
 
-/// A robot, by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), screw axes, or the text of its robot.toml.
+/// A robot described by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), by
+/// screw axes, or by the text of its robot.toml.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct KnownRobot {
     name: String,
     title: String,
-    /// Where the geometry is from.
+    /// Source of the geometry.
     source: String,
     note: Option<String>,
     #[serde(default)]
@@ -201,7 +204,7 @@ impl KnownRobot {
         if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
     }
 
-    /// Its robot.toml.
+    /// Text of robot.toml.
     fn text(&self) -> String {
         let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
         text.extend(self.note.iter().map(|note| format!("# {note}\n")));

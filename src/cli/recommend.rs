@@ -1,4 +1,4 @@
-//! `etalon recommend`
+//! Command `etalon recommend`.
 
 use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
@@ -12,20 +12,21 @@ use etalon_documents::to_json;
 use etalon_report::Faces;
 use std::path::PathBuf;
 
-/// Which identified parameters deserve to be loaded into the controller
+/// Recommend identified parameters to be loaded into the controller.
 ///
-/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tried on poses that are left out of the identification, and parameters by their
-/// change over its uncertainty. Those that are recommended are identified again with all others at their nominal values.
+/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tested on poses that are left
+/// out of the identification, and parameters by their change over its uncertainty. The recommended
+/// parameters are identified again with all others at nominal.
 #[derive(Debug, clap::Args)]
 pub struct Recommend {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Write the recommended parameters as a new parameters.json, for `etalon export`
+    /// Write the recommended parameters as a new parameters.json, for `etalon export`.
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
     #[command(flatten)]
     reports: Reports,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! `etalon run`
+//! Command `etalon run`.
 
 use super::{Verdict, print_with, remark, say};
 use crate::run::documents::Documents;
@@ -9,15 +9,16 @@ use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use std::path::PathBuf;
 
-/// Run a campaign from its exports to the report
+/// Run a campaign from its exports to the report.
 #[derive(Debug, clap::Args)]
 pub struct Run {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Print accuracy.json (of a test by ISO 9283 alone iso9283.json, or the document in its place) instead of a summary
+    /// Print accuracy.json (for a test by ISO 9283 alone iso9283.json, or the document in its
+    /// place) instead of a summary.
     #[arg(long)]
     json: bool,
-    /// Skip a campaign whose data hang on an environment variable that is not set
+    /// Skip a campaign if an environment variable for its data is unset.
     #[arg(long)]
     skip_missing: bool,
 }

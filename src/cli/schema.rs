@@ -1,10 +1,10 @@
-//! `etalon schema`
+//! Command `etalon schema`.
 
 use super::{Verdict, print};
 use etalon_base::error;
 use etalon_base::message::Problems;
 
-/// Print the JSON Schema of an input file or of a JSON document
+/// Print the JSON Schema of an input file or of a JSON document.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Input files, for editors and other programs that write campaigns:
   campaign.toml, robot.toml
@@ -17,9 +17,9 @@ Answers to `--json` of commands:
   batch, check, compare, compensation, explanation, fit, formats, iso230, iso9283-plan, iso9283-stream, kinematics,
   plan, recommendation, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
 pub struct Schema {
-    /// Name of the file or document, e.g. campaign.toml or parameters
+    /// Name of the file or document, e.g. campaign.toml or parameters.
     name: String,
-    /// Accepted like that of other commands: a schema is always JSON
+    /// Accepted as for other commands; a schema is always JSON.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! Options that state how a text of points is read.
+//! Options for reading a text of points.
 
 use super::table_file::TableFile;
 use etalon_base::error;
@@ -11,40 +11,40 @@ use std::path::Path;
 /// Unit and columns of a text.
 #[derive(Debug, clap::Args)]
 pub(super) struct TextFormat {
-    /// Length unit of the files: mm, m, um or inch; never guessed (QIF states its own)
+    /// Length unit of the files: `mm`, `m`, `um` or `inch`; never guessed (QIF states its own).
     #[arg(long)]
     unit: Option<String>,
-    /// What the columns hold, e.g. label,x,y,z; `-` for a column that is not read
+    /// Contents of the columns, e.g. label,x,y,z; `-` for an unused column.
     #[arg(long, value_delimiter = ',', requires = "delimiter", allow_hyphen_values = true)]
     columns: Vec<String>,
-    /// blank, tab, comma, semicolon or bar
+    /// Delimiter: blank, tab, comma, semicolon or bar.
     #[arg(long, requires = "columns")]
     delimiter: Option<String>,
-    /// Decimal mark: point or comma
+    /// Decimal mark: point or comma.
     #[arg(long, default_value = "point", requires = "columns")]
     decimal: String,
-    /// Rows before the data
+    /// Number of rows before the data.
     #[arg(long, default_value_t = 0, requires = "columns")]
     header: usize,
 }
 
 impl TextFormat {
-    /// Whether columns are stated.
+    /// `true` if columns are stated.
     pub fn stated(&self) -> bool {
         self.delimiter.is_some()
     }
 
-    /// The unit, where it is stated.
+    /// Stated unit, if any.
     pub fn stated_unit(&self) -> Result<Option<Unit>, Problems> {
         self.unit.as_deref().map(|name| word("--unit", name)).transpose()
     }
 
-    /// The unit, which must be stated.
+    /// Mandatory unit.
     pub fn unit(&self) -> Result<Unit, Problems> {
         self.stated_unit()?.ok_or_else(|| error!("option-unit-missing").into())
     }
 
-    /// The stated columns, else PolyWorks text.
+    /// Stated columns, by default PolyWorks text.
     pub fn format(&self) -> Result<Format, Problems> {
         let Some(delimiter) = &self.delimiter else { return Ok(Format::default()) };
         let columns = self.columns.iter().map(|c| word::<ColumnRole>("--columns", c)).collect::<Result<Vec<_>, _>>()?;
@@ -58,19 +58,19 @@ impl TextFormat {
     }
 }
 
-/// How a table of observations is read.
+/// Options for reading a table of observations.
 #[derive(Debug, clap::Args)]
 pub(super) struct TableFormat {
-    /// What separates the columns: comma, semicolon, tab, bar or blank
+    /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
     #[arg(long, default_value = "comma")]
     delimiter: String,
-    /// Decimal mark: point or comma
+    /// Decimal mark: point or comma.
     #[arg(long, default_value = "point")]
     decimal: String,
-    /// Encoding of the characters, where no byte-order mark states it
+    /// Character encoding, if no byte-order mark states it.
     #[arg(long)]
     encoding: Option<String>,
-    /// Sheet of a workbook (.xlsx) that holds the table
+    /// Sheet of a workbook (.xlsx) that contains the table.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
     sheet: Option<String>,
     /// Where a column comes from that is called otherwise in the file: a heading (q1_deg=J1), its number (q1_deg=3), or an expression of
@@ -83,13 +83,14 @@ pub(super) struct TableFormat {
     /// The target of all rows, of a table without such a column
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose, of a table without such a column
+    /// `row` if the number of the data row is the number of the pose, for a table without such a
+    /// column.
     #[arg(long, value_name = "ROW")]
     pose: Option<String>,
 }
 
 impl TableFormat {
-    /// The table in the file.
+    /// Reads the table in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
         self.table(path, false)
     }

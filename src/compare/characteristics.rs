@@ -1,4 +1,4 @@
-//! Characteristics of poses by ISO 9283 over campaigns.
+//! ISO 9283 pose characteristics over campaigns.
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
@@ -10,7 +10,7 @@ use etalon_documents::*;
 use etalon_standards::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;
 
-/// AP, mean position and RP of every pose that all campaigns have; homings too.
+/// AP, mean position and RP of all poses that occur in every campaign, including homings.
 pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
@@ -57,7 +57,8 @@ fn accuracy(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     })
 }
 
-/// The mean of each coordinate: of the visits where all documents have them, else from the commanded position.
+/// Mean of each coordinate: from the visits if all documents have them, otherwise from the
+/// commanded position.
 fn positions(name: &str, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -> Vec<CompareTrend> {
     let visited = |(d, p): (&&Iso9283Document, &&Iso9283Pose)| {
         let of_pose = d.visits.iter().filter(|v| v.pose == p.pose).map(|v| v.attained_mm);
@@ -102,7 +103,7 @@ fn repeatability(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     let values = all.iter().map(known).collect::<Option<Vec<_>>>()?;
     let change = |(from, to): (usize, usize)| {
         let scale = |(rp, i, n): (f64, Iso9283Interval, f64)| {
-            // radii about the sample's own mean are short by √(1 - 1/n)
+            // radii about the sample mean are too small by the factor √(1 − 1/n)
             Some((rp * (n / (n - 1.0)).sqrt(), degrees_of_scale(i.low_mm, i.high_mm)?))
         };
         let found = ratio_of_scales(scale(values[from])?, scale(values[to])?)?;

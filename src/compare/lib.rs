@@ -1,6 +1,7 @@
-//! Several campaigns of one robot side by side: what changed, and what is chance.
+//! Comparison of several campaigns of one robot: significant changes and chance.
 //!
-//! Documents come in ([`Compared`]), one document goes out. [`significance`] is the mathematics.
+//! The input consists of documents ([`Compared`]), the output is a single document. The mathematics
+//! is in [`significance`].
 
 mod characteristics;
 mod errors;
@@ -15,24 +16,24 @@ use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;
 
-/// What one campaign's output folder holds.
+/// Contents of a campaign's output folder.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// The folder as the user named it.
+    /// Folder, as the user named it.
     pub folder: String,
-    /// What the campaign states about itself.
+    /// Statements of the campaign about itself.
     pub campaign: CampaignSummary,
-    /// Parameters with the errors before and after, where it identifies.
+    /// Parameters with the errors before and after calibration, if identified.
     pub identified: Option<(ParametersDocument, AccuracyDocument)>,
-    /// Characteristics of poses, where it tests them.
+    /// Characteristics of poses, if tested.
     pub iso9283: Option<Iso9283Document>,
-    /// Recorded motions, where it has any.
+    /// Recorded motions, if any.
     pub streams: Option<Iso9283StreamsDocument>,
     /// SHA-256 of the documents, by name.
     pub inputs: BTreeMap<String, String>,
 }
 
-/// Compares at least two campaigns, the eldest first.
+/// Compares at least two campaigns, the oldest first.
 pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     refuse(all)?;
     let mut messages = Vec::new();
@@ -83,7 +84,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     })
 }
 
-/// What cannot be compared; all of it is said at once.
+/// Rejects campaigns that cannot be compared, with all reasons at once.
 fn refuse(all: &[Compared]) -> Result<()> {
     if all.len() < 2 {
         return Err(error!("one-campaign").into());
@@ -128,7 +129,7 @@ fn refuse(all: &[Compared]) -> Result<()> {
     problems.check().map(|_| ())
 }
 
-/// A warning where dates that are written year-month-day fall.
+/// Warning if dates in the form year-month-day are not ascending.
 fn disorder(all: &[Compared]) -> Option<Message> {
     let figures = |part: &str, count: usize| part.len() == count && part.bytes().all(|b| b.is_ascii_digit());
     let stated = |d: &String| {
@@ -237,7 +238,7 @@ fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<
     said
 }
 
-/// What a shared instrument, or different ones, do to a change.
+/// Effect of a shared instrument, or of different instruments, on changes.
 fn shared_instrument(all: &[Compared]) -> String {
     let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
     match (names.len(), names.first()) {

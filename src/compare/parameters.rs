@@ -11,7 +11,8 @@ use std::collections::BTreeSet;
 
 type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
 
-/// Degrees of freedom of one parameter's standard uncertainty: infinite where stated uncertainties make it.
+/// Degrees of freedom of a parameter's standard uncertainty; infinite if it follows from stated
+/// uncertainties.
 fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
     match residuals.uncertainties_from {
         UncertaintyFrom::Instrument | UncertaintyFrom::Nothing => f64::INFINITY,
@@ -19,13 +20,13 @@ fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
     }
 }
 
-/// Degrees of freedom of the covariance: those of the parameter that has fewest.
+/// Degrees of freedom of the covariance: the smallest of all parameters.
 pub(super) fn degrees((parameters, _): Identified) -> f64 {
     let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
     identified.map(|p| degrees_of(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
 }
 
-/// Every parameter; those that nobody identified are left out.
+/// All parameters except those that no campaign identified.
 pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
@@ -64,15 +65,17 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
     trends
 }
 
-/// Whether residuals exceed what the instrument explains: parameters then take up what the model leaves out, at the poses that were
-/// measured.
+/// `true` if residuals exceed the instrument's uncertainty. Parameters then absorb unmodelled
+/// errors at the measured poses.
 fn misfits((parameters, _): &Identified) -> bool {
     parameters.misfits()
 }
 
-/// Takes the probabilities of changes of parameters and mean errors from or to a campaign in which the model misfits: by chance is then
-/// not by noise, but by where the poses lie. Intervals of parameters are enlarged by what differs between both series; those of mean
-/// errors, which only the scatter of poses makes, are left out. `names` are those of the campaigns.
+/// Removes the probabilities of changes of parameters and mean errors between campaigns if the
+/// model misfits in either campaign, because the changes then depend on the choice of poses rather
+/// than on noise. Intervals of parameters are enlarged by the difference between both series;
+/// intervals of mean errors, which contain the scatter of poses only, are removed. `names` are the
+/// names of the campaigns.
 pub(super) fn without_evidence(
     all: &[Identified],
     trends: &mut [CompareTrend],
@@ -103,8 +106,9 @@ pub(super) fn without_evidence(
     (between, Some(message))
 }
 
-/// By how much changes of the robot's parameters exceed their uncertainties, all together: the Birge ratio, at least 1 (Birge 1932, Phys.
-/// Rev. 40, 207; of correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)). It is 1 where covariances are not known.
+/// Birge ratio of all changes of the robot's parameters to their uncertainties, at least 1 (Birge
+/// 1932, Phys. Rev. 40, 207; for correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)); 1 if covariances are
+/// unknown.
 fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usize)) -> CompareBetween {
     let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
     let names: Vec<&str> = robot.map(|t| t.name.as_str()).collect();
@@ -115,8 +119,8 @@ fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usiz
     CompareBetween { from: from + 1, to: to + 1, parameters: change.map_or(0, |c| c.sizes.len()), birge_ratio: ratio }
 }
 
-/// Whether the robot's parameters changed, all together: Δᵀ (C₁ + C₂)⁻¹ Δ, which sees changes along directions that single
-/// uncertainties, blown up by correlation, hide.
+/// Joint test of all robot parameters, Δᵀ (C₁ + C₂)⁻¹ Δ. It detects changes in directions that are
+/// hidden by the large uncertainties of strongly correlated parameters.
 pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
     let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
     let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.as_str()).collect();
@@ -124,7 +128,8 @@ pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<Compa
     pairs(all.len()).into_iter().filter(fits).filter_map(|pair| pair_together(all, &names, pair)).collect()
 }
 
-/// Changes of parameters between two campaigns over their standard uncertainties, and covariances in these units.
+/// Changes of parameters between two campaigns, relative to their standard uncertainties, and
+/// covariances in these units.
 pub(super) struct Change {
     sizes: DVector<f64>,
     earlier: DMatrix<f64>,
@@ -138,7 +143,8 @@ impl Change {
     }
 }
 
-/// Of those of `names` that both campaigns identified; `None` where one has no covariance.
+/// Changes of the parameters in `names` that both campaigns identified; `None` if a covariance is
+/// missing.
 pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<Change> {
     let identified = |c: Identified| c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>();
     let (a, b) = (identified(all[from]), identified(all[to]));
@@ -154,7 +160,7 @@ pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usi
         Some(DMatrix::from_row_slice(m, m, &rows?))
     };
     let (first, second) = (block(all[from], &|i| i.0)?, block(all[to], &|i| i.1)?);
-    // mm and degrees apart by powers of ten: in units of their uncertainties
+    // mm and degrees differ by powers of ten: in units of their uncertainties
     let u: Vec<f64> = (0..m).map(|i| (first[(i, i)] + second[(i, i)]).sqrt()).collect();
     if m == 0 || !u.iter().all(|u| *u > 0.0 && u.is_finite()) {
         return None;
@@ -169,7 +175,8 @@ fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize))
     let m = change.sizes.len();
     let inverse = Cholesky::new(change.correlation())?.inverse();
     let f = change.sizes.dot(&(&inverse * &change.sizes)) / m as f64;
-    // which share of the sum is of either campaign decides whose degrees of freedom count (Welch and Satterthwaite)
+    // shares of the two campaigns in the sum, as weights of their degrees of freedom (Welch and
+    // Satterthwaite)
     let share = (&inverse * &change.earlier).trace() / m as f64;
     let degrees = 1.0 / (share.powi(2) / degrees(all[from]) + (1.0 - share).powi(2) / degrees(all[to]));
     let degrees = Some(degrees).filter(|d| d.is_finite());

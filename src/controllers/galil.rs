@@ -1,8 +1,10 @@
-//! Galil DMC: parameters as variables of a program, in units in which the controller's fixed point is fine enough.
+//! Galil DMC: parameters as variables of a program, in units for which the controller's fixed-point
+//! numbers are fine enough.
 //!
-//! A variable has four bytes before the point and two behind it (DMC-2x00 manual): lengths are in um, angles in 1E-6 deg, ratios in 1E-6.
-//! The inverse kinematics of a PreXYT hold what multiplies a length a thousand or a million times: a tangent in steps of 1/65536 would be
-//! off by 3 um at a lever of 400 mm.
+//! A variable has four bytes before the point and two after it (DMC-2x00 manual): lengths are in
+//! µm, angles in 1E-6 deg, ratios in 1E-6. The inverse kinematics of a PreXYT keeps factors of
+//! lengths multiplied by a thousand or a million: a tangent in steps of 1/65536 would have an error
+//! of 3 µm at a lever of 400 mm.
 
 use super::{Exporter, Given, value};
 use etalon_base::error;
@@ -13,13 +15,13 @@ use std::fmt::Write;
 /// DMC commands.
 pub(super) struct Galil;
 
-/// Steps of a variable for one.
+/// Steps of a variable per unit.
 const STEPS: f64 = 65_536.0;
 /// Largest variable.
 const LARGEST: f64 = 2_147_483_647.0;
-/// The rounding of a value may be this much of its standard uncertainty.
+/// Largest rounding of a value relative to its standard uncertainty.
 const SHARE: f64 = 0.1;
-/// Longest name of a variable.
+/// Maximum length of a variable's name.
 const LONGEST: usize = 8;
 
 impl Exporter for Galil {
@@ -52,8 +54,9 @@ impl Exporter for Galil {
     }
 }
 
-/// Inverse kinematics of a PreXYT (thesis, eq. 3.12 to 3.14), by operations from left to right. `KWTAN` is tan θ by its series, to 1E-9 within
-/// 20 degrees; KWE1 to KWE3 are what inverse ratios are more than one, and KWBETA and KWGAMMA tangents, in 1E-6.
+/// Inverse kinematics of a PreXYT (thesis, eq. 3.12 to 3.14), in operations from left to right.
+/// `KWTAN` is tan θ by its series, accurate to 1E-9 within 20 degrees. KWE1 to KWE3 are the excess
+/// of inverse ratios over one, KWBETA and KWGAMMA are tangents; all are in 1E-6.
 const PREXYT: &str = "\
 #PREXYT
 REM JS#PREXYT: joint values KWR1, KWR2, KWR3 in um of the platform at KWX, KWY in um and
@@ -84,7 +87,8 @@ KWR3=KWR3-(KWR3/1000*KWTILT/1000)
 KWR3=KWR3/1000*KWE3/1000+KWR3
 EN
 ";
-/// Largest angle of a rail, ratio's difference from one and length, in units of the program: products stay within a variable.
+/// Largest tilt of a rail, deviation of a ratio from one, and length, in units of the program;
+/// products stay within the range of a variable.
 const MOST_TILT: f64 = 1e5;
 const MOST_RATIO: f64 = 5e5;
 const MOST_LENGTH: f64 = 2e6;
@@ -105,7 +109,7 @@ fn prexyt(given: &Given) -> Result<String> {
     ];
     let mut out = "REM constants of #PREXYT\n#PRXCON\n".to_owned();
     for (name, value, most) in constants {
-        // a value that is not a number is refused too
+        // NaN is rejected too
         if value.abs() <= most {
             let _ = writeln!(out, "{name}={value:.6}");
         } else {
@@ -115,7 +119,7 @@ fn prexyt(given: &Given) -> Result<String> {
     Ok(out + "EN\n" + PREXYT)
 }
 
-/// A value as the controller holds it, and what is lost.
+/// A value in the controller, and its rounding.
 struct Fixed {
     value: f64,
     rounding: f64,
@@ -141,7 +145,7 @@ fn fixed_point(p: &ParameterEntry) -> std::result::Result<Fixed, Message> {
     }
 }
 
-/// KV and the letters and digits of a name: no command has three letters and more.
+/// KV with the letters and digits of a name; no command has three or more letters.
 fn variable(name: &str) -> String {
     let safe = name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_uppercase());
     "KV".chars().chain(safe).take(LONGEST).collect()

@@ -1,4 +1,5 @@
-//! Kinematics of LinuxCNC's `genhexkins`: the joints of six legs at either end. Lengths at joint value zero go to the joints.
+//! Kinematics of LinuxCNC's `genhexkins`: both ends of the six legs. Lengths at joint value zero
+//! are offsets of the joints.
 
 use super::template::render;
 use super::{Exporter, Given};

@@ -19,12 +19,12 @@ struct Controller<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     campaign: Option<&'a str>,
     name: &'a str,
-    /// Its model.
+    /// Model of the robot.
     robot: &'a str,
-    /// sha256 of parameters.json.
+    /// SHA-256 of parameters.json.
     parameters_sha256: String,
     parameters: BTreeMap<&'a str, Parameter<'a>>,
-    /// sha256 by name
+    /// SHA-256 by file name.
     inputs: &'a BTreeMap<String, String>,
 }
 

@@ -1,7 +1,9 @@
-//! A kinematics component of LinuxCNC, for `halcompile --install`: the recorded equations with all identified parameters.
+//! Kinematics component of LinuxCNC for `halcompile --install`: recorded equations with all
+//! identified parameters.
 //!
-//! Planar robots move in the world, base and target included: x and y of a five-bar; x, y and c of a PreXYT's ball K and of the direction to
-//! ball L (thesis eq. 3.17 to 3.19). Arms in space move their flange in the base frame; x, y, z and c, b, a turn about z, y, x.
+//! Planar robots move in the world, including base and target: x and y of a five-bar; for a PreXYT
+//! x, y of ball K and the direction c to ball L (thesis, eq. 3.17 to 3.19). Spatial arms move their
+//! flange in the base frame by x, y, z and c, b, a about z, y, x.
 
 use super::code::{formulas, functions};
 use super::template::render;
@@ -14,10 +16,10 @@ use etalon_robots::{Joint, Parameter, Quantity, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
 
-/// Source of a component.
+/// Source code of a component.
 pub(super) struct LinuxCncComponent;
 
-/// Joints of LinuxCNC.
+/// Maximum number of joints in LinuxCNC.
 const MOST_JOINTS: usize = 9;
 
 impl Exporter for LinuxCncComponent {

@@ -1,5 +1,5 @@
-//! Statement of a controller file: parameters that the format leaves out, values that the file holds instead, position
-//! errors with these values, and header lines.
+//! Statement of a controller file: parameters that the format leaves out, values that the file
+//! holds instead, position errors with these values, and header lines.
 
 use super::{Exporter, Given, name_of};
 use etalon_base::catalogue::Phrase;
@@ -8,7 +8,7 @@ use etalon_base::{error, phrase};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 
-/// Largest difference of a value that counts as rounding, relative.
+/// Largest relative difference of a value that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Statement of a controller file.
@@ -16,21 +16,23 @@ const ROUNDING: f64 = 1e-12;
 pub struct Statement {
     /// Identified parameters that the format does not hold.
     pub left_out: Vec<String>,
-    /// Position errors that decide whether the file is written; `None` where they were not measured.
+    /// Position errors that decide whether the file is written; `None` if they were not measured.
     pub errors: Option<ControllerErrors>,
     /// Parameters that the file holds in place of the identified ones.
     pub(crate) parameters: Option<ParametersDocument>,
-    /// `true` if `parameters` were identified again, `false` if they were conditioned by the covariance.
+    /// `true` if `parameters` were identified again, `false` if they were conditioned by the
+    /// covariance.
     again: bool,
 }
 
 impl Statement {
-    /// Why the file is not written: the robot is less accurate with it than with nominal parameters.
+    /// Reason for not writing the file: the robot is less accurate with it than with nominal
+    /// parameters.
     pub fn refusal(&self, format: &str) -> Option<Message> {
         Some(error!("file-worse-than-nominal", format, reason = self.worse_than_nominal()?))
     }
 
-    /// Both errors, where those of the file are larger than with nominal parameters.
+    /// Both errors, if those of the file are larger than with nominal parameters.
     pub(crate) fn worse_than_nominal(&self) -> Option<Phrase> {
         let errors = self.errors.as_ref().filter(|e| self.parameters.is_some() && e.is_worse_than_nominal())?;
         Some(phrase!(
@@ -44,7 +46,7 @@ impl Statement {
         ))
     }
 
-    /// Lines of the header.
+    /// Header lines.
     pub(crate) fn lines(&self) -> Vec<String> {
         let names = self.left_out.join(", ");
         let errors = self.errors.as_ref().map(|errors| {
@@ -67,7 +69,8 @@ impl Statement {
     }
 }
 
-/// Root mean squares with nominal, identified and written values, three digits of the least.
+/// Root mean squares with nominal, identified and written values, with three digits of the
+/// smallest.
 fn millimetres(errors: &ControllerErrors) -> [String; 3] {
     let decimals = decimals(errors);
     [errors.nominal, errors.identified, errors.written].map(|e| format!("{:.decimals$}", e.rms_mm))
@@ -80,7 +83,7 @@ fn decimals(errors: &ControllerErrors) -> usize {
 }
 
 impl Given<'_> {
-    /// Identified parameters that a format does not hold; empty where the robot is not given.
+    /// Identified parameters that a format does not hold; empty if the robot is unknown.
     pub fn left_out<E: Exporter + ?Sized>(&self, exporter: &E) -> Vec<String> {
         let identified = |name: &String| self.entry(name).is_ok_and(|e| e.status == ParameterStatus::Identified);
         self.not_held(exporter).filter(identified).collect()
@@ -92,10 +95,11 @@ impl Given<'_> {
         robot.filter(|p| !exporter.holds(p, self)).map(|p| p.name.clone())
     }
 
-    /// Statement of the file of a format.
+    /// Statement of a format's file.
     ///
     /// # Errors
-    /// Parameters that the covariance does not contain, where they were not identified again.
+    ///
+    /// Fails if parameters that the covariance does not contain were not identified again.
     pub fn statement<E: Exporter + ?Sized>(&self, exporter: &E) -> Result<Statement> {
         let left_out = self.left_out(exporter);
         if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
@@ -114,8 +118,8 @@ impl Given<'_> {
         Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
     }
 
-    /// Parameters that the run identified again without `left_out`, as the format writes them, and position errors
-    /// with these parameters.
+    /// Parameters that the run identified again without `left_out`, as the format writes them, and
+    /// position errors with these parameters.
     fn identified_again<E: Exporter + ?Sized>(
         &self,
         exporter: &E,

@@ -1,4 +1,4 @@
-//! Poses to measure as targets that a controller loads: JSON by name, or a C header of arrays.
+//! Poses to measure as targets for a controller: JSON by name, or a C header with arrays.
 
 use super::template::{comment, identifier, literal};
 use etalon_base::error;
@@ -9,14 +9,15 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// `etalon/targets/1`: joint values or coordinates by column, one target a configuration.
+/// Document `etalon/targets/1`: joint values or coordinates by column, with one target per
+/// configuration.
 #[derive(Serialize)]
 struct Targets<'a> {
     schema: &'static str,
     robot: &'a str,
     targets: Vec<Target<'a>>,
     etalon: &'a str,
-    /// sha256 by name
+    /// SHA-256 by file name.
     inputs: &'a BTreeMap<String, String>,
 }
 
@@ -44,7 +45,7 @@ impl Target<'_> {
     }
 }
 
-/// The chosen poses of a plan, as JSON or, for a file name that ends in `.h`, as a C header.
+/// Chosen poses of a plan as JSON or, for a file name that ends in `.h`, as a C header.
 pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
     let all = document.chosen.iter().flat_map(|planned| {
         planned.configurations.iter().enumerate().map(|(k, joints)| Target {
@@ -66,7 +67,8 @@ pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
     )
 }
 
-/// Places of a test by ISO 9283, likewise, in coordinates of the base frame.
+/// Places of a test by ISO 9283 in base coordinates, as JSON or, for a file name that ends in `.h`,
+/// as a C header.
 pub fn places(places: &Iso9283Places, file_name: &str) -> Result<Vec<u8>> {
     let target = |(number, coordinates): (i64, _)| Target {
         name: format!("{}_{number}", places.name),
@@ -104,7 +106,7 @@ fn write(all: Targets, file_name: &str) -> Result<Vec<u8>> {
     }
 }
 
-/// One array a column, all of the same length: C99 and C++.
+/// One array per column, all of equal length: C99 and C++.
 fn c_header(all: &Targets) -> String {
     let (robot, targets) = (identifier(all.robot), &all.targets);
     let mut out = format!("/* Targets of robot {}: poses to measure.\n", comment(all.robot));

@@ -1,5 +1,5 @@
-//! Calibration of a Universal Robots arm as the ROS description packages load it (`kinematics_params_file`: ur_description,
-//! ur_calibration).
+//! Calibration of a Universal Robots arm in the format of the ROS description packages
+//! (`kinematics_params_file`: ur_description, ur_calibration).
 
 use super::template::render;
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
@@ -9,7 +9,7 @@ use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-/// YAML, the frame of each joint in that of the one before, in metres and radians.
+/// YAML with the frame of each joint in the previous one (m, rad).
 pub(super) struct UniversalRobots;
 
 const LINKS: [&str; 6] = ["shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3"];

@@ -1,4 +1,4 @@
-//! Best-fit rigid transform between two sets of the same points.
+//! Best-fit rigid transform between two sets of corresponding points.
 
 use super::cloud::{Cloud, Source};
 use etalon_base::message::{Message, Result};
@@ -7,20 +7,21 @@ use etalon_base::{error, warning};
 use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
-/// A rigid transform fitted by least squares, with what is left.
+/// A rigid transform fitted by least squares, with its residuals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidFit {
     /// Pose of the `from` frame in the `to` frame: p_to ≈ to_T_from p_from.
     pub to_T_from: Pose,
-    /// p_to - to_T_from p_from of each point, in the `to` frame.
+    /// Residuals p_to − to_T_from p_from of each point, in the `to` frame.
     pub residuals_mm: Vec<Vector>,
-    /// 3 n - 6.
+    /// Degrees of freedom, 3 n − 6.
     pub degrees_of_freedom: usize,
-    /// Standard uncertainty of each coordinate of the centroid of the points in `to`, from the residuals.
+    /// Standard uncertainty of each coordinate of the centroid of the points in `to`, from the
+    /// residuals.
     pub centroid_uncertainty_mm: f64,
     /// Standard uncertainty of the rotation about its most uncertain axis, from the residuals.
     pub rotation_uncertainty_rad: f64,
-    /// What a person must know before using the numbers.
+    /// Warnings for users of the numbers.
     pub warnings: Vec<Message>,
 }
 
@@ -30,16 +31,17 @@ impl RigidFit {
         self.residuals_mm.iter().map(|&r| norm(r)).collect()
     }
 
-    /// Root of the mean square of the distances.
+    /// Root mean square of the distances.
     pub fn rms_mm(&self) -> f64 {
         mean(self.residuals_mm.iter().map(|&r| dot(r, r))).sqrt()
     }
 }
 
-/// Finds the rigid transform that carries `from` onto `to`, point by point: at least three, not on one line.
+/// Finds the rigid transform that maps `from` onto `to`, point by point; at least three
+/// non-collinear points are needed.
 ///
-/// Horn 1987, J. Opt. Soc. Am. A 4, 629: the rotation is the unit quaternion to the largest eigenvalue of a symmetric
-/// 4 × 4 matrix, so it is never a reflection.
+/// The rotation is the unit quaternion of the largest eigenvalue of a symmetric 4 × 4 matrix, so it
+/// is never a reflection (Horn 1987, J. Opt. Soc. Am. A 4, 629).
 pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     if from.len() != to.len() {
         return Err(error!("point-counts-differ", from = from.len(), to = to.len()).into());
@@ -56,7 +58,7 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     let rotation = rotation_of(vectors[3]);
     let turn = Pose { rotation, translation_mm: [0.0; 3] };
     let translation_mm = minus(b.centre_mm, turn.rotate(a.centre_mm));
-    // residuals about the centroids: nothing is lost far from the origin
+    // residuals about the centroids lose no digits far from the origin
     let residual = |(p, q): (Vector, Vector)| {
         let p = turn.rotate(p.map(|x| x * a.scale_mm));
         minus(q.map(|x| x * b.scale_mm), p)
@@ -65,7 +67,8 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     Ok(with_uncertainty(Pose { rotation, translation_mm }, residuals_mm, &a))
 }
 
-/// The rotation that carries centred points onto others best, pair by pair; one of them where several do.
+/// Rotation that best maps centred points onto others, pair by pair; one of several if it is not
+/// unique.
 pub fn rotation_onto(pairs: impl Iterator<Item = (Vector, Vector)>) -> [[f64; 3]; 3] {
     rotation_of(quaternions(pairs).1[3])
 }
@@ -84,7 +87,7 @@ fn quaternions(pairs: impl Iterator<Item = (Vector, Vector)>) -> ([f64; 4], [[f6
     symmetric_eigen(horn(&s))
 }
 
-/// Horn's N: its quadratic form is the sum of products after the rotation by a quaternion.
+/// Horn's N, whose quadratic form is the sum of products after rotation by a quaternion.
 fn horn(s: &[[f64; 3]; 3]) -> [[f64; 4]; 4] {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *s;
     [
@@ -112,7 +115,7 @@ fn with_uncertainty(to_T_from: Pose, residuals_mm: Vec<Vector>, from: &Cloud) ->
     let degrees_of_freedom = 3 * n - 6;
     let squares: f64 = residuals_mm.iter().map(|&r| dot(r, r)).sum();
     let sigma = (squares / degrees_of_freedom as f64).sqrt();
-    // about the axis of least inertia: Σ of squares of the distances from it
+    // about the axis of smallest inertia: Σ of squared distances from the axis
     let inertia = from.spread[1].hypot(from.spread[2]) * from.scale_mm;
     let mut warnings = Vec::new();
     if sigma > 0.0 && sigma / inertia > 0.01 {

@@ -1,7 +1,8 @@
-//! The hexapod (Gough & Whitehall 1962, Stewart 1965): a platform on six legs whose lengths are driven.
+//! Hexapod (Gough & Whitehall 1962, Stewart 1965): a platform on six legs of variable length.
 //!
-//! 42 parameters (Masory, Wang & Zhuang 1993): of each leg the centres of its joints on base and platform, and its length at joint value
-//! zero. The frames of base and platform are free, so that twelve of them are not identifiable beside a base and targets.
+//! The model has 42 parameters (Masory, Wang & Zhuang 1993): for each leg, the centres of its
+//! joints on base and platform, and its length at joint value zero. The frames of base and platform
+//! are arbitrary, so that twelve parameters are unobservable beside base and targets.
 
 use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod, gaps, lengthening};
@@ -26,7 +27,7 @@ struct Keys {
     home_rpy_rad: Vector,
 }
 
-/// Description of a leg of a hexapod.
+/// Description of one leg of a hexapod.
 struct LegKeys {
     base_mm: Vector,
     platform_mm: Vector,
@@ -85,19 +86,19 @@ impl Description for Keys {
     }
 }
 
-/// Millimetres that a platform moves for a millimetre of a leg, or radians: beyond it is singular.
+/// Platform motion per leg motion (mm/mm or rad/mm) beyond which a configuration is singular.
 const SINGULAR: f64 = 1e6;
-/// Parts of the way from home to the joints at most, and steps of Newton's method in each.
+/// Smallest part of the way from home to the joint values, and Newton steps in each part.
 const SHORTEST: f64 = 1e-3;
 const STEPS: usize = 12;
-/// Each step is shorter than this part of the one before: Newton's method stays with the solution that it comes from.
+/// Largest ratio of successive Newton steps; ensures that the iteration stays on its branch.
 const CONTRACTION: f64 = 0.5;
-/// Rotation of a first step at most, rad.
+/// Largest rotation of a first step (rad).
 const TURN: f64 = 0.5;
-/// The pose is found where a step moves no joint of the platform by more, mm.
+/// Convergence tolerance: largest motion of a platform joint in a step (mm).
 const FOUND_MM: f64 = 1e-10;
 
-/// The legs of a hexapod, and the pose from which its assembly mode is reached.
+/// Legs of a hexapod, and the pose that selects its assembly mode.
 #[derive(Clone, Debug)]
 struct Hexapod {
     home: Pose,
@@ -139,7 +140,7 @@ impl Legs for Hexapod {
         }
     }
 
-    /// By Newton's method from home, in parts of the way where it does not converge at once.
+    /// Newton's method from home, in parts of the way if it does not converge at once.
     fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
         let mut rods = legs.rods(joints);
         let (lengths, from_home) = (rods.iter().map(|rod| rod.length_mm).collect::<Vec<_>>(), gaps(&rods, &self.home));
@@ -162,7 +163,7 @@ impl Legs for Hexapod {
     }
 }
 
-/// The pose of the platform on these rods that Newton's method leads to without leaping.
+/// Pose of the platform to which Newton's method converges without leaving its branch.
 fn newton(rods: &[Rod], mut pose: Pose) -> Option<Pose> {
     let lever = rods.iter().map(|rod| norm(rod.platform_mm)).fold(0.0, f64::max);
     let mut before = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! An export in the format that the campaign states.
+//! Simulated export in the format that the campaign states.
 
 use super::{Scene, Turn, geometric, repeatability};
 use crate::stages::gather;
@@ -14,9 +14,9 @@ use etalon_formats::exports::ExportRow;
 struct Row {
     label: String,
     target: String,
-    /// The measurement; of a point that does not move, the one with the number of the repeat.
+    /// Measurement; for a stationary point, the measurement with the number of the repeat.
     turn: Turn,
-    /// A target of the robot, and no fixed point.
+    /// `true` for a target of the robot, `false` for a fixed point.
     moves: bool,
     xyz: Vector,
 }
@@ -37,7 +37,7 @@ impl Row {
     }
 }
 
-/// The text of an export; an error where import would not read back what is meant.
+/// Text of an export; an error if importing it would not give the simulated points.
 pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<String> {
     let rows = rows(scene, export, stream)?;
     let file = export.file.get_ref();
@@ -71,7 +71,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
     Ok(written)
 }
 
-/// What was measured: fixed points first, then the targets at every pose.
+/// Measured points: fixed points first, then the targets at every pose.
 fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     let (truth, instrument) = (scene.truth, &scene.campaign.file.instrument);
     let sigma_mm = truth.noise_um.map_or(instrument.standard_uncertainty_mm(), |um| um / 1000.0);
@@ -117,14 +117,14 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Whether `point` states of the row what a join or a feature needs.
+/// `true` if `point` agrees with the row in everything that a join or a feature needs.
 fn is_meant(row: &Row, point: &etalon_formats::Point) -> bool {
     let target = point.target.as_deref() == Some(row.target.as_str());
     let label = *point.label == *row.label;
     if !row.moves {
         return target || label && point.target.is_none();
     }
-    // without a cycle, numbers of rows and times go on from one round to the next
+    // without a cycle, numbers of rows and times continue from one round to the next
     let told = match point.pose {
         Some(pose) if pose == row.turn.pose && point.cycle == Some(row.turn.cycle) => true,
         Some(pose) => pose == row.turn.number && pose == point.row,

@@ -1,4 +1,4 @@
-//! The points of the geometric calibration (thesis, chapter 2).
+//! Points of the geometric calibration (thesis, chapter 2).
 
 use super::Scene;
 use crate::stages::geometric::{self, Gathered};
@@ -8,10 +8,10 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_formats::Export;
 
-/// Stream of the noise of homing: no file has it.
+/// Stream of the noise of homing, distinct from the streams of files.
 const HOMING: u64 = 1 << 32;
 
-/// Labelled points that go to `export`; `measure` gives the reading of a point in the world.
+/// Labelled points for `export`; `measure` returns the reading of a point in the world.
 pub(super) fn points(
     scene: &Scene,
     export: &Export,
@@ -30,7 +30,7 @@ pub(super) fn points(
     geometric::labelled(definition, &Gathered { robot: found, bars, balls })
 }
 
-/// Refuses a truth that its campaign cannot name.
+/// Rejects a truth that the campaign cannot name.
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let definition = scene.campaign.file.geometric.as_ref();
     let table = scene.robot.rail_table();

@@ -1,5 +1,5 @@
-//! G-code (ISO 6983, LinuxCNC's dialect): words X Y Z A B C, mm and deg, Rz(C) Ry(B) Rx(A) as LinuxCNC's kinematics modules have it; a robot
-//! in the plane has X, Y, and C where it turns.
+//! G-code (ISO 6983, LinuxCNC's dialect): words X Y Z A B C in mm and deg, with Rz(C) Ry(B) Rx(A)
+//! as in LinuxCNC's kinematics modules. A planar robot has X, Y and, if it rotates, C.
 
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, Slot, at_line, number};
 use etalon_base::error;
@@ -10,7 +10,7 @@ use std::ops::Range;
 
 pub(super) struct Gcode;
 
-/// Codes that move along straight lines or change no coordinates.
+/// Codes of straight movements, and codes that change no coordinates.
 const HARMLESS: [&str; 20] = [
     "0", "1", "4", "17", "18", "19", "21", "40", "49", "54", "55", "56", "57", "58", "59", "61", "64", "80", "90", "94",
 ];
@@ -123,7 +123,7 @@ impl Word {
     }
 }
 
-/// The words of a block, comments left out; a letter before what is not a number has none.
+/// Words of a block without comments; a letter without a number has none.
 fn words(line: &[u8]) -> Vec<Word> {
     let (mut all, mut at, mut comment) = (Vec::new(), 0, false);
     while let Some(&byte) = line.get(at) {
@@ -144,7 +144,7 @@ fn words(line: &[u8]) -> Vec<Word> {
     all
 }
 
-/// What of a word makes that its program cannot be compensated block by block.
+/// Reason why a word prevents compensation block by block.
 fn forbidden(word: &Word) -> Option<Message> {
     match word.letter {
         'G' if HARMLESS.contains(&word.value.to_string().as_str()) => None,

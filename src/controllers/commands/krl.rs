@@ -1,5 +1,6 @@
-//! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}`, mm and deg, Rz(A) Ry(B) Rx(C); `E6POS`, `POS`, and `{A1 .., A6 ..}` of joints
-//! (KUKA System Software, operating and programming instructions).
+//! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}` in mm and deg, with Rz(A) Ry(B) Rx(C);
+//! `E6POS`, `POS`, and `{A1 .., A6 ..}` for joints (KUKA System Software, operating and programming
+//! instructions).
 
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, at_line, line_of, masked, name_of,
@@ -14,7 +15,7 @@ use std::ops::Range;
 pub(super) struct Krl;
 
 const NAMES: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
-/// Movements that place the tool at a pose.
+/// Movements of the tool to a pose.
 const MOVES: [&str; 6] = ["PTP", "LIN", "CIRC", "SPTP", "SLIN", "SCIRC"];
 
 impl CommandLanguage for Krl {
@@ -67,7 +68,8 @@ struct Field {
     value: Number,
 }
 
-/// Takes an aggregate as what it is; an error where it is a target that cannot be compensated.
+/// Adds an aggregate to the program by its kind; returns an error for a target that cannot be
+/// compensated.
 fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<Message> {
     let open = inside.start - 1;
     let colon = text[inside.clone()].iter().position(|b| *b == b':').map(|i| inside.start + i);
@@ -118,7 +120,7 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     None
 }
 
-/// Tools and bases that a program names.
+/// Collects tools and bases named in a program.
 fn frames(text: &[u8], found: &mut Program) {
     let text = String::from_utf8_lossy(text).to_ascii_uppercase();
     for (key, into) in [("TOOL_NO ", &mut found.tools), ("BASE_NO ", &mut found.objects)] {

@@ -1,5 +1,6 @@
-//! Mecaprol (DexTAR): `MoveC X.. Y..;`, mm. The working mode (`M`) is left to the program: it stays as it is. By programs that are public
-//! (oKermorgant/ecn_Dextar): `WCS X.. Y.. W..` is the frame of the targets, `TCS Z..` the tool, `!` begins a comment.
+//! Mecaprol (DexTAR): `MoveC X.. Y..;` in mm. The working mode (`M`) of the program is kept. In
+//! published programs (oKermorgant/ecn_Dextar), `WCS X.. Y.. W..` is the frame of the targets,
+//! `TCS Z..` is the tool, and `!` starts a comment.
 
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
 use etalon_base::message::Result;
@@ -80,7 +81,7 @@ impl CommandLanguage for Mecaprol {
     }
 }
 
-/// The number behind a letter that begins a word.
+/// Number after a letter at the start of a word.
 fn word(command: &[u8], letter: u8) -> Option<Number> {
     let begins = |pair: &[u8]| pair[0].is_ascii_whitespace() && pair[1] == letter;
     let at = command.windows(2).position(begins)?;

@@ -1,4 +1,4 @@
-//! What changed between campaigns, and what is chance: a section for each family of quantities.
+//! Significant changes between campaigns: a section for each family of quantities.
 
 use crate::model::{
     Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, significant, strong_term, term,
@@ -14,10 +14,10 @@ use etalon_documents::{
 };
 use std::fmt::Display;
 
-/// More pictures than this nobody looks at.
+/// Maximum number of figures.
 const PICTURES: usize = 60;
 
-/// Campaigns, how changes are judged, and every family.
+/// Sections on campaigns, rules for judging changes, and all families.
 pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section> {
     let mut all = vec![campaigns(compare, words), rules(compare, words)];
     all.push(super::messages::of(&compare.messages.iter().collect::<Vec<_>>(), words));
@@ -57,7 +57,7 @@ fn figures(compare: &CompareDocument, trends: &[(usize, &CompareTrend)], words: 
     trends.iter().filter_map(|(i, t)| trend::picture(t, *i, &labels, words)).collect()
 }
 
-/// How many campaigns, and of which robot.
+/// Number of campaigns, and robot.
 pub(crate) fn lead(compare: &CompareDocument, words: &Words) -> String {
     let count = compare.campaigns.len();
     match compare.campaigns.iter().find_map(|c| c.robot.as_ref()) {
@@ -75,9 +75,10 @@ fn instrument(c: &ComparedCampaign) -> String {
     c.instrument.as_deref().map(one_line).into_iter().chain(u).collect::<Vec<_>>().join(", ")
 }
 
-/// What else differs between the campaigns than the robot may: instrument, set-up, and what was identified.
+/// Differences between the campaigns other than the robot: instrument, set-up, and identified
+/// parameters.
 fn differences(compare: &CompareDocument, words: &Words) -> Vec<String> {
-    // each value once, in the order of the campaigns; a single value is not a difference
+    // each value once, in the order of the campaigns; a single value is no difference
     let differing = |of: &dyn Fn(&ComparedCampaign) -> Option<String>| -> Option<Vec<String>> {
         let mut all: Vec<String> = Vec::new();
         compare.campaigns.iter().filter_map(of).for_each(|v| {
@@ -222,10 +223,11 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
     Table::of(words, &rows, columns).on("Values")
 }
 
-/// The first box: its style, and a sentence.
+/// First box: style and sentence.
 pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     const NAMED: usize = 6;
-    // a frame that was found again elsewhere moves mean positions: they are not a quantity of the robot alone
+    // mean positions also move when a frame is measured again, so that they do not belong to the
+    // robot alone
     let robot = |t: &&CompareTrend| !matches!(t.family, CompareFamily::SetUp | CompareFamily::MeanPosition);
     let of = |t: &CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let name = |t: &CompareTrend| isolated(&quantity(t, words));

@@ -5,7 +5,7 @@ use crate::model::{Text, Verdict};
 use crate::words::Words;
 use etalon_documents::{DistributionEntry, UncertaintyDocument, UncertaintyFrom};
 
-/// What the draws show, in sentences.
+/// Result of the draws in sentences.
 pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict {
     let apart = document.parameters.iter().filter(|p| p.agrees == Some(false)).count();
     let mut sentences = vec![match apart {
@@ -27,7 +27,7 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
     Verdict { met: true, sentences, ..Verdict::default() }
 }
 
-/// The tables of parameters and of errors.
+/// Tables of parameters and errors.
 pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Section> {
     let mut parameters = Section::new("distributions", words.say("Distributions of the parameters"));
     parameters.push(Block::Table(table(&document.parameters, words).on("Distributions")));

@@ -1,4 +1,5 @@
-//! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
+//! Changes in the course of a test: characteristics by set of cycles, and targets that should be
+//! stationary.
 
 use crate::model::{Columns, Figure, Section, Table, term, um};
 use crate::plots::curves::{Curve, Curves};
@@ -35,7 +36,7 @@ fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
     Table::of(words, drifts, columns)
 }
 
-/// A set of cycles of a pose.
+/// Cycles of a set at a pose.
 struct Set<'a> {
     of: &'a Iso9283Drift,
     i: usize,
@@ -55,7 +56,7 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
     Table::of(words, &rows, columns).on("ISO 9283 drift")
 }
 
-/// A characteristic of each pose by set of cycles, without title and caption.
+/// Curves of a characteristic by set of cycles for each pose, without title and caption.
 fn by_set(quantity: &str, drifts: &[Iso9283Drift], values: fn(&Iso9283Drift) -> &[f64], words: &Words) -> Curves {
     let curve = |d: &Iso9283Drift| Curve {
         name: words.fill("pose {0}", &[&d.pose]),

@@ -1,4 +1,4 @@
-//! The world frame and the features that it is made from, in the coordinates of the exports.
+//! World frame and features, in the coordinates of the exports.
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
@@ -66,7 +66,7 @@ fn elements(features: &[Feature], words: &Words) -> Table {
     Table::of(words, features, columns).on("Features")
 }
 
-/// Where the world frame was each time it was measured.
+/// World frame at each measurement.
 fn poses(world: &WorldFrame, words: &Words) -> Table {
     let first = Columns::<FramePose>::new().sheet("pose", "", |f| f.pose).sheet("cycle", "", |f| f.cycle).sheet_xyz(
         ["origin x", "origin y", "origin z"],

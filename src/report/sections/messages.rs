@@ -1,4 +1,4 @@
-//! Every warning and error, with its place and its remedy.
+//! Warnings and errors, with place and remedy.
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text};
@@ -21,7 +21,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// The section of these messages: those of which somebody has to act first, rows of one kind joined.
+/// Section of these messages: those that need action first, with similar rows merged.
 pub(crate) fn of(messages: &[&Message], words: &Words) -> Section {
     let mut section = Section::new("messages", words.say("Warnings and remarks"));
     if messages.is_empty() {
@@ -46,7 +46,7 @@ pub(super) fn routine(messages: &[Message], words: &Words) -> Block {
     Block::Aside { title: words.say("Routine remarks"), blocks }
 }
 
-/// Every message, for the workbook.
+/// Messages for the workbook.
 fn table(messages: &[&Message], words: &Words) -> Table {
     let place = |m: &Message| m.place.as_deref().cloned().unwrap_or_default();
     let columns = Columns::<Message>::new()

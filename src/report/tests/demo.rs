@@ -1,4 +1,4 @@
-//! Documents to try the report on: a campaign like the thesis', with synthetic errors.
+//! Documents for trying the report: a campaign like the thesis', with synthetic errors.
 
 use crate::{Identified, Report};
 use etalon_base::message::{Message, Place};
@@ -8,7 +8,7 @@ use etalon_documents::ResidualKind;
 use etalon_documents::Termination;
 use etalon_documents::*;
 
-/// An error of pose `pose`, cycle 1, target K, calibration.
+/// Error of pose `pose`, cycle 1, target K, calibration.
 pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
     let (set, target) = (PoseSet::Calibration, "K".to_owned());
     PointError {
@@ -27,7 +27,7 @@ pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vecto
     }
 }
 
-/// All that a report is made from.
+/// Documents of a report.
 pub(crate) struct Documents {
     pub campaign: CampaignSummary,
     pub import: ImportDocument,
@@ -57,7 +57,8 @@ impl Documents {
         Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors }
     }
 
-    /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of table 3.4's size.
+    /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of the size of table
+    /// 3.4.
     pub fn demo() -> Self {
         let errors = errors();
         let statistics =
@@ -328,7 +329,7 @@ fn residuals() -> ResidualSummary {
     }
 }
 
-/// Eleven values over a condition number of 46.9.
+/// Eleven values for a condition number of 46.9.
 fn singular_values() -> Vec<SingularValueEntry> {
     let value = |i: i32| 2.345 * 46.9f64.powf(-f64::from(i) / 10.0);
     let parameters = |i: i32| if i == 10 { vec!["beta".to_owned(), "x_o".to_owned()] } else { vec![] };

@@ -1,14 +1,14 @@
-//! A test of repeatability to try the report on: two poses, thirty visits each, synthetic.
+//! Repeatability test for trying the report: two poses with thirty visits each, synthetic.
 
 use etalon_base::noise::Noise;
 use etalon_documents::*;
 
-/// The test alone.
+/// Repeatability test alone.
 pub(crate) fn tested() -> Characteristics {
     Characteristics { poses: Some(iso9283()), ..Characteristics::default() }
 }
 
-/// With everything that commanded poses, sets, reference targets, robots and loads add.
+/// Test with commanded poses, sets, reference targets, robots and loads.
 pub(crate) fn whole() -> Characteristics {
     let mut poses = iso9283();
     let interval = |low_mm, high_mm| Some(Iso9283Interval { low_mm, high_mm });

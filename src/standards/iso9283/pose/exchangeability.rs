@@ -1,4 +1,5 @@
-//! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots, one programme, the same mounting.
+//! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots with the
+//! same programme and mounting.
 
 use crate::iso9283::pose::directions::farthest;
 use crate::iso9283::pose::test::PoseTest;
@@ -7,16 +8,16 @@ use etalon_base::error;
 use etalon_base::message::{Result, one_line};
 use etalon_base::pose::{Vector, minus, norm};
 
-/// How far apart the mean poses of robots of one type are.
+/// Differences between the mean poses of robots of one type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exchangeability {
-    /// E: the largest distance between the barycentres of two robots at any pose.
+    /// E: largest distance between the barycentres of two robots at any pose.
     pub e_mm: f64,
-    /// The same of each pose.
+    /// Largest distance at each pose.
     pub poses_mm: Vec<f64>,
 }
 
-/// `attained_mm[robot][pose]`: positions of at least two robots at the same poses.
+/// Evaluates `attained_mm[robot][pose]`: positions of at least two robots at the same poses.
 pub fn exchangeability(attained_mm: &[Vec<Vec<Vector>>]) -> Result<Exchangeability> {
     let poses = attained_mm.first().map_or(0, Vec::len);
     if attained_mm.len() < 2 || poses == 0 || attained_mm.iter().any(|robot| robot.len() != poses) {
