@@ -260,7 +260,7 @@ impl Campaign {
 }
 
 /// The first line that a proposal leaves open: a value `"?"`, or a joint in `UNIT`.
-fn open_question(name: &str, text: &str) -> Option<Message> {
+fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message> {
     let open = |line: &str| {
         let stated = line.split(" #").next().unwrap_or(line);
         !stated.trim_start().starts_with('#') && (stated.contains("= \"?\"") || stated.contains("_UNIT ="))
@@ -269,18 +269,13 @@ fn open_question(name: &str, text: &str) -> Option<Message> {
     let (at, line) = lines.next()?;
     let more = lines.count();
     let key = line.split('=').next().unwrap_or("").trim();
-    let (what, hint) = match line.contains("_UNIT =") {
-        true => ("the unit of the joints is open".to_owned(), "write deg, rad, mm or m for UNIT".to_owned()),
-        false => {
-            let remark = line.split_once(" #").map_or("", |(_, remark)| remark.trim());
-            (
-                format!("`{key}` is open"),
-                format!("complete the line{}{remark}", if remark.is_empty() { "" } else { ": " }),
-            )
-        }
+    let message = if line.contains("_UNIT =") {
+        error!("joint-unit-open", more)
+    } else {
+        let remark = line.split_once(" #").map_or("none", |(_, remark)| remark.trim());
+        error!("key-open", key, more, remark)
     };
-    let what = if more == 0 { what } else { format!("{what}; {more} more to complete") };
-    Some(Message::error(what).at(Place::line(name, at + 1, line)).hint(hint))
+    Some(message.at(Place::line(name, at + 1, line)))
 }
 
 /// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.

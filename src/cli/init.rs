@@ -79,8 +79,7 @@ impl Init {
             return Ok(from::RobotFiles { files, joints, targets: Vec::new(), controllers });
         }
         let Some(name) = &self.robot else {
-            let message = Message::error("--from needs the robot");
-            return Err(Problems::from(message.hint("name it: --robot ur5e, or --urdf FILE")).into());
+            return Err(Problems::from(error!("from-needs-robot")).into());
         };
         let robot = known_robot(name)?;
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];

@@ -1,7 +1,7 @@
 //! `etalon init --from`: a whole campaign from files of measurements and logs.
 
-use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
+use etalon_base::{error, files};
 use etalon_documents::FormatsDocument;
 use etalon_formats::{Export, LabelPattern, propose_file, read_file};
 use serde::Deserialize;
@@ -52,8 +52,7 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<V
     let mut parts = paths.iter().map(|path| Part::of(path, &robot)).collect::<Result<Vec<_>, Problems>>()?;
     for (i, part) in parts.iter().enumerate() {
         if parts[..i].iter().any(|other| other.name == part.name) {
-            let message = Message::error(format!("two files are called `{}`", part.name));
-            return Err(Problems::from(message.hint("give one of them another name")).into());
+            return Err(Problems::from(error!("two-files-of-one-name", name = part.name)).into());
         }
     }
     let mut targets: Vec<String> = robot.targets.clone();
@@ -171,13 +170,10 @@ impl Part {
         let lines =
             document.toml.replace(&format!("file = {}", quoted(&document.file)), &format!("file = {}", quoted(&name)));
         let lines = joints_named(lines, &document, robot);
-        let stated: toml::Table = toml::from_str(&lines)
-            .map_err(|e| Message::error(format!("the proposal for `{name}` does not read: {e}")))?;
+        let stated: toml::Table =
+            toml::from_str(&lines).map_err(|e| error!("proposal-not-toml", name, error = e.to_string()))?;
         if stated.is_empty() {
-            let message = Message::error(format!("nothing of `{name}` is recognised"));
-            return Err(message
-                .hint(format!("`etalon formats {}` states what its columns could be", path.display()))
-                .into());
+            return Err(error!("nothing-recognised", name, path = path.display().to_string()).into());
         }
         Ok(Self { path: path.clone(), name, document, lines, stated })
     }

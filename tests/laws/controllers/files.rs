@@ -110,7 +110,7 @@ impl Ran {
         let name = name.into();
         let campaign = Campaign::read(&scratch.path()).unwrap();
         let outcome = documents_of(&campaign).unwrap_or_else(|problems| panic!("{name}: {problems}"));
-        let targets: Vec<String> = match (&campaign.file.observations, name.as_str()) {
+        let targets: Vec<String> = match (campaign.file.observations.first(), name.as_str()) {
             (None, _) => Vec::new(),
             (_, "linear-delta") => (1..=3).map(|k| format!("SMR_{k}")).collect(),
             _ => vec!["tool".to_owned()],

@@ -233,3 +233,18 @@ urdf-number-count = `{ $attribute }` hat { $count ->
             [one] eine Zahl
            *[other] { $expected_count } Zahlen
         }
+
+key-open = `{ $key }` ist offen{ $more ->
+        [0] {""}
+       *[other] ; { $more } weitere zu ergänzen
+    }
+    .hint = die Zeile ergänzen{ $remark ->
+        [none] {""}
+       *[other] : { $remark }
+    }
+
+joint-unit-open = die Einheit der Gelenke ist offen{ $more ->
+        [0] {""}
+       *[other] ; { $more } weitere zu ergänzen
+    }
+    .hint = deg, rad, mm oder m für UNIT einsetzen

@@ -183,3 +183,14 @@ excluded-rows = ausgeschlossen: { $count ->
 
 controller-error-not-measured = Format `{ $format }` enthält { $parameters } nicht: seine Datei ist auf ihre Nennwerte bedingt, und ihr Fehler wurde nicht gemessen
     .hint = die Kampagne mit "{ $format }" unter ihren `controllers` ausführen und aus ihrem Ausgabeordner exportieren
+
+from-needs-robot = --from braucht den Roboter
+    .hint = ihn nennen: --robot ur5e, oder --urdf DATEI
+
+two-files-of-one-name = zwei Dateien heißen `{ $name }`
+    .hint = einer davon einen anderen Namen geben
+
+proposal-not-toml = der Vorschlag für `{ $name }` ist nicht lesbar: { $error }
+
+nothing-recognised = in `{ $name }` wird nichts erkannt
+    .hint = `etalon formats { $path }` nennt, was seine Spalten sein können

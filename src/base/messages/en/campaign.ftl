@@ -486,3 +486,26 @@ urdf-number-count = `{ $attribute }` has { $count ->
             [one] one number
            *[other] { $expected_count } numbers
         }
+
+# Means: A campaign that `etalon init --from` proposed has a line that the files do not answer.
+# Matters: A unit or a target is never guessed.
+# Do: Complete the line as its remark says; `check` then asks for the next one.
+# Example: `target = "?"`
+key-open = `{ $key }` is open{ $more ->
+        [0] {""}
+       *[other] ; { $more } more to complete
+    }
+    .hint = complete the line{ $remark ->
+        [none] {""}
+       *[other] : { $remark }
+    }
+
+# Means: A campaign that `etalon init --from` proposed does not state the unit of the joints.
+# Matters: Degrees read as radians are another pose.
+# Do: Replace UNIT by deg, rad, mm or m.
+# Example: `q1_UNIT = "J1"`
+joint-unit-open = the unit of the joints is open{ $more ->
+        [0] {""}
+       *[other] ; { $more } more to complete
+    }
+    .hint = write deg, rad, mm or m for UNIT

@@ -422,3 +422,30 @@ excluded-rows = excluded: { $count ->
 # Example: `etalon export --format linuxcnc parameters.json` for an arm with bending
 controller-error-not-measured = format `{ $format }` does not hold { $parameters }: its file is conditioned on their nominal values, and its error was not measured
     .hint = run the campaign with "{ $format }" among its `controllers`, and export from its output folder
+
+# Means: `--from` is stated without a robot.
+# Matters: Joints and targets are those of a robot.
+# Do: Name the robot, or its URDF.
+# Example: `etalon init cell --from points.csv`
+from-needs-robot = --from needs the robot
+    .hint = name it: --robot ur5e, or --urdf FILE
+
+# Means: Two files of `--from` have the same name in different folders.
+# Matters: The files are copied into one folder.
+# Do: Give one of them another name.
+# Example: `--from a/points.csv b/points.csv`
+two-files-of-one-name = two files are called `{ $name }`
+    .hint = give one of them another name
+
+# Means: The lines that `etalon formats` proposes for a file are not TOML.
+# Matters: A campaign cannot be written from them.
+# Do: Report the file as a defect; state the format by hand in campaign.toml.
+# Example: none is known
+proposal-not-toml = the proposal for `{ $name }` does not read: { $error }
+
+# Means: No column of a file is recognised as coordinates or joints.
+# Matters: The campaign would not read the file.
+# Do: Look at the columns with `etalon formats`, and state the format in campaign.toml.
+# Example: a file of comments alone
+nothing-recognised = nothing of `{ $name }` is recognised
+    .hint = `etalon formats { $path }` states what its columns could be

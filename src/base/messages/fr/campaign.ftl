@@ -233,3 +233,18 @@ urdf-number-count = `{ $attribute }` a { $count ->
             [one] un nombre
            *[other] { $expected_count } nombres
         }
+
+key-open = `{ $key }` reste à compléter{ $more ->
+        [0] {""}
+       *[other] {" "}; { $more } de plus à compléter
+    }
+    .hint = compléter la ligne{ $remark ->
+        [none] {""}
+       *[other] {" "}: { $remark }
+    }
+
+joint-unit-open = l’unité des articulations reste à indiquer{ $more ->
+        [0] {""}
+       *[other] {" "}; { $more } de plus à compléter
+    }
+    .hint = écrire deg, rad, mm ou m au lieu de UNIT

@@ -183,3 +183,14 @@ excluded-rows = exclu : { $count ->
 
 controller-error-not-measured = le format `{ $format }` ne contient pas { $parameters } : son fichier est conditionné par leurs valeurs nominales, et son erreur n’a pas été mesurée
     .hint = exécuter la campagne avec "{ $format }" parmi ses `controllers`, et exporter depuis son dossier de sortie
+
+from-needs-robot = --from a besoin du robot
+    .hint = le nommer : --robot ur5e, ou --urdf FICHIER
+
+two-files-of-one-name = deux fichiers s’appellent `{ $name }`
+    .hint = donner un autre nom à l’un d’eux
+
+proposal-not-toml = la proposition pour `{ $name }` n’est pas lisible : { $error }
+
+nothing-recognised = rien n’est reconnu dans `{ $name }`
+    .hint = `etalon formats { $path }` indique ce que ses colonnes pourraient être
