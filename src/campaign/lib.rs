@@ -268,7 +268,10 @@ fn open_question(name: &str, text: &str) -> Option<Message> {
         true => ("the unit of the joints is open".to_owned(), "write deg, rad, mm or m for UNIT".to_owned()),
         false => {
             let remark = line.split_once(" #").map_or("", |(_, remark)| remark.trim());
-            (format!("`{key}` is open"), format!("complete the line{}{remark}", if remark.is_empty() { "" } else { ": " }))
+            (
+                format!("`{key}` is open"),
+                format!("complete the line{}{remark}", if remark.is_empty() { "" } else { ": " }),
+            )
         }
     };
     let what = if more == 0 { what } else { format!("{what}; {more} more to complete") };

@@ -180,7 +180,8 @@ fn named_by_comment<'t>(
     let (mut rows, _) = split("", words, &plain);
     let mut row = rows.pop().filter(|row| row.fields.len() == columns)?;
     let is_number = |field: &Cow<str>| marked(field, dialect.decimal, dialect.thousands).is_ok();
-    let worded = row.fields.iter().any(|field| field.contains(char::is_alphabetic)) && !row.fields.iter().any(is_number);
+    let worded =
+        row.fields.iter().any(|field| field.contains(char::is_alphabetic)) && !row.fields.iter().any(is_number);
     row.line = at + 1;
     worded.then_some(row)
 }
@@ -224,4 +225,3 @@ pub(super) fn is_time(cell: &str) -> bool {
     digits >= 4
         && cell.bytes().all(|b| b.is_ascii_digit() || matches!(b, b':' | b'-' | b'.' | b'/' | b' ' | b'T' | b'Z'))
 }
-

@@ -133,7 +133,13 @@ pub fn stacked(above: &DataFrame, below: &DataFrame) -> Result<DataFrame> {
         }
         let text = parts.iter().flatten().any(|column| column.dtype().is_string());
         let whole = parts.iter().flatten().all(|column| column.dtype().is_integer());
-        let dtype = if text { DataType::String } else if whole { DataType::Int64 } else { DataType::Float64 };
+        let dtype = if text {
+            DataType::String
+        } else if whole {
+            DataType::Int64
+        } else {
+            DataType::Float64
+        };
         let mut all: Option<Column> = None;
         for (part, table) in parts.into_iter().zip(both) {
             let part = match part {

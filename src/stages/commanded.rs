@@ -26,13 +26,15 @@ pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Obser
     });
     let named: Vec<(&String, usize, f64)> = names.collect();
     let (_, _, largest_mm) = named.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let targets: Vec<String> = named.iter().map(|(name, positions, _)| format!("`{name}` ({})", count(*positions, "position"))).collect();
+    let targets: Vec<String> =
+        named.iter().map(|(name, positions, _)| format!("`{name}` ({})", count(*positions, "position"))).collect();
     let what = format!(
         "the coordinates of {} are those that the nominal robot computes from the joint values, to {largest_mm:.2e} mm, the rounding of the file: \
          they were commanded, not measured",
         targets.join(", ")
     );
-    let hint = "name the measured coordinates in `columns`; where the data are simulated, state `synthetic` in the campaign";
+    let hint =
+        "name the measured coordinates in `columns`; where the data are simulated, state `synthetic` in the campaign";
     Some(Message::error(what).hint(hint))
 }
 

@@ -106,11 +106,14 @@ impl TableFile {
         if self.more.is_empty() {
             return problems.in_text(&self.name, &self.text);
         }
-        let names: Vec<&str> = std::iter::once(self.name.as_str()).chain(self.more.iter().map(|(n, _)| n.as_str())).collect();
+        let names: Vec<&str> =
+            std::iter::once(self.name.as_str()).chain(self.more.iter().map(|(n, _)| n.as_str())).collect();
         let placed = in_files(problems, &names);
         let texts = std::iter::once((&self.name, &self.text)).chain(self.more.iter().map(|(name, text)| (name, text)));
         texts.fold(placed, |problems, (name, text)| match names.len() {
-            _ if problems.0.iter().any(|m| m.place.as_ref().is_some_and(|p| p.file == *name)) => problems.in_text(name, text),
+            _ if problems.0.iter().any(|m| m.place.as_ref().is_some_and(|p| p.file == *name)) => {
+                problems.in_text(name, text)
+            }
             _ => problems,
         })
     }
@@ -118,7 +121,8 @@ impl TableFile {
     /// This table and the rows of another behind its own.
     fn followed_by(mut self, other: Self) -> Result<Self> {
         let number = self.more.len() + 1;
-        let lines: Vec<i64> = table::integers(&other.table, "line")?.iter().map(|line| line + (number * FILE) as i64).collect();
+        let lines: Vec<i64> =
+            table::integers(&other.table, "line")?.iter().map(|line| line + (number * FILE) as i64).collect();
         let mut below = other.table;
         below.with_column(Column::new("line".into(), lines)).map_err(table::failed)?;
         self.table = table::stacked(&self.table, &below)?;

@@ -352,5 +352,8 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
     let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
     assert!(code == Some(2) && said.contains("state different `joints`"), "{said}");
     let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));
-    assert!(code == Some(2) && said.contains("at least one target") && said.contains("`target` of the exports"), "{said}");
+    assert!(
+        code == Some(2) && said.contains("at least one target") && said.contains("`target` of the exports"),
+        "{said}"
+    );
 }

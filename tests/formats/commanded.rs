@@ -5,7 +5,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output = std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
+    let output =
+        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code(), text(output.stdout) + &text(output.stderr))
 }

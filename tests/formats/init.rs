@@ -7,7 +7,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output = std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
+    let output =
+        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code(), text(output.stdout) + &text(output.stderr))
 }
@@ -84,14 +85,18 @@ fn one_semicolon_file_with_joints_is_a_campaign() {
     let at = folder.path();
     let mut text = "Pose;J1 [deg];J2 [deg];J3 [deg];J4 [deg];J5 [deg];J6 [deg];X [mm];Y [mm];Z [mm]\n".to_owned();
     for (i, (q, p, _)) in (1..).zip(measured(at, 60)) {
-        let cells: Vec<String> = q.iter().map(|v| v.to_degrees()).chain(p).map(|v| format!("{v:.5}").replace('.', ",")).collect();
+        let cells: Vec<String> =
+            q.iter().map(|v| v.to_degrees()).chain(p).map(|v| format!("{v:.5}").replace('.', ",")).collect();
         let _ = writeln!(text, "{i};{}", cells.join(";"));
     }
     std::fs::write(at.join("messung.csv"), text).unwrap();
     let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "messung.csv"]);
     assert_eq!(code, Some(0), "{said}");
     // the file states its units: the instrument alone is asked for
-    assert_eq!(answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]), ["name", "expanded_uncertainty_um"]);
+    assert_eq!(
+        answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]),
+        ["name", "expanded_uncertainty_um"]
+    );
     is_calibrated(&found(at));
 }
 
@@ -110,8 +115,12 @@ fn a_log_and_an_export_of_six_degrees_of_freedom_are_a_campaign() {
     std::fs::write(at.join("probe.csv"), export).unwrap();
     let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "joints.csv", "probe.csv"]);
     assert_eq!(code, Some(0), "{said}");
-    let answers =
-        [("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("expanded_rotation_uncertainty_deg", "0.01"), ("UNIT", "rad")];
+    let answers = [
+        ("name", "\"tracker\""),
+        ("expanded_uncertainty_um", "20"),
+        ("expanded_rotation_uncertainty_deg", "0.01"),
+        ("UNIT", "rad"),
+    ];
     let asked = answer(at, &answers);
     assert_eq!(asked.len(), 4, "{asked:?}");
     is_calibrated(&found(at));

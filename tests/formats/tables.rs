@@ -78,8 +78,8 @@ fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
 #[test]
 fn exports_have_computed_columns_and_filters_too() {
     let read = |format: &str, text: &str| {
-        let export: Export =
-            toml::from_str(&format!("file = \"e.csv\"\nunit = \"mm\"\nformat = {format}\n")).unwrap_or_else(|e| panic!("{format}: {e}"));
+        let export: Export = toml::from_str(&format!("file = \"e.csv\"\nunit = \"mm\"\nformat = {format}\n"))
+            .unwrap_or_else(|e| panic!("{format}: {e}"));
         let (points, problems) = export.format.read("e.csv", &text.into(), export.unit);
         (points.iter().map(|p| (p.xyz_mm, p.refused.clone())).collect::<Vec<_>>(), problems.to_string())
     };
@@ -92,10 +92,8 @@ fn exports_have_computed_columns_and_filters_too() {
     assert_eq!(points[0], ([9.5, 19.75, 31.0], None), "{problems}");
     assert_eq!(points[1].1.as_deref(), Some("left out: `deleted` is `1`"));
     // without a header
-    let (points, problems) = read(
-        "{ delimiter = \"blank\", columns = { x = \"25.4 * $2\", y = 3, z = \"$1\" } }",
-        "1 2 3\n4 5 6\n",
-    );
+    let (points, problems) =
+        read("{ delimiter = \"blank\", columns = { x = \"25.4 * $2\", y = 3, z = \"$1\" } }", "1 2 3\n4 5 6\n");
     assert_eq!(points[1].0, [127.0, 6.0, 4.0], "{problems}");
     // slips: a wrong name, and a cell that is no number
     let format = "{ delimiter = \";\", decimal = \",\", header = 1, columns = { x = \"x_t - x_diff\", y = \"y_t\", z = \"z_t\" } }";
@@ -162,8 +160,10 @@ fn tests_of_poses_read_tables_in_any_layout() {
     assert_eq!(characteristics(document(&plain)), characteristics(document(&own)));
     // the command
     let program = |scratch: &Scratch, more: &[&str]| {
-        let arguments = [&["iso9283", "pose", "poses.csv", "--commanded", "commanded.csv", "--json"][..], more].concat();
-        let output = std::process::Command::new(crate::support::program()).args(arguments).current_dir(scratch.path()).output();
+        let arguments =
+            [&["iso9283", "pose", "poses.csv", "--commanded", "commanded.csv", "--json"][..], more].concat();
+        let output =
+            std::process::Command::new(crate::support::program()).args(arguments).current_dir(scratch.path()).output();
         let output = output.unwrap();
         (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
     };

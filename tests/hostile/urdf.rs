@@ -100,7 +100,8 @@ fn a_comment_that_mentions_xacro_refuses_no_file() {
     let scratch = copy_sample("column-arm");
     let text = std::fs::read_to_string(scratch.path().join("arm.urdf")).unwrap();
     let at = text.find("<link").unwrap();
-    let commented = format!("{}<!-- <xacro:include filename=\"arm.xacro\"/> made by xacro -->\n{}", &text[..at], &text[at..]);
+    let commented =
+        format!("{}<!-- <xacro:include filename=\"arm.xacro\"/> made by xacro -->\n{}", &text[..at], &text[at..]);
     std::fs::write(scratch.path().join("arm.urdf"), &commented).unwrap();
     ends(&scratch, "check", 0, &[]);
     std::fs::write(scratch.path().join("arm.urdf"), commented.replace("made by xacro -->", "--><xacro:arm/>")).unwrap();

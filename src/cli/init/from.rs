@@ -69,13 +69,15 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<V
     if let (Some(log), false) = (logs.first(), exports.is_empty()) {
         text += &join(log, &exports, &targets);
     }
-    let identifies = parts.iter().any(|part| ["export with joints", "observations"].contains(&part.document.kind.as_str()));
+    let identifies =
+        parts.iter().any(|part| ["export with joints", "observations"].contains(&part.document.kind.as_str()));
     if identifies || !logs.is_empty() && !exports.is_empty() {
         let observed = parts.iter().any(|part| part.document.kind == "observations");
         if !observed {
             text += "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument; or targets that stay\n";
         }
-        let rows = parts.iter().filter(|part| part.document.kind != "log").map(|part| part.document.rows).sum::<usize>();
+        let rows =
+            parts.iter().filter(|part| part.document.kind != "log").map(|part| part.document.rows).sum::<usize>();
         let poses = rows / targets.len().max(1);
         text += &split(poses);
     }
@@ -99,8 +101,12 @@ fn head(parts: &[Part], controllers: &str) -> String {
          expanded_uncertainty_um = \"?\"                 # of one coordinate, a number without quotes\n\
          coverage_factor = 2\n{}",
         names.join(" "),
-        match parts.iter().any(|part| part.lines.contains("qw") || part.lines.contains("r11") || part.lines.contains("rx_")) {
-            true => "expanded_rotation_uncertainty_deg = \"?\"       # of a measured orientation, a number without quotes\n",
+        match parts
+            .iter()
+            .any(|part| part.lines.contains("qw") || part.lines.contains("r11") || part.lines.contains("rx_"))
+        {
+            true =>
+                "expanded_rotation_uncertainty_deg = \"?\"       # of a measured orientation, a number without quotes\n",
             false => "",
         }
     )
@@ -141,7 +147,10 @@ fn join(log: &Part, exports: &[&Part], targets: &[String]) -> String {
         ),
         () => (
             "\"?\"",
-            format!("nothing joins them: {} rows of the log, {rows:?} of the exports; [\"pose\"], \"row\", \"time\" or \"label\"", log.document.rows),
+            format!(
+                "nothing joins them: {} rows of the log, {rows:?} of the exports; [\"pose\"], \"row\", \"time\" or \"label\"",
+                log.document.rows
+            ),
             "",
         ),
     };
@@ -159,13 +168,16 @@ impl Part {
         let document = propose_file(path)?;
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let quoted = |text: &str| toml::Value::from(text).to_string();
-        let lines = document.toml.replace(&format!("file = {}", quoted(&document.file)), &format!("file = {}", quoted(&name)));
+        let lines =
+            document.toml.replace(&format!("file = {}", quoted(&document.file)), &format!("file = {}", quoted(&name)));
         let lines = joints_named(lines, &document, robot);
         let stated: toml::Table = toml::from_str(&lines)
             .map_err(|e| Message::error(format!("the proposal for `{name}` does not read: {e}")))?;
         if stated.is_empty() {
             let message = Message::error(format!("nothing of `{name}` is recognised"));
-            return Err(message.hint(format!("`etalon formats {}` states what its columns could be", path.display())).into());
+            return Err(message
+                .hint(format!("`etalon formats {}` states what its columns could be", path.display()))
+                .into());
         }
         Ok(Self { path: path.clone(), name, document, lines, stated })
     }
@@ -179,7 +191,9 @@ impl Part {
             let columns = table.get("columns").or_else(|| table.get("format")?.get("columns")).cloned();
             match columns {
                 Some(toml::Value::Table(columns)) => names.extend(columns.keys().cloned()),
-                Some(toml::Value::Array(columns)) => names.extend(columns.iter().filter_map(|c| c.as_str().map(str::to_owned))),
+                Some(toml::Value::Array(columns)) => {
+                    names.extend(columns.iter().filter_map(|c| c.as_str().map(str::to_owned)))
+                }
                 _ => {}
             }
         }
@@ -199,17 +213,28 @@ impl Part {
             }
         };
         if self.lines.contains("target = \"?\"") {
-            let stem: String = self.name.split('.').next().unwrap_or("target").chars().filter(|c| c.is_alphanumeric() || *c == '_').collect();
+            let stem: String = self
+                .name
+                .split('.')
+                .next()
+                .unwrap_or("target")
+                .chars()
+                .filter(|c| c.is_alphanumeric() || *c == '_')
+                .collect();
             let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
             let line = "target = \"?\"               # which target the rows are of\n";
-            self.lines = self.lines.replace(line, &format!("target = \"{stem}\"           # named after the file: the file names no target\n"));
+            self.lines = self.lines.replace(
+                line,
+                &format!("target = \"{stem}\"           # named after the file: the file names no target\n"),
+            );
             add(stem);
         }
         for export in self.stated.get("export").and_then(toml::Value::as_array).into_iter().flatten() {
             let stated = export.get("target").and_then(toml::Value::as_str).filter(|name| *name != "?");
             stated.map(str::to_owned).into_iter().for_each(&mut add);
         }
-        const PROPOSED: &str = "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
+        const PROPOSED: &str =
+            "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
         if self.lines.contains(PROPOSED) {
             let (line, found) = self.labels();
             self.lines = self.lines.replace(PROPOSED, &line);
@@ -219,9 +244,13 @@ impl Part {
 
     /// The line that states the form of the labels, and the targets that they name.
     fn labels(&self) -> (String, Vec<String>) {
-        let open = || ("label = \"?\"                # the form of the labels, with {target}, {pose} and {cycle}: none is found\n".to_owned(), Vec::new());
+        let open = || {
+            ("label = \"?\"                # the form of the labels, with {target}, {pose} and {cycle}: none is found\n".to_owned(), Vec::new())
+        };
         let text = self.lines.replace("unit = \"?\"", "unit = \"mm\"");
-        let Some(export) = toml::from_str::<Exports>(&text).ok().and_then(|all| all.export.into_iter().next()) else { return open() };
+        let Some(export) = toml::from_str::<Exports>(&text).ok().and_then(|all| all.export.into_iter().next()) else {
+            return open();
+        };
         let Ok(points) = read_file(&self.path, export.encoding, &export.format, export.unit) else { return open() };
         let labels: Vec<&str> = points.iter().map(|point| &*point.label).collect();
         for form in LABELS {
@@ -230,7 +259,9 @@ impl Part {
             let Some(named) = all else { continue };
             let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
             let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
-            if poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}") || targets.len() * 3 > labels.len() {
+            if poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}")
+                || targets.len() * 3 > labels.len()
+            {
                 continue;
             }
             let mut line = format!("label = \"{form}\"   # all {} labels have this form\n", labels.len());
@@ -256,7 +287,8 @@ fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFile
     if columns.is_empty() {
         return lines;
     }
-    let stems: Vec<&str> = robot.joints.iter().map(|key| key.rsplit_once('_').map_or(key.as_str(), |(stem, _)| stem)).collect();
+    let stems: Vec<&str> =
+        robot.joints.iter().map(|key| key.rsplit_once('_').map_or(key.as_str(), |(stem, _)| stem)).collect();
     let by_name: Option<Vec<usize>> =
         columns.iter().map(|(_, heading)| stems.iter().position(|stem| heading.trim() == *stem)).collect();
     let named = by_name.is_some();

@@ -75,9 +75,8 @@ impl Expression {
 
 impl Parser<'_> {
     fn wrong(&self, what: &str) -> Message {
-        Message::error(format!("the expression `{}` does not read: {what}", self.whole)).expected(
-            "headings, `$3` for the third column, and numbers, with + - * / and brackets between them",
-        )
+        Message::error(format!("the expression `{}` does not read: {what}", self.whole))
+            .expected("headings, `$3` for the third column, and numbers, with + - * / and brackets between them")
     }
 
     fn next(&mut self) -> Option<char> {
@@ -137,7 +136,9 @@ impl Parser<'_> {
             let digits = self.rest.bytes().take_while(u8::is_ascii_digit).count();
             let number = self.rest[..digits].parse().ok().and_then(|n: usize| n.checked_sub(1));
             self.rest = &self.rest[digits..];
-            return number.map(Expression::Column).ok_or_else(|| self.wrong("behind `$` is the number of a column, from 1"));
+            return number
+                .map(Expression::Column)
+                .ok_or_else(|| self.wrong("behind `$` is the number of a column, from 1"));
         }
         self.number()
     }

@@ -38,10 +38,12 @@ pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
 
 /// The line that names these columns and no others: a table with names or times is read by its own columns.
 fn header(text: &str) -> Option<&str> {
-    let names = ["X  [mm]", "Y  [mm]", "Z  [mm]", "U(95) X  [mm]", "U(95) Y  [mm]", "U(95) Z  [mm]", "Q0", "Q1", "Q2", "Q3"];
+    let names =
+        ["X  [mm]", "Y  [mm]", "Z  [mm]", "U(95) X  [mm]", "U(95) Y  [mm]", "U(95) Z  [mm]", "Q0", "Q1", "Q2", "Q3"];
     let all = |line: &&str| {
         let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-        names.iter().all(|name| fields.contains(name)) && fields.iter().all(|field| field.is_empty() || names.contains(field))
+        names.iter().all(|name| fields.contains(name))
+            && fields.iter().all(|field| field.is_empty() || names.contains(field))
     };
     text.lines().take(40).find(all)
 }

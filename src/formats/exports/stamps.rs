@@ -47,7 +47,9 @@ fn days(date: &str) -> Option<i64> {
     }
     // H. F. Fliegel, T. C. Van Flandern, Communications of the ACM 11, 1968: Julian day number
     let a = (month - 14) / 12;
-    let julian = (1461 * (year + 4800 + a)) / 4 + (367 * (month - 2 - 12 * a)) / 12 - (3 * ((year + 4900 + a) / 100)) / 4 + day - 32_075;
+    let julian =
+        (1461 * (year + 4800 + a)) / 4 + (367 * (month - 2 - 12 * a)) / 12 - (3 * ((year + 4900 + a) / 100)) / 4 + day
+            - 32_075;
     Some(julian - 2_440_588)
 }
 
@@ -71,7 +73,9 @@ mod tests {
         assert_eq!(seconds("01.01.1970", "0:00:00").unwrap(), 0.0);
         assert_eq!(seconds("13/02/2024", "00:00").unwrap(), seconds("02/13/2024", "00:00").unwrap());
         // February or November?
-        for (date, time) in [("11/02/2024", "10:00:00"), ("", "noon"), ("32.01.2024", "10:00"), ("", "25:00:00"), ("a.b.c", "1:00")] {
+        for (date, time) in
+            [("11/02/2024", "10:00:00"), ("", "noon"), ("32.01.2024", "10:00"), ("", "25:00:00"), ("a.b.c", "1:00")]
+        {
             assert!(seconds(date, time).is_err(), "{date} {time}");
         }
     }

@@ -48,11 +48,29 @@ fn axis_of(column: &Column) -> Option<(usize, String)> {
 fn kind_of(tag: &str) -> Kind {
     let has = |meaning: Word| tag.split(' ').any(|word| stands_for(word, meaning));
     let long = |meaning: Word| tag.split(' ').any(|word| word.len() > 1 && stands_for(word, meaning));
-    let neutral = ["p", "pos", "position", "t", "tcp", "pt", "c", "coord", "coordinate", "coordinates", "trans", "translation", "loc", "point"];
+    let neutral = [
+        "p",
+        "pos",
+        "position",
+        "t",
+        "tcp",
+        "pt",
+        "c",
+        "coord",
+        "coordinate",
+        "coordinates",
+        "trans",
+        "translation",
+        "loc",
+        "point",
+    ];
     match () {
         () if tag.is_empty() => Kind::Plain,
         () if has(Word::Uncertainty) || has(Word::Motion) || tag == "n" || long(Word::Normal) => Kind::Other,
-        () if tag.split(' ').any(|word| ["r", "rot", "rotation", "orientation", "euler", "rpy", "q", "quat", "quaternion"].contains(&word)) => {
+        () if tag.split(' ').any(|word| {
+            ["r", "rot", "rotation", "orientation", "euler", "rpy", "q", "quat", "quaternion"].contains(&word)
+        }) =>
+        {
             Kind::Other
         }
         () if has(Word::Difference) => Kind::Difference,
@@ -87,7 +105,9 @@ impl Interpretation {
         let axes = |set: &Set| set.points.columns.iter().flatten().count();
         // coordinates of one axis are a measurement of one coordinate only where nothing else is
         let most = sets.iter().map(axes).max().unwrap_or(0);
-        sets.retain(|set| set.points.columns[0].is_some() && set.points.columns[1].is_some() || axes(set) == most && most < 2);
+        sets.retain(|set| {
+            set.points.columns[0].is_some() && set.points.columns[1].is_some() || axes(set) == most && most < 2
+        });
         if sets.iter().any(|set| set.kind == Kind::Difference) {
             // `x_t` beside `x_dif` is the target
             for set in sets.iter_mut().filter(|set| set.points.tag == "t" || set.points.tag == "target") {
@@ -104,8 +124,18 @@ impl Interpretation {
             }
         }
         let of = |kind: Kind| sets.iter().filter(|set| set.kind == kind).cloned().collect::<Vec<Set>>();
-        self.take_sets(table, &of(Kind::Commanded), &|axis| Meaning::Commanded(axis), "its heading states a commanded value");
-        self.take_sets(table, &of(Kind::Difference), &|axis| Meaning::Difference(axis), "its heading states a difference");
+        self.take_sets(
+            table,
+            &of(Kind::Commanded),
+            &|axis| Meaning::Commanded(axis),
+            "its heading states a commanded value",
+        );
+        self.take_sets(
+            table,
+            &of(Kind::Difference),
+            &|axis| Meaning::Difference(axis),
+            "its heading states a difference",
+        );
         let (measured, plain, named) = (of(Kind::Measured), of(Kind::Plain), of(Kind::Named));
         let points = match () {
             () if !measured.is_empty() => measured,
@@ -158,7 +188,10 @@ impl Interpretation {
             })
             .collect();
         if !left.is_empty() && !self.points.is_empty() {
-            self.doubts.push(format!("coordinates of {} are not taken: others have a heading that is closer", left.join(", ")));
+            self.doubts.push(format!(
+                "coordinates of {} are not taken: others have a heading that is closer",
+                left.join(", ")
+            ));
         }
         let bare = |set: &PointSet| set.columns.iter().flatten().any(|at| table.columns[*at].heading.bare_metre);
         if self.points.iter().any(bare) {
@@ -191,10 +224,6 @@ impl Interpretation {
         if self.matrices_by_position(table, &rest) {
             return;
         }
-        let directed = |at: &[usize]| match *at {
-            [_, _, _, i, j, k] => table.are_unit([i, j, k]),
-            _ => false,
-        };
         // a running number or a time in front
         let before = rest.len() % 3 == 1 && rest.len() > 3 || rest.len() == 8 || rest.len() == 5;
         let first = rest.first().map(|i| &table.columns[*i]);
@@ -218,34 +247,57 @@ impl Interpretation {
             set(self, rest[0], Meaning::Count, "whole numbers before numbers with a decimal mark");
             rest.remove(0);
         }
-        match rest[..] {
+        self.by_count(table, &rest);
+    }
+
+    /// What so many numbers in a row are, by their values.
+    fn by_count(&mut self, table: &Table, rest: &[usize]) {
+        let set = |found: &mut Self, at: usize, meaning: Meaning, why: &str| {
+            found.taken[at].meaning = meaning;
+            found.taken[at].why = why.to_owned();
+        };
+        match *rest {
             [x, y, z, a, b, c, d] if table.are_unit([a, b, c, d]) => {
                 self.point_at(&[x, y, z]);
                 for (k, at) in [d, a, b, c].into_iter().enumerate() {
                     set(self, at, Meaning::Quaternion(k), "the four are of length 1 in all rows");
                 }
-                self.doubts.push("a quaternion without headings: scalar last, as ROS writes it, or scalar first".to_owned());
+                self.doubts
+                    .push("a quaternion without headings: scalar last, as ROS writes it, or scalar first".to_owned());
             }
-            [x, y, z, i, j, k] if directed(&rest) => {
+            [x, y, z, i, j, k] if table.are_unit([i, j, k]) => {
                 self.point_at(&[x, y, z]);
                 for (n, at) in [i, j, k].into_iter().enumerate() {
                     set(self, at, Meaning::Direction(n), "the three are of length 1 in all rows");
                 }
             }
-            [x, y, z, a, b, c] if [x, y, z].iter().any(|i| table.columns[*i].largest() > 361.0) && self.has_no_text() => {
+            [x, y, z, a, b, c]
+                if [x, y, z].iter().any(|i| table.columns[*i].largest() > 361.0) && self.has_no_text() =>
+            {
                 self.point_at(&[x, y, z]);
                 for (n, at) in [a, b, c].into_iter().enumerate() {
                     set(self, at, Meaning::Rotation(n), "behind three lengths that are larger than any angle");
                 }
-                self.doubts.push("six numbers without headings: a position and three angles, or joints of which three slide".to_owned());
+                self.doubts.push(
+                    "six numbers without headings: a position and three angles, or joints of which three slide"
+                        .to_owned(),
+                );
             }
             [_, _, _, _, _, _] | [_, _, _, _, _, _, _] if self.has_no_text() => {
                 for (k, at) in rest.iter().enumerate() {
-                    set(self, *at, Meaning::Joint(k), "every row is as many numbers as an arm has joints, and no direction among them");
+                    set(
+                        self,
+                        *at,
+                        Meaning::Joint(k),
+                        "every row is as many numbers as an arm has joints, and no direction among them",
+                    );
                 }
-                self.doubts.push(format!("{} without headings: joints, or coordinates and angles", count(rest.len(), "number")));
+                self.doubts.push(format!(
+                    "{} without headings: joints, or coordinates and angles",
+                    count(rest.len(), "number")
+                ));
             }
-            [_, _] | [_, _, _] => self.point_at(&rest),
+            [_, _] | [_, _, _] => self.point_at(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
                 if rest.len() % 3 == 0 {
@@ -298,7 +350,8 @@ impl Interpretation {
                     self.taken[at(from, k)].why = "the row 0 0 0 1".to_owned();
                 }
             }
-            self.doubts.push("a matrix without headings: row by row, turning vectors of the body to the world".to_owned());
+            self.doubts
+                .push("a matrix without headings: row by row, turning vectors of the body to the world".to_owned());
             return true;
         }
         false

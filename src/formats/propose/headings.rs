@@ -80,7 +80,10 @@ const WORDS: [(Word, &str); 20] = [
     ),
     (Word::Temperature, "temp temperature temperatur temperatura temperatures airtemp"),
     (Word::Deleted, "deleted geloescht geloscht supprime cancellato borrado"),
-    (Word::Distance, "distance dist range laenge lange longueur length distanz distanza distancia abstand slope entfernung seil wire"),
+    (
+        Word::Distance,
+        "distance dist range laenge lange longueur length distanz distanza distancia abstand slope entfernung seil wire",
+    ),
     (Word::Azimuth, "azimuth az hz horizontal azimut acimut"),
     (Word::Zenith, "zenith zen zenit vz cenit"),
     (Word::Elevation, "elevation el hohenwinkel site elevazione elevacion"),
@@ -90,7 +93,10 @@ const WORDS: [(Word, &str); 20] = [
          moment strom couple effort i qd qdd f",
     ),
     (Word::Normal, "normal n nx ny nz dir direction normale richtung"),
-    (Word::Joint, "joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e"),
+    (
+        Word::Joint,
+        "joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e",
+    ),
 ];
 
 /// Whether a word can stand for this.

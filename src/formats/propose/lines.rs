@@ -1,8 +1,6 @@
 //! The lines of a proposal: what a campaign states of a file, from what its columns are taken for.
 
-use super::JOINTS;
 use super::meaning::{Interpretation, Meaning, PointSet};
-use super::own;
 use super::table::Table;
 use crate::dialect::{
     ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Unit, coordinate_type, quoted,
@@ -14,6 +12,10 @@ use crate::table::QUATERNION;
 use etalon_base::message::count;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
+
+/// What is to be done with the columns of a proposed log.
+pub(super) const JOINTS: &str =
+    "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -96,14 +98,6 @@ impl Proposal<'_> {
     pub fn lines(&self, document: &mut FormatsDocument) -> String {
         let found = self.found;
         let joints = found.joint_columns();
-        if let Some(own) = own::recognise(self, &joints) {
-            document.kind = own.kind.to_owned();
-            // rows about fixed points have few numbers
-            document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
-            document.reasons.push(format!("its columns are those of {}", own.what));
-            document.questions.extend(own.question);
-            return own.lines;
-        }
         let polar = roles(found, 0).iter().any(|role| role.is_angle());
         let has_point = !found.points.is_empty() || polar;
         match (joints.len() >= 2, has_point) {
@@ -127,11 +121,8 @@ impl Proposal<'_> {
     fn named(&self, columns: &[usize], said: &str) -> String {
         match self.table.columns.iter().any(|column| column.name.is_some()) {
             true => {
-                let names: Vec<&str> = columns
-                    .iter()
-                    .take(8)
-                    .filter_map(|i| self.table.columns[*i].name.as_deref())
-                    .collect();
+                let names: Vec<&str> =
+                    columns.iter().take(8).filter_map(|i| self.table.columns[*i].name.as_deref()).collect();
                 format!("{said}: {}", names.join(", "))
             }
             false => {
@@ -250,7 +241,9 @@ impl Proposal<'_> {
         }
         let has = |role: ColumnRole| roles.contains(&role);
         if has(ColumnRole::Label) {
-            out.push_str("label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n");
+            out.push_str(
+                "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n",
+            );
         } else if !has(ColumnRole::Target) {
             let tag = points.map(|points| points.tag.replace(' ', "_")).filter(|_| self.found.points.len() > 1);
             match tag {
@@ -299,8 +292,7 @@ impl Proposal<'_> {
 
     /// What reading the whole file this way runs into.
     fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<String> {
-        let (points, problems) =
-            point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
+        let (points, problems) = point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
         let mut doubts: Vec<String> = problems
             .0
             .iter()
@@ -315,9 +307,11 @@ impl Proposal<'_> {
         }
         let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
         let refused: Vec<_> = points.iter().filter(|p| p.refused.is_some()).collect();
-        doubts.extend(origin.map(|p| {
-            format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)
-        }));
+        doubts.extend(
+            origin.map(|p| {
+                format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)
+            }),
+        );
         if let Some(p) = refused.first() {
             let more = if refused.len() > 1 { format!(", and {} more", refused.len() - 1) } else { String::new() };
             doubts.push(format!("line {}: {}{more}", p.line, p.refused.as_deref().unwrap_or("")));
@@ -375,11 +369,16 @@ impl Proposal<'_> {
         for (name, at) in ["x", "y", "z"].into_iter().zip(points.columns) {
             columns.extend(at.map(|at| format!("{name}_{unit} = {}", self.column(at))));
         }
-        let angle = |at: usize| self.table.columns[at].heading.unit.filter(|u| ["deg", "rad"].contains(u)).unwrap_or("UNIT");
+        let angle =
+            |at: usize| self.table.columns[at].heading.unit.filter(|u| ["deg", "rad"].contains(u)).unwrap_or("UNIT");
         match turned.len() {
-            4 => columns.extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
+            4 => columns
+                .extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
             _ => columns.extend(
-                ["a", "b", "c"].into_iter().zip(turned).map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
+                ["a", "b", "c"]
+                    .into_iter()
+                    .zip(turned)
+                    .map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
             ),
         }
         let mut out = format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "));
@@ -466,10 +465,15 @@ impl Proposal<'_> {
             }
         }
         let has = |role: ColumnRole| columns.iter().any(|(of, _)| *of == role);
-        let (named, numbered) = (has(ColumnRole::Label) || has(ColumnRole::Target), has(ColumnRole::Label) || has(ColumnRole::Pose));
+        let (named, numbered) =
+            (has(ColumnRole::Label) || has(ColumnRole::Target), has(ColumnRole::Label) || has(ColumnRole::Pose));
         let unit = self.unit(commanded);
         let dialect = Dialect { columns: Columns::Named(columns), ..self.best.dialect.clone() };
-        let mut out = format!("[[export]]\nfile = {}\nformat = {dialect}\n{}", quoted(self.file), unit_line(unit.map(Unit::name)));
+        let mut out = format!(
+            "[[export]]\nfile = {}\nformat = {dialect}\n{}",
+            quoted(self.file),
+            unit_line(unit.map(Unit::name))
+        );
         if unit.is_none() {
             document.questions.push(format!("the unit of lengths{}", self.size(Some(commanded))));
         }
@@ -499,7 +503,10 @@ impl Proposal<'_> {
             document.kind = "commanded".to_owned();
             document.doubts.push("every coordinate is called commanded: it is no measurement".to_owned());
         }
-        format!("# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n", self.file)
+        format!(
+            "# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n",
+            self.file
+        )
     }
 
     /// Lines of a log, in a format of which more is known or none.
@@ -525,18 +532,22 @@ impl Proposal<'_> {
                 Meaning::Cycle => "cycle".to_owned(),
                 Meaning::Label => "label".to_owned(),
                 Meaning::Time => {
-                    let unit = unit_of(at).or(self.table.columns[at].heading.unit).filter(|u| ["s", "ms", "ns"].contains(u));
+                    let unit =
+                        unit_of(at).or(self.table.columns[at].heading.unit).filter(|u| ["s", "ms", "ns"].contains(u));
                     format!("time_{}", unit.unwrap_or("s"))
                 }
                 _ => match unit_of(at) {
-                    Some(unit @ ("s" | "ms" | "ns")) if self.found.first(Meaning::Time).is_none() => format!("time_{unit}"),
+                    Some(unit @ ("s" | "ms" | "ns")) if self.found.first(Meaning::Time).is_none() => {
+                        format!("time_{unit}")
+                    }
                     _ => continue,
                 },
             };
             columns.push(format!("{key} = {}", self.column(at)));
         }
         for (k, at) in self.found.joint_columns().into_iter().enumerate() {
-            let unit = unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
+            let unit =
+                unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
             columns.push(format!("q{}_{unit} = {}", k + 1, self.column(at)));
         }
         let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));

@@ -193,7 +193,9 @@ impl Interpretation {
             (false, _) => Meaning::Day,
         };
         if all("/") {
-            self.doubts.push("dates with `/` do not state whether the day or the month is first: they are not read".to_owned());
+            self.doubts.push(
+                "dates with `/` do not state whether the day or the month is first: they are not read".to_owned(),
+            );
             return self.take(at, Meaning::Text, "dates whose day and month could be exchanged");
         }
         self.take(at, meaning, "every cell is a date or a time of day");
@@ -218,7 +220,9 @@ impl Interpretation {
                 () if heading.has(Word::Label) && !self.taken.iter().any(|t| t.meaning == Meaning::Label) => {
                     self.take(i, Meaning::Label, by_name);
                 }
-                () if heading.has(Word::Cycle) => self.take(i, Meaning::Text, "its heading names repeats, and it holds texts"),
+                () if heading.has(Word::Cycle) => {
+                    self.take(i, Meaning::Text, "its heading names repeats, and it holds texts")
+                }
                 () => self.take(i, Meaning::Text, "nothing is known of its heading"),
             }
         }
@@ -268,7 +272,11 @@ impl Interpretation {
                 if moved.iter().all(Option::is_some) {
                     self.points.push(PointSet { tag: tag.clone(), columns: moved });
                     for (axis, column) in moved.into_iter().flatten().enumerate() {
-                        self.take(column, Meaning::Point(0, axis), "last column of a 4x4 matrix whose rotation is orthonormal");
+                        self.take(
+                            column,
+                            Meaning::Point(0, axis),
+                            "last column of a 4x4 matrix whose rotation is orthonormal",
+                        );
                     }
                 }
                 for column in (0..4).filter_map(|j| at(3, j)) {
@@ -281,8 +289,12 @@ impl Interpretation {
 
     /// Four columns that are a unit quaternion.
     fn quaternion(&mut self, table: &Table) {
-        const FORMS: [[&str; 4]; 4] =
-            [["qw", "qx", "qy", "qz"], ["w", "x", "y", "z"], ["q 0", "q 1", "q 2", "q 3"], ["q w", "q x", "q y", "q z"]];
+        const FORMS: [[&str; 4]; 4] = [
+            ["qw", "qx", "qy", "qz"],
+            ["w", "x", "y", "z"],
+            ["q 0", "q 1", "q 2", "q 3"],
+            ["q w", "q x", "q y", "q z"],
+        ];
         let others = |i: &usize| table.columns[*i].heading.joined().ends_with("q 4");
         let has_more = (0..table.columns.len()).any(|i| others(&i));
         let mut tags: Vec<String> = Vec::new();
@@ -305,7 +317,9 @@ impl Interpretation {
                     continue;
                 }
                 let why = match unit {
-                    true if numbered => "the four are of length 1 in all rows: a quaternion, scalar first, and no joints",
+                    true if numbered => {
+                        "the four are of length 1 in all rows: a quaternion, scalar first, and no joints"
+                    }
                     true => "its heading, and the four are of length 1 in all rows",
                     false => "its heading",
                 };
@@ -325,8 +339,10 @@ impl Interpretation {
 }
 
 /// Words of joints that have names and no numbers.
-const NAMED_JOINTS: [&str; 13] =
-    ["shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint", "gelenk"];
+const NAMED_JOINTS: [&str; 13] = [
+    "shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint",
+    "gelenk",
+];
 
 /// What a heading states of a joint: the words before its number, and its number.
 fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
@@ -378,7 +394,9 @@ impl Interpretation {
         let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
         if numbered && !sorted {
             joints.sort_by_key(|(.., number)| *number);
-            self.doubts.push("the joints are in no order in the file: they are taken in the order of their numbers".to_owned());
+            self.doubts.push(
+                "the joints are in no order in the file: they are taken in the order of their numbers".to_owned(),
+            );
         }
         for (k, (i, ..)) in joints.into_iter().enumerate() {
             let (low, high) = table.columns[i].range();
@@ -397,7 +415,8 @@ impl Interpretation {
     fn one_family(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
         let mut tags: Vec<String> = joints.iter().map(|(_, tag, _)| tag.clone()).collect();
         tags.dedup();
-        let numbers = |tag: &String| joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<Vec<_>>();
+        let numbers =
+            |tag: &String| joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<Vec<_>>();
         let again = tags.iter().enumerate().any(|(k, tag)| {
             let own = numbers(tag);
             own.len() > 1 && tags[..k].iter().any(|other| numbers(other).iter().filter(|n| own.contains(n)).count() > 1)
@@ -410,7 +429,8 @@ impl Interpretation {
         for (i, ..) in joints.iter().filter(|(_, tag, _)| *tag != kept) {
             self.take(*i, Meaning::OtherJoint, format!("the joints are taken from the columns `{kept}`"));
         }
-        let names: Vec<String> = joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
+        let names: Vec<String> =
+            joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
         self.doubts.push(format!("{} could be joints as well: `{kept}` is taken", names.join(", ")));
         joints.retain(|(_, tag, _)| *tag == kept);
     }
@@ -434,7 +454,8 @@ impl Interpretation {
             .collect();
         let mut numbers: Vec<usize> = found.iter().filter_map(|(.., number)| *number).collect();
         numbers.sort_unstable();
-        let from_start = numbers.first().is_some_and(|n| *n < 2) && numbers.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        let from_start =
+            numbers.first().is_some_and(|n| *n < 2) && numbers.windows(2).all(|pair| pair[1] == pair[0] + 1);
         let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
         if one {
             let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
@@ -468,7 +489,8 @@ impl Interpretation {
             for (k, at) in all.into_iter().enumerate() {
                 self.take(at, Meaning::Rotation(k), "its heading");
             }
-            self.questions.push("whether the three are a rotation vector, or angles and in which order they turn".to_owned());
+            self.questions
+                .push("whether the three are a rotation vector, or angles and in which order they turn".to_owned());
         }
         while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
             all.into_iter().for_each(|at| self.take(at, Meaning::Motion, "its heading states a commanded rotation"));
@@ -509,14 +531,25 @@ impl Interpretation {
                 () if heading.has(Word::Zenith) => Meaning::Zenith,
                 () if heading.has(Word::Elevation) => Meaning::Elevation,
                 () if heading.has(Word::Deleted) => Meaning::Deleted,
-                () if whole && (heading.has(Word::Pose) || *heading.words == ["p"]) && !has(self, Meaning::Pose) => Meaning::Pose,
-                () if whole && (first(Word::Cycle) || last(Word::Cycle)) && !has(self, Meaning::Cycle) => Meaning::Cycle,
-                () if (first(Word::Time) || last(Word::Time)) && !has(self, Meaning::Time) && !heading.has(Word::Distance) => {
+                () if whole && (heading.has(Word::Pose) || *heading.words == ["p"]) && !has(self, Meaning::Pose) => {
+                    Meaning::Pose
+                }
+                () if whole && (first(Word::Cycle) || last(Word::Cycle)) && !has(self, Meaning::Cycle) => {
+                    Meaning::Cycle
+                }
+                () if (first(Word::Time) || last(Word::Time))
+                    && !has(self, Meaning::Time)
+                    && !heading.has(Word::Distance) =>
+                {
                     Meaning::Time
                 }
                 () if whole && heading.is_only(&[Word::Label]) && !has(self, Meaning::Label) => Meaning::Label,
-                () if whole && heading.is_only(&[Word::Count, Word::Label, Word::Target, Word::Measured]) => Meaning::Count,
-                () if heading.has(Word::Distance) || *heading.words == ["l"] || *heading.words == ["d"] => Meaning::Distance,
+                () if whole && heading.is_only(&[Word::Count, Word::Label, Word::Target, Word::Measured]) => {
+                    Meaning::Count
+                }
+                () if heading.has(Word::Distance) || *heading.words == ["l"] || *heading.words == ["d"] => {
+                    Meaning::Distance
+                }
                 () if heading.has(Word::Uncertainty) => self.uncertainty(heading),
                 () if heading.words.iter().any(|word| is_motion(word)) => Meaning::Motion,
                 () if whole && heading.has(Word::Count) => Meaning::Count,
@@ -547,7 +580,8 @@ impl Interpretation {
     /// Which coordinate an uncertainty is of.
     fn uncertainty(&self, heading: &Heading) -> Meaning {
         let axis = ["x", "y", "z"].iter().position(|axis| heading.words.iter().any(|word| word == axis));
-        let number = || heading.words.iter().find_map(|word| word.parse::<usize>().ok()).filter(|n| (1..=3).contains(n));
+        let number =
+            || heading.words.iter().find_map(|word| word.parse::<usize>().ok()).filter(|n| (1..=3).contains(n));
         let expanded = heading.words.iter().any(|word| word == "95");
         match (axis, expanded) {
             (Some(axis), true) => Meaning::ExpandedUncertainty(axis),

@@ -39,7 +39,11 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
         };
         let angles = has("a_deg") || has("a_rad");
         let order = if angles { "orientation = \"?\"          # the order of the angles, e.g. \"zyx\"\n" } else { "" };
-        return own("observations", "a table of observations", format!("[observations]\nfile = {file}\n{state}{order}"));
+        return own(
+            "observations",
+            "a table of observations",
+            format!("[observations]\nfile = {file}\n{state}{order}"),
+        );
     }
     if !plain || !joints.is_empty() || !placed {
         return None;
@@ -49,15 +53,18 @@ pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
     }
     if has("time_s") && only(&["time_s"]) {
         let mut own = own("recording", "a recorded motion", format!("[[stream]]\nname = \"motion\"\nfile = {file}\n"))?;
-        own.question = Some("whether it is a recorded motion, as proposed, or points with times (then [[export]])".to_owned());
+        own.question =
+            Some("whether it is a recorded motion, as proposed, or points with times (then [[export]])".to_owned());
         return Some(own);
     }
     if has("pose") && has("cycle") && only(&["pose", "cycle", "approach", "robot", "reading"]) {
-        let lines = format!("[poses]\nattained = {file}\ncommanded = \"?\"            # the table of commanded poses\n");
+        let lines =
+            format!("[poses]\nattained = {file}\ncommanded = \"?\"            # the table of commanded poses\n");
         return own("poses", "attained poses of a test by ISO 9283", lines);
     }
     if has("pose") && only(&["pose"]) {
-        let lines = format!("[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = {file}\n");
+        let lines =
+            format!("[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = {file}\n");
         return own("commanded", "commanded poses, or of candidates for `etalon plan`", lines);
     }
     if has("cycle") && has("target") && only(&["cycle", "target"]) {

@@ -33,7 +33,8 @@ pub(super) fn structured(text: &str) -> Option<&'static str> {
             || line.split_once(" = ").is_some_and(|(name, _)| !name.is_empty() && !name.contains([',', ';', '\t']))
     };
     let sections = lines.iter().any(|line| line.starts_with('[') && line.ends_with(']') && !line.contains(','));
-    (sections && lines.iter().filter(toml).count() * 10 >= lines.len() * 8).then_some("a TOML or INI document, and no table")
+    (sections && lines.iter().filter(toml).count() * 10 >= lines.len() * 8)
+        .then_some("a TOML or INI document, and no table")
 }
 
 #[cfg(test)]

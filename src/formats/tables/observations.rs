@@ -1,10 +1,11 @@
 //! A table of observations as CSV: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::dialect::{
-    Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands, two_commas,
+    Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
+    two_commas,
 };
 use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, marked, pose_name, split};
+use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
 use crate::logs::meaning;
 use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
@@ -70,7 +71,8 @@ impl Default for TableLayout {
 
 /// Whether this program knows a column of tables by this name.
 fn is_known(name: &str) -> bool {
-    meaning(name).is_some() || [&TEXTS[..], &QUATERNION, &MATRIX, &COVARIANCES].iter().any(|names| names.contains(&name))
+    meaning(name).is_some()
+        || [&TEXTS[..], &QUATERNION, &MATRIX, &COVARIANCES].iter().any(|names| names.contains(&name))
 }
 
 /// A column to read: its name here, and where its cells come from.
@@ -202,11 +204,7 @@ fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Opt
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas().at(Place::file(file)).into());
     }
-    let dialect = Dialect {
-        delimiter: Some(layout.delimiter),
-        comment: layout.comment.clone(),
-        ..Dialect::default()
-    };
+    let dialect = Dialect { delimiter: Some(layout.delimiter), comment: layout.comment.clone(), ..Dialect::default() };
     let (mut all, problems) = split(file, text, &dialect);
     problems.check()?;
     let before = match &layout.header {
@@ -291,16 +289,6 @@ fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) ->
         return Err(message.hint("compare the cells that they state with those of the file").into());
     }
     Ok(kept)
-}
-
-/// Index of a column by its heading, or by `$3`.
-pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Result<usize, Message> {
-    let by_heading = header.and_then(|row| row.fields.iter().position(|field| field.trim() == name));
-    let by_number = || name.strip_prefix('$')?.parse::<usize>().ok()?.checked_sub(1);
-    by_heading.or_else(by_number).ok_or_else(|| {
-        let names = header.map(|row| row.fields.iter().map(AsRef::as_ref).collect::<Vec<&str>>()).unwrap_or_default();
-        Message::error(format!("the header names no `{name}`")).hint_names(name, names)
-    })
 }
 
 /// The values of one column; cells that do not read are reported.

@@ -135,7 +135,11 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
                     remarks.messages.extend(joined.incomplete());
                 }
                 // poses are rows of a table of observations
-                let observed = if joined.has_orientations() { Observations::Table(joined.table()?) } else { Observations::Log(joined) };
+                let observed = if joined.has_orientations() {
+                    Observations::Table(joined.table()?)
+                } else {
+                    Observations::Log(joined)
+                };
                 observations.push((log.name.clone(), observed));
             }
             Err(more) => problems.0.extend(more.at(&campaign.place_of(&["join", "by"])).0),
@@ -271,7 +275,13 @@ fn targets_in_world<'a>(
         let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
         let turned = |q: &[f64; 4]| world_T_export.then(&Pose::from_quaternion(*q)).quaternion();
         let orientation = point.orientation.as_deref().map(turned);
-        targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2, orientation });
+        targets.push(Target {
+            point,
+            index,
+            world_mm: world_T_export.apply(point.xyz_mm),
+            covariance_mm2,
+            orientation,
+        });
     }
     if !lost.is_empty() {
         remarks.messages.push(
