@@ -48,6 +48,16 @@ impl<'t> Row<'t> {
     }
 }
 
+/// Index of a column by its heading, or by `$3`.
+pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Result<usize, Message> {
+    let by_heading = header.and_then(|row| row.fields.iter().position(|field| field.trim() == name));
+    let by_number = || name.strip_prefix('$')?.parse::<usize>().ok()?.checked_sub(1);
+    by_heading.or_else(by_number).ok_or_else(|| {
+        let names = header.map(|row| row.fields.iter().map(AsRef::as_ref).collect::<Vec<&str>>()).unwrap_or_default();
+        Message::error(format!("the header names no `{name}`")).hint_names(name, names)
+    })
+}
+
 /// The rows of a text in a dialect, and those that do not split; empty lines and comment lines are not rows.
 pub(super) fn split<'t>(file: &str, text: &'t str, dialect: &Dialect) -> (Vec<Row<'t>>, Problems) {
     let mut problems = Problems::default();

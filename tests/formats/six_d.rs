@@ -59,11 +59,8 @@ const LOG: &str =
     "q1_deg = \"q1\", q2_deg = \"q2\", q3_deg = \"q3\", q4_deg = \"q4\", q5_deg = \"q5\", q6_deg = \"q6\"";
 const FRAME: &str = "[frame.world]\nas_exported = true\n";
 
-#[test]
-fn poses_of_a_tracker_meet_a_log_in_every_form() {
-    let folder = tempfile::tempdir().unwrap();
-    let at = folder.path();
-    let rows = rows(at);
+/// The same poses as a table of observations and in every form of an export, and the log.
+fn write_files(at: &Path, rows: &[Row]) {
     let mut plain = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz\n".to_owned();
     let mut log = "pose,t,q1,q2,q3,q4,q5,q6\n".to_owned();
     let mut quaternions =
@@ -72,7 +69,7 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
     let mut angles = "time;x;y;z;rx;ry;rz\n".to_owned();
     let mut vectors = "pose,x,y,z,rx,ry,rz\n".to_owned();
     let order: AngleOrder = "zyx".parse().unwrap();
-    for (i, (q, p, o)) in (1..).zip(&rows) {
+    for (i, (q, p, o)) in (1..).zip(rows) {
         let pose = Pose::from_quaternion(*o);
         let _ = writeln!(plain, "{i},probe,{},{},{}", line(q.clone()), line(*p), line(*o));
         let _ = writeln!(log, "{i},{},{}", 1000 + 10 * i, line(q.clone()));
@@ -100,6 +97,14 @@ fn poses_of_a_tracker_meet_a_log_in_every_form() {
     ] {
         std::fs::write(at.join("c").join(name), text).unwrap();
     }
+}
+
+#[test]
+fn poses_of_a_tracker_meet_a_log_in_every_form() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = rows(at);
+    write_files(at, &rows);
     let (code, said, right) = run(at, "[observations]\nfile = \"plain.csv\"");
     assert_eq!(code, Some(0), "{said}");
     let right = right.unwrap();

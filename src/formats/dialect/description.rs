@@ -226,6 +226,11 @@ impl Dialect {
             let message = Message::error("expanded uncertainties need their `coverage_factor`");
             wrong.push(message.hint("state it in `format`: `coverage_factor = 2`"));
         }
+        let of_axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].iter().filter(|role| roles.contains(role)).count();
+        if expanded > 0 && expanded != of_axes {
+            let what = format!("`columns` names {expanded} expanded uncertainties of {of_axes} coordinates x, y, z");
+            wrong.push(Message::error(what).expected("u95x, u95y and u95z with x, y and z, or none of them"));
+        }
         if expanded > 0 && roles.iter().any(|role| role.is_uncertainty()) {
             wrong.push(
                 Message::error("`columns` names standard and expanded uncertainties").hint("leave one of them out"),

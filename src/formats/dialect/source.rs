@@ -1,6 +1,5 @@
 //! What a table states of its columns and rows, whatever kind of table it is.
 
-use super::quoted;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -87,7 +86,7 @@ pub enum Cells {
 impl fmt::Display for Cells {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let one = |constant: &Constant| match constant {
-            Constant::Text(text) => quoted(text),
+            Constant::Text(text) => toml::Value::from(text.as_str()).to_string(),
             Constant::Number(number) => format!("{number:?}"),
         };
         match self {

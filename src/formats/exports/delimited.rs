@@ -7,9 +7,8 @@ use crate::dialect::{
     coordinate_type,
 };
 use crate::lexer::pose_name;
-use crate::lexer::{self, Row, WHOLE, each_row, marked};
+use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
 use crate::points::{Line, Names, Point};
-use crate::tables::observations::column_index;
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
@@ -325,6 +324,15 @@ impl<'a> Filter<'a> {
     }
 }
 
+/// Numbers of a row, with what they are; coordinates with their columns, in mm or rad.
+#[derive(Default)]
+struct Numbers {
+    coordinates: Vec<(usize, ColumnRole, f64)>,
+    uncertain: Vec<(ColumnRole, f64)>,
+    direction: Vec<(ColumnRole, f64)>,
+    turned: Vec<(ColumnRole, f64)>,
+}
+
 /// Reads rows of one file.
 struct Reader<'a> {
     file: &'a str,
@@ -370,9 +378,8 @@ impl Reader<'_> {
         point.refused = left_out
             .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))));
         let unmeasured = point.refused.is_some();
-        let (mut coordinates, mut uncertain, mut direction) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut turned, mut stamp) = (Vec::new(), [None; 2]);
-        let mut names = Vec::new();
+        let mut numbers = Numbers::default();
+        let (mut names, mut stamp) = (Vec::new(), [None; 2]);
         for (i, role, field) in cells() {
             match role {
                 ColumnRole::Label if point.label.is_empty() => point.label = shared.shared(field),
@@ -390,30 +397,18 @@ impl Reader<'_> {
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
                 role if role.is_orientation() && self.dialect.missing.says(field) => {}
-                role if role.is_orientation() => turned.push((role, value(i, field))),
-                role if role.is_expanded() => uncertain.push((role, value(i, field))),
-                role if role.is_coordinate() => coordinates.push((i, role, value(i, field) * self.factor(role))),
-                role if role.is_uncertainty() => uncertain.push((role, value(i, field))),
-                ColumnRole::I | ColumnRole::J | ColumnRole::K => direction.push((role, value(i, field))),
+                role if role.is_orientation() => numbers.turned.push((role, value(i, field))),
+                role if role.is_expanded() => numbers.uncertain.push((role, value(i, field))),
+                role if role.is_coordinate() => {
+                    numbers.coordinates.push((i, role, value(i, field) * self.factor(role)))
+                }
+                role if role.is_uncertainty() => numbers.uncertain.push((role, value(i, field))),
+                ColumnRole::I | ColumnRole::J | ColumnRole::K => numbers.direction.push((role, value(i, field))),
                 _ => {}
             }
         }
-        if let [_, Some((i, field))] = stamp {
-            let date = stamp[0].map_or("", |(_, date)| date);
-            match stamps::seconds(date, field) {
-                Ok(seconds) => point.time_s = Some(seconds),
-                Err(message) => wrong(message, i),
-            }
-        }
-        for (i, role, field) in names {
-            if role == ColumnRole::Pose {
-                point.pose = pose_name(field, self.dialect.decimal).map_err(|message| wrong(message, i)).ok();
-                continue;
-            }
-            point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
-            if point.cycle.is_none() {
-                wrong(Message::error(format!("`{field}` is not a whole number")), i);
-            }
+        for (message, i) in self.names(&mut point, stamp, &names) {
+            wrong(message, i);
         }
         if unmeasured {
             return Some(point);
@@ -422,8 +417,49 @@ impl Reader<'_> {
             point.xyz_mm = [f64::NAN; 3];
             return Some(point);
         }
+        self.place(row, &mut point, numbers, problems);
+        Some(point)
+    }
+
+    /// Pose, cycle and time of a point; what does not read, and in which cell.
+    fn names(
+        &self,
+        point: &mut Point,
+        stamp: [Option<(usize, &str)>; 2],
+        names: &[(usize, ColumnRole, &str)],
+    ) -> Vec<(Message, usize)> {
+        let mut wrong = Vec::new();
+        if let [date, Some((i, field))] = stamp {
+            match stamps::seconds(date.map_or("", |(_, date)| date), field) {
+                Ok(seconds) => point.time_s = Some(seconds),
+                Err(message) => wrong.push((message, i)),
+            }
+        }
+        for &(i, role, field) in names {
+            if role == ColumnRole::Pose {
+                match pose_name(field, self.dialect.decimal) {
+                    Ok(pose) => point.pose = Some(pose),
+                    Err(message) => wrong.push((message, i)),
+                }
+                continue;
+            }
+            point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
+            if point.cycle.is_none() {
+                wrong.push((Message::error(format!("`{field}` is not a whole number")), i));
+            }
+        }
+        wrong
+    }
+
+    /// Place, uncertainty, orientation and direction of a point from the numbers of its row.
+    fn place(&self, row: &Row, point: &mut Point, numbers: Numbers, problems: &mut Problems) {
         // u1 is of the first coordinate from the left, or of c1
+        let Numbers { mut coordinates, mut uncertain, mut direction, mut turned } = numbers;
         coordinates.sort_by_key(|(i, ..)| (self.roles[*i].is_typed().then_some(self.roles[*i] as usize), *i));
+        if uncertain.iter().any(|(role, _)| role.is_expanded()) {
+            // these are of x, y and z wherever they are
+            coordinates.sort_by_key(|(_, role, _)| *role as usize);
+        }
         let coordinates: Vec<(ColumnRole, f64)> =
             coordinates.into_iter().map(|(_, role, value)| (role, value)).collect();
         uncertain.sort_by_key(|(role, _)| *role as usize);
@@ -434,16 +470,15 @@ impl Reader<'_> {
         (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread.map(Box::new));
         match orientation(&mut turned, self.dialect.rotation.as_deref()) {
             Ok(turned) => point.orientation = turned.map(Box::new),
-            Err(message) => problems.0.push(message.at(line())),
+            Err(message) => problems.0.push(message.at(row.place(self.file))),
         }
         direction.sort_by_key(|(role, _)| *role as usize);
         if let [(_, i), (_, j), (_, k)] = direction[..] {
             match unit_vector([i, j, k]) {
                 Ok(direction) => point.direction = Some(Box::new(direction)),
-                Err(message) => problems.0.push(message.at(line())),
+                Err(message) => problems.0.push(message.at(row.place(self.file))),
             }
         }
-        Some(point)
     }
 
     /// What the columns hold in this row, where each row states it; or what is wrong, and in which cell.

@@ -224,10 +224,6 @@ impl Interpretation {
         if self.matrices_by_position(table, &rest) {
             return;
         }
-        let directed = |at: &[usize]| match *at {
-            [_, _, _, i, j, k] => table.are_unit([i, j, k]),
-            _ => false,
-        };
         // a running number or a time in front
         let before = rest.len() % 3 == 1 && rest.len() > 3 || rest.len() == 8 || rest.len() == 5;
         let first = rest.first().map(|i| &table.columns[*i]);
@@ -251,7 +247,16 @@ impl Interpretation {
             set(self, rest[0], Meaning::Count, "whole numbers before numbers with a decimal mark");
             rest.remove(0);
         }
-        match rest[..] {
+        self.by_count(table, &rest);
+    }
+
+    /// What so many numbers in a row are, by their values.
+    fn by_count(&mut self, table: &Table, rest: &[usize]) {
+        let set = |found: &mut Self, at: usize, meaning: Meaning, why: &str| {
+            found.taken[at].meaning = meaning;
+            found.taken[at].why = why.to_owned();
+        };
+        match *rest {
             [x, y, z, a, b, c, d] if table.are_unit([a, b, c, d]) => {
                 self.point_at(&[x, y, z]);
                 for (k, at) in [d, a, b, c].into_iter().enumerate() {
@@ -260,7 +265,7 @@ impl Interpretation {
                 self.doubts
                     .push("a quaternion without headings: scalar last, as ROS writes it, or scalar first".to_owned());
             }
-            [x, y, z, i, j, k] if directed(&rest) => {
+            [x, y, z, i, j, k] if table.are_unit([i, j, k]) => {
                 self.point_at(&[x, y, z]);
                 for (n, at) in [i, j, k].into_iter().enumerate() {
                     set(self, at, Meaning::Direction(n), "the three are of length 1 in all rows");
@@ -292,7 +297,7 @@ impl Interpretation {
                     count(rest.len(), "number")
                 ));
             }
-            [_, _] | [_, _, _] => self.point_at(&rest),
+            [_, _] | [_, _, _] => self.point_at(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
                 if rest.len() % 3 == 0 {

@@ -1,8 +1,6 @@
 //! The lines of a proposal: what a campaign states of a file, from what its columns are taken for.
 
-use super::JOINTS;
 use super::meaning::{Interpretation, Meaning, PointSet};
-use super::own;
 use super::table::Table;
 use crate::dialect::{
     ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Unit, coordinate_type, quoted,
@@ -14,6 +12,10 @@ use crate::table::QUATERNION;
 use etalon_base::message::count;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
+
+/// What is to be done with the columns of a proposed log.
+pub(super) const JOINTS: &str =
+    "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -96,14 +98,6 @@ impl Proposal<'_> {
     pub fn lines(&self, document: &mut FormatsDocument) -> String {
         let found = self.found;
         let joints = found.joint_columns();
-        if let Some(own) = own::recognise(self, &joints) {
-            document.kind = own.kind.to_owned();
-            // rows about fixed points have few numbers
-            document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
-            document.reasons.push(format!("its columns are those of {}", own.what));
-            document.questions.extend(own.question);
-            return own.lines;
-        }
         let polar = roles(found, 0).iter().any(|role| role.is_angle());
         let has_point = !found.points.is_empty() || polar;
         match (joints.len() >= 2, has_point) {

@@ -17,7 +17,7 @@ use super::workbook;
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
-use lines::Proposal;
+use lines::{JOINTS, Proposal};
 use meaning::Interpretation;
 use std::path::Path;
 use table::Table;
@@ -48,10 +48,6 @@ fn known(text: &str) -> Option<(Option<&'static str>, Recognised)> {
 
 /// A log that is recognised as surely is proposed in its format; of another one it is asked.
 const SURE: f64 = 0.5;
-
-/// What is to be done with the columns of a proposed log.
-const JOINTS: &str =
-    "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
 /// Columns that are explained in the comments of a proposal.
 const SHOWN_COLUMNS: usize = 60;
@@ -152,7 +148,8 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
             true => lines,
             false => {
                 lines
-                    + "target = \"?\"               # which target the rows are of\npose = \"row\"               # if the number of the row is the number of the pose\n"
+                    + "target = \"?\"               # which target the rows are of\n\
+                       pose = \"row\"               # if the number of the row is the number of the pose\n"
             }
         };
         document.toml = with_remarks(&document, &lines);
@@ -199,7 +196,17 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     document.doubts = doubts(&guesses);
     document.doubts.extend(found.doubts.iter().cloned());
     document.questions.extend(found.questions.iter().cloned());
-    let lines = proposal.lines(&mut document);
+    let lines = match own::recognise(&proposal, &found.joint_columns()) {
+        Some(own) => {
+            document.kind = own.kind.to_owned();
+            // rows about fixed points have few numbers
+            document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
+            document.reasons.push(format!("its columns are those of {}", own.what));
+            document.questions.extend(own.question);
+            own.lines
+        }
+        None => proposal.lines(&mut document),
+    };
     if let Some((kind, found)) = log {
         document.questions.push(format!(
             "whether it is {} (`[log]` with `format = {:?}`)",

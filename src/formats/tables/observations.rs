@@ -5,7 +5,7 @@ use crate::dialect::{
     two_commas,
 };
 use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, marked, pose_name, split};
+use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
 use crate::logs::meaning;
 use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
@@ -289,16 +289,6 @@ fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) ->
         return Err(message.hint("compare the cells that they state with those of the file").into());
     }
     Ok(kept)
-}
-
-/// Index of a column by its heading, or by `$3`.
-pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Result<usize, Message> {
-    let by_heading = header.and_then(|row| row.fields.iter().position(|field| field.trim() == name));
-    let by_number = || name.strip_prefix('$')?.parse::<usize>().ok()?.checked_sub(1);
-    by_heading.or_else(by_number).ok_or_else(|| {
-        let names = header.map(|row| row.fields.iter().map(AsRef::as_ref).collect::<Vec<&str>>()).unwrap_or_default();
-        Message::error(format!("the header names no `{name}`")).hint_names(name, names)
-    })
 }
 
 /// The values of one column; cells that do not read are reported.
