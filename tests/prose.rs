@@ -68,7 +68,7 @@ fn marker(line: &str) -> Option<&'static str> {
 
 /// Returns the comment at the end of a line of code, if there is one outside a string.
 fn after_code(line: &str) -> Option<&str> {
-    let outside = |(at, _): &(usize, &str)| line[..*at].matches('"').count() % 2 == 0;
+    let outside = |(at, _): &(usize, &str)| line[..*at].matches('"').count().is_multiple_of(2);
     line.match_indices(" // ").find(outside).map(|(at, _)| &line[at + " // ".len()..])
 }
 
