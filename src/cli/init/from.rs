@@ -3,7 +3,7 @@
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_documents::FormatsDocument;
-use etalon_formats::{Export, LabelPattern, propose_file, read_file};
+use etalon_formats::{Export, Format, LabelPattern, propose_file, read_file};
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -101,10 +101,7 @@ fn head(parts: &[Part], controllers: &str) -> String {
          expanded_uncertainty_um = \"?\"                 # of one coordinate, a number without quotes\n\
          coverage_factor = 2\n{}",
         names.join(" "),
-        match parts
-            .iter()
-            .any(|part| part.lines.contains("qw") || part.lines.contains("r11") || part.lines.contains("rx_"))
-        {
+        match parts.iter().any(Part::has_orientations) {
             true =>
                 "expanded_rotation_uncertainty_deg = \"?\"       # of a measured orientation, a number without quotes\n",
             false => "",
@@ -180,6 +177,14 @@ impl Part {
                 .into());
         }
         Ok(Self { path: path.clone(), name, document, lines, stated })
+    }
+
+    /// Whether its rows state orientations, or its format does.
+    fn has_orientations(&self) -> bool {
+        let named = self.document.format.as_deref().and_then(Format::named);
+        let of_format =
+            named.is_some_and(|format| format.dialect.columns.roles().iter().any(|role| role.is_orientation()));
+        of_format || ["qw", "r11", "rx_"].iter().any(|name| self.lines.contains(name))
     }
 
     /// Keys or contents of the columns that the lines state.
