@@ -7,7 +7,7 @@ use etalon_formats::{Export, Format, LabelPattern, propose_file, read_file};
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Files of a robot, and the keys of its joints with their units.
 pub(super) struct RobotFiles {
@@ -161,7 +161,7 @@ struct Exports {
 }
 
 impl Part {
-    fn of(path: &PathBuf, robot: &RobotFiles) -> Result<Self, Problems> {
+    fn of(path: &Path, robot: &RobotFiles) -> Result<Self, Problems> {
         let document = propose_file(path)?;
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let quoted = |text: &str| toml::Value::from(text).to_string();
@@ -176,7 +176,7 @@ impl Part {
                 .hint(format!("`etalon formats {}` states what its columns could be", path.display()))
                 .into());
         }
-        Ok(Self { path: path.clone(), name, document, lines, stated })
+        Ok(Self { path: path.to_owned(), name, document, lines, stated })
     }
 
     /// Whether its rows state orientations, or its format does.
