@@ -216,7 +216,7 @@ impl Pose {
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let off = |i: usize, j: usize| (dot(rotation[i], rotation[j]) - unit(i, j)).abs();
         let worst = (0..9).map(|k| off(k / 3, k % 3)).fold(0.0, f64::max);
-        if !(worst < ORTHONORMAL) {
+        if rows.iter().any(|v| !v.is_finite()) || worst >= ORTHONORMAL {
             let what =
                 format!("the rotation matrix is not orthonormal: rows times rows differ from 1 and 0 by {worst:.4}");
             return Err(Message::error(what).expected("r11 to r33, row by row: body in world"));

@@ -73,7 +73,7 @@ impl Init {
     /// The robot of a campaign from files.
     fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
         if let Some(path) = &self.urdf {
-            let (name, robot, text, joints) = described(path)?;
+            let Described { name, robot, text, joints } = described(path)?;
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
             return Ok(from::RobotFiles { files, joints, targets: Vec::new(), controllers });
@@ -89,7 +89,7 @@ impl Init {
 
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path) -> anyhow::Result<Verdict> {
-        let (name, robot, text, joints) = described(path)?;
+        let Described { name, robot, text, joints } = described(path)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
@@ -119,8 +119,20 @@ impl Init {
     }
 }
 
-/// Name of a URDF file, the robot.toml of its chain with the most moving joints, its text, and the keys of the joints.
-fn described(path: &Path) -> anyhow::Result<(String, Vec<u8>, Vec<u8>, Vec<String>)> {
+/// A robot that a URDF describes.
+struct Described {
+    /// Name of the file.
+    name: String,
+    /// robot.toml.
+    robot: Vec<u8>,
+    /// The file.
+    text: Vec<u8>,
+    /// Keys of its joints, with their units.
+    joints: Vec<String>,
+}
+
+/// The chain of a URDF file with the most moving joints.
+fn described(path: &Path) -> anyhow::Result<Described> {
     let (chain, text) = read_urdf(path)?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let quoted = |text: &str| toml::Value::from(text).to_string();
@@ -135,7 +147,7 @@ fn described(path: &Path) -> anyhow::Result<(String, Vec<u8>, Vec<u8>, Vec<Strin
     let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
     let key = |joint: &Joint| format!("{}_{}", joint.name, unit(joint.quantity));
     let joints = chain.joints.iter().map(key).collect();
-    Ok((name, robot.into_bytes(), text.into_bytes(), joints))
+    Ok(Described { name, robot: robot.into_bytes(), text: text.into_bytes(), joints })
 }
 
 /// The robot of this name in the table.

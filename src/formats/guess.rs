@@ -194,7 +194,7 @@ fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
 }
 
 /// The names of all columns, if the header has as many as the data. Units in brackets that blanks part from their names belong to them.
-pub(super) fn names<'g>(guess: &'g Guess) -> Option<Vec<String>> {
+pub(super) fn names(guess: &Guess) -> Option<Vec<String>> {
     let fields: Vec<&str> = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref).collect();
     let columns = guess.numeric.len();
     let mut names: Vec<String> = Vec::new();

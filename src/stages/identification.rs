@@ -16,7 +16,7 @@ use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
 use crate::stages::solved::Solved;
-use crate::stages::table_file::in_files;
+use crate::stages::table_file::{in_campaign, in_files};
 use crate::stages::tool::Expected;
 use etalon_base::message::{Message, Problems, Result, Severity, count};
 use etalon_base::pose_name::PoseName;
@@ -322,7 +322,7 @@ impl<'a> Input<'a> {
         };
         let place = |problems: Problems| {
             let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
-            if files.is_empty() { problems } else { in_files(problems, &files) }
+            if files.is_empty() { in_campaign(problems, &campaign.path) } else { in_files(problems, &files) }
         };
         let exclusions = Exclusion::of_campaign(campaign, stated);
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })

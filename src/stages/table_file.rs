@@ -29,13 +29,23 @@ const FILE: usize = 1_000_000_000;
 /// Problems of the rows of several files, with the file and the line that each is about.
 pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
-        if let Some(line) = place.line.filter(|line| *line >= FILE && place.file.is_empty() || *line >= FILE) {
+        if let Some(line) = place.line.filter(|line| *line >= FILE) {
             place.file = files.get(line / FILE).copied().unwrap_or_default().to_owned();
             place.line = Some(line % FILE);
         }
     }
     let first = files.first().copied().unwrap_or_default();
     if files.len() > 1 { problems } else { problems.at(&Place::file(first)) }
+}
+
+/// Problems of rows that a join made, which are in no file: about the campaign.
+pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
+    for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
+        if place.file.is_empty() {
+            **place = Place::file(path);
+        }
+    }
+    problems
 }
 
 impl TableFile {

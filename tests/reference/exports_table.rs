@@ -167,5 +167,5 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("robots/qkm_polyworks/polyworks_objectmodel.xml.gz", Nothing("compressed with gzip"), "an object model"),
     // two-axis positioner: poses of a camera in YAML
     ("robots/rct_two_axis_positioner/initial_guess.launch.xml", Nothing("an XML document of no kind that is read"), "initial transforms"),
-    ("robots/rct_two_axis_positioner/positioner_kinematic_measurements.yaml", Nothing("no reading"), "poses as YAML, one number a line"),
+    ("robots/rct_two_axis_positioner/positioner_kinematic_measurements.yaml", Nothing("a YAML document, and no table"), "poses as YAML, one number a line"),
 ];

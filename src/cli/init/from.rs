@@ -3,11 +3,11 @@
 use etalon_base::message::Problems;
 use etalon_base::{error, files};
 use etalon_documents::FormatsDocument;
-use etalon_formats::{Export, LabelPattern, propose_file, read_file};
+use etalon_formats::{Export, Format, LabelPattern, propose_file, read_file};
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Files of a robot, and the keys of its joints with their units.
 pub(super) struct RobotFiles {
@@ -100,10 +100,7 @@ fn head(parts: &[Part], controllers: &str) -> String {
          expanded_uncertainty_um = \"?\"                 # of one coordinate, a number without quotes\n\
          coverage_factor = 2\n{}",
         names.join(" "),
-        match parts
-            .iter()
-            .any(|part| part.lines.contains("qw") || part.lines.contains("r11") || part.lines.contains("rx_"))
-        {
+        match parts.iter().any(Part::has_orientations) {
             true =>
                 "expanded_rotation_uncertainty_deg = \"?\"       # of a measured orientation, a number without quotes\n",
             false => "",
@@ -163,7 +160,7 @@ struct Exports {
 }
 
 impl Part {
-    fn of(path: &PathBuf, robot: &RobotFiles) -> Result<Self, Problems> {
+    fn of(path: &Path, robot: &RobotFiles) -> Result<Self, Problems> {
         let document = propose_file(path)?;
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let quoted = |text: &str| toml::Value::from(text).to_string();
@@ -175,7 +172,15 @@ impl Part {
         if stated.is_empty() {
             return Err(error!("nothing-recognised", name, path = path.display().to_string()).into());
         }
-        Ok(Self { path: path.clone(), name, document, lines, stated })
+        Ok(Self { path: path.to_owned(), name, document, lines, stated })
+    }
+
+    /// Whether its rows state orientations, or its format does.
+    fn has_orientations(&self) -> bool {
+        let named = self.document.format.as_deref().and_then(Format::named);
+        let of_format =
+            named.is_some_and(|format| format.dialect.columns.roles().iter().any(|role| role.is_orientation()));
+        of_format || ["qw", "r11", "rx_"].iter().any(|name| self.lines.contains(name))
     }
 
     /// Keys or contents of the columns that the lines state.

@@ -565,7 +565,7 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Res
     let pose = match values[..] {
         [w, x, y, z] => {
             let length = (w * w + x * x + y * y + z * z).sqrt();
-            if !((length - 1.0).abs() < QUATERNION) {
+            if !length.is_finite() || (length - 1.0).abs() >= QUATERNION {
                 let message = Message::error(format!("the quaternion has the length {length:.4}"));
                 return Err(message.expected("1: qw, qx, qy, qz, the scalar first"));
             }

@@ -102,7 +102,7 @@ fn split<'a>(stated: SourceText, log: &'a Log, text: &'a str, problems: &mut Pro
             .at(stated.place(&log.file))
             .into());
     };
-    let header = all.drain(..before.min(all.len())).last();
+    let header = all.drain(..before.min(all.len())).next_back();
     if log.sheet.is_some() {
         // cells behind the last one of a row are empty, and not written
         let width = header.iter().chain(&all).map(|row| row.fields.len()).max().unwrap_or(0);

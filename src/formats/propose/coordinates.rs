@@ -300,7 +300,7 @@ impl Interpretation {
             [_, _] | [_, _, _] => self.point_at(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
-                if rest.len() % 3 == 0 {
+                if rest.len().is_multiple_of(3) {
                     self.doubts.push(format!(
                         "{} without headings: the first three are taken; several points in a row are several [[export]] with columns by number",
                         count(rest.len(), "number")

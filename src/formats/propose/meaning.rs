@@ -295,8 +295,6 @@ impl Interpretation {
             ["q 0", "q 1", "q 2", "q 3"],
             ["q w", "q x", "q y", "q z"],
         ];
-        let others = |i: &usize| table.columns[*i].heading.joined().ends_with("q 4");
-        let has_more = (0..table.columns.len()).any(|i| others(&i));
         let mut tags: Vec<String> = Vec::new();
         let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
         for form in FORMS {
@@ -313,7 +311,7 @@ impl Interpretation {
                 let Ok(all) = <[usize; 4]>::try_from(all) else { continue };
                 let unit = table.are_unit(all);
                 let numbered = form[0] == "q 0";
-                if !unit && (numbered || form[0] == "w") || numbered && has_more && !unit {
+                if !unit && (numbered || form[0] == "w") {
                     continue;
                 }
                 let why = match unit {

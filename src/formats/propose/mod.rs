@@ -129,31 +129,40 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None)
 }
 
+/// The proposal for a text that states its format.
+fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<FormatsDocument> {
+    let (Some(format), Recognised { what, unit, .. }) = known(text)? else { return None };
+    let mut document = empty.clone();
+    document.format = Some(format.to_owned());
+    document.kind = "export".to_owned();
+    document.reasons.push(format!("it is {what}"));
+    let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), lines::unit_line(unit));
+    if unit.is_none() {
+        document.questions.push("the unit of lengths".to_owned());
+    }
+    let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
+    document.rows = read.map_or(0, |(format, unit)| format.read(file, &text.into(), unit).0.len());
+    let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
+    let lines = match columns.is_empty() || columns.contains(&ColumnRole::Label) {
+        true => lines,
+        false => {
+            lines
+                + "target = \"?\"               # which target the rows are of\n\
+                   pose = \"row\"               # if the number of the row is the number of the pose\n"
+        }
+    };
+    document.toml = with_remarks(&document, &lines);
+    Some(document)
+}
+
 /// The same of a file, or of a sheet whose cells are separated by tabs.
 fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
-    if let Some((Some(format), Recognised { what, unit, .. })) = known(text).filter(|_| sheet.is_none()) {
-        document.format = Some(format.to_owned());
-        document.kind = "export".to_owned();
-        document.reasons.push(format!("it is {what}"));
-        let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), lines::unit_line(unit));
-        if unit.is_none() {
-            document.questions.push("the unit of lengths".to_owned());
-        }
-        let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
-        document.rows = read.map_or(0, |(format, unit)| format.read(file, &text.into(), unit).0.len());
-        let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
-        let lines = match columns.is_empty() || columns.contains(&ColumnRole::Label) {
-            true => lines,
-            false => {
-                lines
-                    + "target = \"?\"               # which target the rows are of\n\
-                       pose = \"row\"               # if the number of the row is the number of the pose\n"
-            }
-        };
-        document.toml = with_remarks(&document, &lines);
-        return document;
+    if sheet.is_none()
+        && let Some(known) = of_known_format(&document, file, text)
+    {
+        return known;
     }
     let log = LogKind::recognise(text).filter(|_| sheet.is_none());
     let guesses = guesses(text, sheet);

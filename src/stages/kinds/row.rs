@@ -193,7 +193,9 @@ pub fn target_of(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result<us
 
 fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
     let (column, option) = match is_angle {
-        true => ("urot_deg", "--rotation-uncertainty-deg"),
+        true => {
+            ("urot_deg", "--rotation-uncertainty-deg (a campaign: `expanded_rotation_uncertainty_deg` in [instrument])")
+        }
         false => ("u_mm", "--standard-uncertainty-um"),
     };
     match standard_uncertainty {
