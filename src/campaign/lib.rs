@@ -280,7 +280,15 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
-    let (robot, problems) = RobotFile::recover(path, &files::read_text(path)?);
+    parse_robot(path, &files::read_text(path)?)
+}
+
+/// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is looked for beside it.
+///
+/// # Errors
+/// Those of [`read_robot`].
+pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
+    let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 

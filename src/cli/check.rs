@@ -1,11 +1,9 @@
 //! `etalon check`
 
-use super::{Verdict, print_text, print_with, remark};
-use crate::run::walk::everything;
-use etalon_base::message::{Problems, printable};
-use etalon_campaign::Campaign;
-use etalon_documents::{CheckDocument, ImportDocument};
-use std::path::{Path, PathBuf};
+use super::in_memory::{check, find};
+use super::{Verdict, next_step, print_text, print_with, remark, shell_word};
+use etalon_base::message::printable;
+use std::path::PathBuf;
 
 /// Find everything that is wrong with a campaign, without computing
 #[derive(Debug, clap::Args)]
@@ -19,14 +17,12 @@ pub struct Check {
 
 impl Check {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let (imported, problems) = find(&self.campaign);
         if self.json {
-            let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
-            let messages = Problems(problems.0.into_iter().chain(messages).collect()).grouped();
-            let document = CheckDocument::new(self.campaign.display().to_string(), &messages.0, sources);
+            let document = check(&self.campaign);
             let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
             return print_with(etalon_documents::to_json(&document)?, verdict);
         }
+        let (imported, problems) = find(&self.campaign);
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
         remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
@@ -34,6 +30,7 @@ impl Check {
             let (file, dialect) = (printable(&source.file), printable(&source.dialect));
             print_text(&format!("{file}: {} rows, {refused} refused ({dialect})\n", source.rows_read))?;
         }
+        let next = format!("`etalon run {}`", shell_word(&self.campaign));
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
         let verdict = match document.messages.len() {
             0 => "nothing is wrong".to_owned(),
@@ -41,18 +38,7 @@ impl Check {
             n => format!("no errors, {n} warnings"),
         };
         print_text(&format!("{}: {verdict}\n", printable(&path.display().to_string())))?;
+        next_step(self.json, next);
         Ok(Verdict::Met)
     }
-}
-
-/// What the campaign's files hold, and everything that is wrong.
-fn find(path: &Path) -> (Option<ImportDocument>, Problems) {
-    let (campaign, mut problems) = match Campaign::recover(path) {
-        Ok(found) => found,
-        Err(problems) => return (None, problems),
-    };
-    let Some(campaign) = campaign else { return (None, problems) };
-    let (inputs, more) = everything(&campaign);
-    problems.0.extend(more.0);
-    (Some(inputs), problems)
 }

@@ -1,6 +1,6 @@
 //! `etalon formats`
 
-use super::{Verdict, print};
+use super::{Verdict, next_step, print};
 use std::path::PathBuf;
 
 /// Propose how to read a file, with reasons and doubts, as lines to paste into campaign.toml
@@ -21,6 +21,7 @@ impl Formats {
         } else {
             print(document.toml)?;
         }
+        next_step(self.json, "paste these lines into campaign.toml; `etalon check FOLDER` tries them");
         Ok(Verdict::Met)
     }
 }

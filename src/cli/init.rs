@@ -1,10 +1,10 @@
 //! `etalon init`
 
-use super::{Verdict, print_written};
+use super::{Verdict, next_step, print_written, shell_word};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{parse, read_urdf};
-use etalon_robots::{Joint, Quantity};
+use etalon_robots::{Joint, LongestChain, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
@@ -52,7 +52,23 @@ impl Init {
             texts[0].1 = CAMPAIGN.replace(SYNTHETIC, MADE).into_bytes();
             texts.push(("truth.toml", TRUTH.into()));
         }
-        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
+        self.write(&texts)
+    }
+
+    /// Writes the files, and says what comes next.
+    fn write<N: AsRef<Path>>(&self, texts: &[(N, Vec<u8>)]) -> anyhow::Result<Verdict> {
+        print_written(files::write_new(&self.folder, texts)?, self.json)?;
+        let folder = shell_word(&self.folder);
+        match self.synthetic {
+            true => next_step(self.json, format_args!("`etalon simulate {folder}` writes the exports and the log")),
+            false => next_step(
+                self.json,
+                format_args!(
+                    "copy the exports and the log into {folder}; `etalon formats FILE` proposes how to read each; \
+                     `etalon check {folder}`"
+                ),
+            ),
+        }
         Ok(Verdict::Met)
     }
 
@@ -61,14 +77,7 @@ impl Init {
         let (chain, text) = read_urdf(path)?;
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let quoted = |text: &str| toml::Value::from(text).to_string();
-        let robot = format!(
-            "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
-             # bending = [{}]    # joints that bend under the masses of the URDF\n",
-            quoted(&name),
-            quoted(&chain.base_link),
-            quoted(&chain.tool_link),
-            quoted(&chain.joints[0].name),
-        );
+        let robot = urdf_text(&name, &chain);
         let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
         let column = |joint: &Joint| {
             let key = format!("{}_{}", joint.name, unit(joint.quantity));
@@ -80,28 +89,53 @@ impl Init {
             ("robot.toml", robot.into_bytes()),
             (name.as_str(), text.into_bytes()),
         ];
-        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
-        Ok(Verdict::Met)
+        self.write(&texts)
     }
 
     /// A campaign of a robot of the table.
     fn known(&self, name: &str) -> anyhow::Result<Verdict> {
-        let Known { robots } = parse("robots.toml", ROBOTS)?;
-        let Some(robot) = robots.iter().find(|robot| robot.name == name) else {
-            let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
-            let message = Message::error(format!("the geometry of `{name}` is not in the table of robots"));
-            let message = message.expected(names.join(", "));
-            return Err(Problems::from(message.hint("describe it by its URDF: --urdf FILE")).into());
-        };
+        let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
         let columns: String = robot.joints().iter().map(column).collect();
         let targets: Vec<&str> = robot.targets.iter().map(String::as_str).collect();
         let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
         let texts =
             [("campaign.toml", campaign("[\"json\"]", &columns, targets)), ("robot.toml", robot.text().into_bytes())];
-        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
-        Ok(Verdict::Met)
+        self.write(&texts)
     }
+}
+
+/// Names of the robots of the table.
+pub fn known_names() -> Result<Vec<String>, Problems> {
+    let Known { robots } = parse("robots.toml", ROBOTS)?;
+    Ok(robots.into_iter().map(|robot| robot.name).collect())
+}
+
+/// The robot.toml of a robot of the table.
+pub fn known_text(name: &str) -> Result<String, Problems> {
+    Ok(known_robot(name)?.text())
+}
+
+fn known_robot(name: &str) -> Result<KnownRobot, Problems> {
+    let Known { robots } = parse("robots.toml", ROBOTS)?;
+    robots.into_iter().find(|robot| robot.name == name).ok_or_else(|| {
+        let message = Message::error(format!("the geometry of `{name}` is not in the table of robots"));
+        let message = message.expected(known_names().unwrap_or_default().join(", "));
+        message.hint("describe it by its URDF: --urdf FILE").into()
+    })
+}
+
+/// The robot.toml of a chain of a URDF file.
+pub fn urdf_text(file: &str, chain: &LongestChain) -> String {
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    format!(
+        "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
+         # bending = [{}]    # joints that bend under the masses of the URDF\n",
+        quoted(file),
+        quoted(&chain.base_link),
+        quoted(&chain.tool_link),
+        quoted(&chain.joints[0].name),
+    )
 }
 
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];

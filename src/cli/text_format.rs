@@ -89,19 +89,28 @@ pub(super) struct TableFormat {
 impl TableFormat {
     /// The table in the file.
     pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
+        let layout = self.layout()?;
+        let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
+        TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
+    }
+
+    /// The table in a text.
+    pub fn parse(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
+        TableFile::parse_with(name, text, &self.layout()?)
+    }
+
+    fn layout(&self) -> Result<TableLayout, Problems> {
         let column = |text: &String| match text.split_once('=') {
             Some((name, heading)) => Ok((name.trim().to_owned(), heading.trim().to_owned())),
             None => Err(Problems::from(Message::error(format!("--column: `{text}` has no `=`")).expected("q1_deg=J1"))),
         };
-        let layout = TableLayout {
+        Ok(TableLayout {
             delimiter: word("--delimiter", &self.delimiter)?,
             decimal: word("--decimal", &self.decimal)?,
             columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,
             target: self.target.clone(),
             pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
-        };
-        let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
-        TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
+        })
     }
 }
 

@@ -21,6 +21,7 @@ mod reports;
 mod streams;
 mod study;
 mod tables;
+mod talk;
 mod verdict;
 
 use crate::support::scratch::copy_sample;

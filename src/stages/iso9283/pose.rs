@@ -30,11 +30,13 @@ pub(crate) struct PreparedTest {
 impl PoseTables {
     /// Those of a command.
     pub fn read(attained: &Path, commanded: Option<&Path>, reference: Option<&Path>) -> Result<Self> {
-        Ok(Self {
-            attained: TableFile::read(attained)?,
-            commanded: commanded.map(TableFile::read).transpose()?,
-            reference: reference.map(TableFile::read).transpose()?,
-        })
+        let read = |path: Option<&Path>| path.map(TableFile::read).transpose();
+        Ok(Self::of(TableFile::read(attained)?, read(commanded)?, read(reference)?))
+    }
+
+    /// Tables that are read already.
+    pub fn of(attained: TableFile, commanded: Option<TableFile>, reference: Option<TableFile>) -> Self {
+        Self { attained, commanded, reference }
     }
 
     /// Those of a campaign; everything that does not read is reported.
