@@ -56,8 +56,15 @@ impl Init {
     }
 
     /// Writes the files, and says what comes next.
-    fn write<N: AsRef<Path>>(&self, texts: &[(N, Vec<u8>)]) -> anyhow::Result<Verdict> {
-        print_written(files::write_new(&self.folder, texts)?, self.json)?;
+    fn write(&self, texts: &[(&str, Vec<u8>)]) -> anyhow::Result<Verdict> {
+        let schemas = etalon_campaign::schemas();
+        let text = |(name, text): &(&str, Vec<u8>)| match schemas.iter().any(|(of, _)| of == name) {
+            true => ((*name).to_owned(), [format!("#:schema ./{}\n", schema_file(name)).as_bytes(), text].concat()),
+            false => ((*name).to_owned(), text.clone()),
+        };
+        let schema = |(name, text): &(&'static str, String)| (schema_file(name), text.clone().into_bytes());
+        let all: Vec<(String, Vec<u8>)> = texts.iter().map(text).chain(schemas.iter().map(schema)).collect();
+        print_written(files::write_new(&self.folder, &all)?, self.json)?;
         let folder = shell_word(&self.folder);
         match self.synthetic {
             true => next_step(self.json, format_args!("`etalon simulate {folder}` writes the exports and the log")),
@@ -136,6 +143,11 @@ pub fn urdf_text(file: &str, chain: &LongestChain) -> String {
         quoted(&chain.tool_link),
         quoted(&chain.joints[0].name),
     )
+}
+
+/// Where the schema of an input file is in the folder of a campaign, for editors.
+fn schema_file(name: &str) -> String {
+    format!("schemas/{name}.schema.json")
 }
 
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
