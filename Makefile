@@ -148,7 +148,7 @@ python:
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet --force-reinstall --no-deps $(PYTHON_BUILD)/wheels/*.whl
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet numpy pytest
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet scipy polars pandas pyarrow jsonschema taplo || echo "some peers could not be installed: tests with them are skipped"
-	cd python && $(PYTHON_BUILD)/venv/bin/python -m pytest -q -p no:cacheprovider
+	$(PYTHON_BUILD)/venv/bin/pytest -q -p no:cacheprovider python/tests
 	ls $(PYTHON_BUILD)/wheels
 
 MDBOOK := $(or $(shell command -v mdbook),$(abspath $(CARGO_TARGET_DIR))/tools/bin/mdbook)
