@@ -1,13 +1,16 @@
-//! `etalon` turns a folder of coordinate measurements into calibrated robot parameters that one can defend.
+//! `etalon` turns a folder of coordinate measurements into calibrated robot parameters with
+//! uncertainties.
 //!
-//! A campaign goes in (exports of a measuring system, encoder logs, one `campaign.toml`); frames, identified parameters
-//! with uncertainties, errors before and after, a report and files for the controller come out. This page is the map.
+//! The input is a campaign: exports of a measuring system, encoder logs and one `campaign.toml`.
+//! The output consists of frames, identified parameters with uncertainties, errors before and after
+//! calibration, a report, and files for the controller.
 //!
 //! # Where things are
 //!
-//! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`] and [`cli`], which are the program.
-//! `docs/architecture.md` has the table of crates with their dependencies and one measured point walked from the export to the
-//! report. [`run::walk`] is the order of the stages on one screen.
+//! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`] and
+//! [`cli`], which belong to the program. `docs/architecture.md` lists the crates with their
+//! dependencies, and follows one measured point from the export to the report. [`run::walk`] shows
+//! the order of the stages.
 //!
 //! | crate | contents |
 //! | --- | --- |
@@ -15,7 +18,7 @@
 //! | [`math`] | linear algebra, nonlinear least squares, statistics |
 //! | [`fit`] | geometric elements, minimum zones, point clouds |
 //! | [`robots`] | kinematic models |
-//! | [`identify`] | identification, its uncertainty and diagnosis; choice of poses; the geometric method |
+//! | [`identify`] | identification, uncertainty, diagnosis, choice of poses, geometric method |
 //! | [`standards`] | ISO 9283, ISO 230-2, decision rules |
 //! | [`documents`] | JSON documents and their schemas |
 //! | [`formats`] | exports, logs and tables |
@@ -26,18 +29,19 @@
 //!
 //! # Conventions
 //!
-//! Millimetres and radians inside; every name carries its unit. `world_T_base` is the pose of the base in the world;
-//! chains read from left to right. Angles leave the program in degrees. Every formula names its source; "thesis" is
-//! A. Joubair, "Contribution à l'amélioration de la précision absolue des robots parallèles", ÉTS Montréal, 2012, and
-//! equation numbers are its.
+//! Millimetres and radians inside; every name carries its unit. `world_T_base` is the pose of the
+//! base in the world; chains read from left to right. Angles leave the program in degrees. Every
+//! formula names its source; "thesis" and its equation numbers refer to A. Joubair, "Contribution à
+//! l'amélioration de la précision absolue des robots parallèles", ÉTS Montréal, 2012.
 //!
 //! # Two ways in
 //!
-//! A campaign on disk: [`campaign::Campaign::read`], then [`run::pipeline::run`]. Or data in memory:
+//! A campaign on disk: [`campaign::Campaign::read`], then [`run::pipeline::run`]. Or data in
+//! memory:
 //!
 #![doc = concat!("```ignore\n", include_str!("../tests/in_memory.rs"), "```")]
 #![forbid(unsafe_code)]
-#![allow(non_snake_case)] // world_T_base: frames in names
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 pub use etalon_base as base;
 pub use etalon_campaign as campaign;

@@ -4,11 +4,14 @@
 mod architecture;
 mod browser;
 mod campaigns;
+mod catalogue;
 mod cli;
 mod dependencies;
+mod formats;
 mod golden;
 mod hostile;
 mod in_memory;
+mod prose;
 mod reference;
 mod support;
 

@@ -49,7 +49,8 @@ impl Picture {
         let high = if self.equal { (wide * (y[1] - y[0]) / (x[1] - x[0])).clamp(120.0, 620.0) } else { 260.0 };
         let scale = if self.equal { (high / (y[1] - y[0])).min(wide / (x[1] - x[0])) } else { wide / (x[1] - x[0]) };
         let up = if self.equal { scale } else { high / (y[1] - y[0]) };
-        let at = |p: &[f64; 2]| (LEFT + (p[0] - x[0]) * scale, TOP + high - (p[1] - y[0]) * up);
+        let axes = Axes { origin: [x[0], y[0]], scale: [scale, up], floor: TOP + high };
+        let at = |p: &[f64; 2]| axes.at(p);
         let height = TOP + high + 46.0 + 20.0;
         let mut out = format!(
             "<svg viewBox=\"0 0 {WIDTH:.0} {height:.0}\" role=\"img\"><title>{}</title>\n",
@@ -101,7 +102,7 @@ impl Picture {
         );
         for (i, series) in self.series.iter().enumerate() {
             let colour = COLOURS[i % COLOURS.len()];
-            draw(&mut out, series, colour, (i, self.series.len()), &at, TOP + high);
+            draw(&mut out, series, colour, (i, self.series.len()), &axes);
             let (lx, ly) = (LEFT + 170.0 * i as f64, TOP + high + 36.0);
             let _ = writeln!(
                 out,
@@ -114,15 +115,26 @@ impl Picture {
     }
 }
 
-fn draw(
-    out: &mut String,
-    series: &Series,
-    colour: &str,
-    (i, of): (usize, usize),
-    at: &dyn Fn(&[f64; 2]) -> (f64, f64),
+/// The two axes on the page.
+struct Axes {
+    /// Values where the axes meet.
+    origin: [f64; 2],
+    /// Length on the page of a unit along each axis.
+    scale: [f64; 2],
+    /// Height on the page of the axis that goes across.
     floor: f64,
-) {
-    let places: Vec<(f64, f64)> = series.points.iter().map(at).collect();
+}
+
+impl Axes {
+    /// The place of a point on the page.
+    fn at(&self, p: &[f64; 2]) -> (f64, f64) {
+        let [x, y] = [0, 1].map(|k| (p[k] - self.origin[k]) * self.scale[k]);
+        (LEFT + x, self.floor - y)
+    }
+}
+
+fn draw(out: &mut String, series: &Series, colour: &str, (i, of): (usize, usize), axes: &Axes) {
+    let places: Vec<(f64, f64)> = series.points.iter().map(|p| axes.at(p)).collect();
     let path = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect::<Vec<_>>().join(" ");
     match series.form {
         Form::Closed => drop_result(writeln!(
@@ -145,7 +157,7 @@ fn draw(
             let _ = writeln!(
                 out,
                 "<rect x=\"{left:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{:.1}\" fill=\"{colour}\"/>",
-                (floor - y).max(0.0)
+                (axes.floor - y).max(0.0)
             );
         }),
     }

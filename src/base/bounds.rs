@@ -1,9 +1,10 @@
-//! Largest counts that files and options may state: checked before anything is allocated for them.
+//! Upper limits of counts in files and options, checked before memory is allocated.
 
-use super::message::{Message, Result};
+use super::message::Result;
+use crate::error;
 use serde::{Deserialize, Deserializer, de};
 
-/// Largest number of poses, repeats or draws that a file states.
+/// Largest number of poses, repeats or draws in a file.
 pub const MOST: u64 = 1_000_000;
 
 /// Reads a count of a TOML file, at most `M`.
@@ -17,18 +18,18 @@ pub fn at_most<'de, D: Deserializer<'de>, T: TryFrom<i64>, const M: u64>(
     }
 }
 
-/// Checks the product of counts, which is named `what`.
+/// Checks the product of counts; `what` names the product.
 ///
 /// # Errors
-/// A product above `most`, with the counts that make it.
+///
+/// Reports a product above `most` with its factors.
 pub fn product_at_most(what: &str, counts: &[(&str, u64)], most: u64) -> Result<()> {
     let product = counts.iter().fold(1u64, |product, (_, count)| product.saturating_mul(*count));
     if product <= most {
         return Ok(());
     }
     let factors: Vec<String> = counts.iter().map(|(name, count)| format!("{count} {name}")).collect();
-    let message = Message::error(format!("too many {what}: {}", factors.join(" x ")));
-    Err(message.expected(format!("at most {most}")).into())
+    Err(error!("counts-too-large", of = what, counts = factors.join(" x "), most).into())
 }
 
 /// Reads a count of an option, at most `M`.
@@ -48,7 +49,8 @@ mod tests {
         assert!(product_at_most("rows", &[("poses", 3), ("cycles", 3)], 9).is_ok());
         for many in [4, u64::MAX] {
             let error = product_at_most("rows", &[("poses", 3), ("cycles", many)], 9).unwrap_err();
-            assert!(error.to_string().contains(&format!("too many rows: 3 poses x {many} cycles")), "{error}");
+            let counts = format!("3 poses x {many} cycles");
+            assert!(error.0[0].is("counts-too-large", &[("counts", &counts), ("most", &9)]), "{error}");
         }
     }
 }

@@ -1,16 +1,16 @@
 //! Texts in cells of tables that spreadsheets open.
 
-/// `true` if a spreadsheet takes a text for a formula (OWASP, CSV injection).
+/// `true` if a spreadsheet would treat a text as a formula (OWASP, CSV injection).
 pub fn is_formula(text: &str) -> bool {
     text.starts_with(['=', '+', '-', '@', '\t', '\r'])
 }
 
-/// A text as a spreadsheet shows it: a formula behind an apostrophe.
+/// Escapes a formula by a leading apostrophe.
 pub fn without_formula(text: &str) -> String {
     if is_formula(text) { format!("'{text}") } else { text.to_owned() }
 }
 
-/// The text of a cell: a formula behind an apostrophe, a number as it is.
+/// Text of a cell: formulas are escaped by a leading apostrophe, numbers are unchanged.
 pub fn cell(text: &str) -> String {
     if text.parse::<f64>().is_ok() { text.to_owned() } else { without_formula(text) }
 }

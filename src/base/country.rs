@@ -1,14 +1,14 @@
-//! Countries as ISO 3166-1 codes them.
+//! Country codes of ISO 3166-1.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Code of a country by ISO 3166-1, alpha-2.
+/// Alpha-2 country code (ISO 3166-1).
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 pub struct Country(#[schemars(regex(pattern = "^[A-Z]{2}$"))] String);
 
-/// All codes that are assigned (2025).
+/// All assigned codes (2025).
 const CODES: &str = "AD AE AF AG AI AL AM AO AQ AR AS AT AU AW AX AZ BA BB BD BE BF BG BH BI BJ BL BM BN BO BQ BR BS BT BV BW BY BZ \
                      CA CC CD CF CG CH CI CK CL CM CN CO CR CU CV CW CX CY CZ DE DJ DK DM DO DZ EC EE EG EH ER ES ET FI FJ FK FM FO \
                      FR GA GB GD GE GF GG GH GI GL GM GN GP GQ GR GS GT GU GW GY HK HM HN HR HT HU ID IE IL IM IN IO IQ IR IS IT JE \
@@ -35,7 +35,7 @@ impl From<Country> for String {
 }
 
 impl Country {
-    /// Its two letters.
+    /// Two-letter code.
     pub fn code(&self) -> &str {
         &self.0
     }

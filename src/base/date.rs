@@ -1,6 +1,6 @@
-//! Dates as ISO 8601 writes them.
+//! Dates in ISO 8601.
 
-/// Year, month and day of the date of the Gregorian calendar, `YYYY-MM-DD`, that a text begins with.
+/// Year, month and day of the Gregorian date `YYYY-MM-DD` at the start of a text.
 pub fn date(text: &str) -> Option<(i32, u8, u8)> {
     let (date, rest) = text.split_at_checked(10)?;
     let marks = |(i, c): (usize, char)| if i == 4 || i == 7 { c == '-' } else { c.is_ascii_digit() };

@@ -1,41 +1,42 @@
-//! Formulas as data: a number that records what is computed with it, once for each different operation, and their derivatives.
+//! Formulas as data: a number type that records its computation, with common subexpressions merged,
+//! and derivatives.
 
 use super::scalar::Scalar;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// One step of a formula; its operands are steps before it, by their numbers.
+/// One step of a formula; its operands are the numbers of preceding steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Operation {
-    /// A number, by its bits.
+    /// Constant, by its bit pattern.
     Constant(u64),
-    /// An input, by its number.
+    /// Input, by its number.
     Input(usize),
-    /// a + b
+    /// Sum a + b.
     Add(usize, usize),
-    /// a − b
+    /// Difference a − b.
     Subtract(usize, usize),
-    /// a b
+    /// Product a b.
     Multiply(usize, usize),
-    /// a / b
+    /// Quotient a / b.
     Divide(usize, usize),
-    /// −a
+    /// Negation −a.
     Negate(usize),
     /// Square root.
     Sqrt(usize),
-    /// Sine of an angle in rad.
+    /// Sine of an angle (rad).
     Sin(usize),
-    /// Cosine of an angle in rad.
+    /// Cosine of an angle (rad).
     Cos(usize),
-    /// Angle of the vector (second, first), rad.
+    /// Angle of the vector (second, first) (rad).
     Atan2(usize, usize),
-    /// An angle brought to (−π, π], rad.
+    /// Angle wrapped to (−π, π] (rad).
     Wrap(usize),
 }
 
 impl Operation {
-    /// Its operands.
+    /// Operands of the operation.
     pub fn operands(self) -> impl Iterator<Item = usize> {
         let (a, b) = match self {
             Self::Constant(_) | Self::Input(_) => (None, None),
@@ -51,13 +52,13 @@ impl Operation {
 /// A function without branches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
-    /// What it computes: `direct`, `inverse` ...
+    /// Name of the function: `direct`, `inverse`, ...
     pub name: &'static str,
     /// Names of the inputs.
     pub inputs: Vec<String>,
-    /// Steps, each behind its operands.
+    /// Steps, each after its operands.
     pub steps: Vec<Operation>,
-    /// Names of the outputs, and the steps that they are.
+    /// Names of the outputs, and numbers of their steps.
     pub outputs: Vec<(String, usize)>,
 }
 
@@ -71,12 +72,12 @@ thread_local! {
     static RECORDER: RefCell<Recorder> = RefCell::default();
 }
 
-/// A number that records what is computed with it on its thread, within [`Formula::record`].
+/// A number that records its computation within [`Formula::record`] on the same thread.
 #[derive(Clone, Copy, Debug)]
 pub struct Recorded(usize);
 
 impl Formula {
-    /// Records what `function` computes of its inputs. It must not branch on their values.
+    /// Records `function`, which must not branch on the values of its inputs.
     pub fn record(
         name: &'static str,
         inputs: &[String],
@@ -121,7 +122,7 @@ impl Formula {
     }
 }
 
-/// Derivatives of numbers by an input, recorded too.
+/// Recorded derivatives of numbers with respect to an input.
 pub fn derivatives(of: &[Recorded], by: Recorded) -> Vec<Recorded> {
     let steps = RECORDER.with_borrow(|recorder| recorder.steps.clone());
     let mut all: Vec<Recorded> = Vec::with_capacity(steps.len());
@@ -146,7 +147,7 @@ pub fn derivatives(of: &[Recorded], by: Recorded) -> Vec<Recorded> {
     of.iter().map(|v| all[v.0]).collect()
 }
 
-/// The number of an operation: that of the same one before it, or of the constant that it is.
+/// Number of an operation: an earlier equal step, or the constant it evaluates to.
 fn step(operation: Operation) -> Recorded {
     RECORDER.with_borrow_mut(|recorder| {
         let next = recorder.steps.len();
@@ -166,7 +167,7 @@ impl Recorded {
         })
     }
 
-    /// An operation of one number.
+    /// Applies a unary operation.
     fn one(self, operation: fn(usize) -> Operation, value: fn(f64) -> f64) -> Self {
         self.constant().map_or_else(|| step(operation(self.0)), |v| Self::from(value(v)))
     }
@@ -253,7 +254,7 @@ impl Add<f64> for Recorded {
 }
 
 impl Scalar for Recorded {
-    /// That of a constant; no number of what depends on inputs.
+    /// Value of a constant; NaN for numbers that depend on inputs.
     fn value(self) -> f64 {
         self.constant().unwrap_or(f64::NAN)
     }
@@ -278,7 +279,7 @@ impl Scalar for Recorded {
 mod tests {
     use super::*;
 
-    /// What a formula computes.
+    /// Evaluates a formula.
     fn evaluate(formula: &Formula, inputs: &[f64]) -> Vec<f64> {
         let mut all: Vec<f64> = Vec::new();
         for step in &formula.steps {

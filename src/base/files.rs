@@ -1,5 +1,6 @@
-//! Reading whole files, and writing them so that nothing exists until it is whole.
+//! Reads whole files, and writes files that appear only when complete.
 
+use crate::error;
 use crate::message::{Message, Problems, Result};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -8,19 +9,20 @@ use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The largest input that is read whole, in bytes.
+/// Largest input that is read as a whole (bytes).
 pub const LARGEST: u64 = 2 << 30;
-/// The largest text that states a campaign, a robot or a page, in bytes.
+/// Largest text of a campaign, robot or page (bytes).
 const LARGEST_STATEMENT: u64 = 16 << 20;
 
-/// Opens a regular file for reading: a pipe may never answer, and a device never end.
+/// Opens a regular file for reading. Pipes and devices are rejected, because they might block or
+/// never end.
 pub fn open(path: &Path) -> std::io::Result<File> {
     let file = open_regular(path)?;
     OPENED.with_borrow_mut(|opened| opened.iter_mut().for_each(|all| all.push(path.to_owned())));
     Ok(file)
 }
 
-/// [`open`] for a second look at an input: the file is not recorded.
+/// Like [`open`], for repeated reading of an input: the file is not recorded.
 fn open_regular(path: &Path) -> std::io::Result<File> {
     match std::fs::metadata(path)? {
         kind if kind.is_dir() => Err(std::io::Error::other("it is a folder")),
@@ -30,7 +32,7 @@ fn open_regular(path: &Path) -> std::io::Result<File> {
 }
 
 thread_local! {
-    /// Files opened on this thread, in order, while somebody asks.
+    /// Files opened on this thread, in order, while recording is active.
     static OPENED: std::cell::RefCell<Option<Vec<PathBuf>>> = const { std::cell::RefCell::new(None) };
 }
 
@@ -42,66 +44,71 @@ pub fn record_opened<T>(work: impl FnOnce() -> T) -> (T, Vec<PathBuf>) {
 }
 
 fn read_at_most(path: &Path, largest: u64) -> Result<Vec<u8>> {
-    let fail = |e: std::io::Error| Message::error(format!("cannot read `{}`: {e}", path.display()));
+    let file = path.display().to_string();
+    let fail = |e: std::io::Error| error!("cannot-read-file", file, reason = e.to_string());
     let mut bytes = Vec::new();
     open(path).and_then(|file| file.take(largest + 1).read_to_end(&mut bytes)).map_err(fail)?;
     if bytes.len() as u64 > largest {
-        return Err(fail(std::io::Error::other(format!("it is larger than {} MiB", largest >> 20))).into());
+        return Err(error!("file-too-large", file, most_mib = largest >> 20).into());
     }
     Ok(bytes)
 }
 
-/// The bytes of a file of at most 2 GiB.
+/// Reads a file of at most 2 GiB.
 pub fn read(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST)
 }
 
-/// The text of a file of at most 16 MiB that a person writes, which must be UTF-8; a byte-order mark is dropped.
+/// Reads a UTF-8 text of at most 16 MiB that a person writes; a byte-order mark is dropped.
 pub fn read_text(path: &Path) -> Result<String> {
     Ok(read_statement(path)?.0)
 }
 
-/// The same with what identifies the file.
+/// Like [`read_text`], with the stamp of the file.
 pub fn read_statement(path: &Path) -> Result<(String, Stamp)> {
     let bytes = read_at_most(path, LARGEST_STATEMENT)?;
     let stamp = Stamp::of(&bytes);
     Ok((text(path, bytes)?, stamp))
 }
 
-/// The text that the bytes of a file are: [`read_text`] without reading.
+/// Converts the bytes of a file to text like [`read_text`].
 pub fn text(path: &Path, bytes: Vec<u8>) -> Result<String> {
-    let text = String::from_utf8(bytes).map_err(|e| {
-        Message::error(format!("`{}` is not UTF-8 (byte {})", path.display(), e.utf8_error().valid_up_to()))
-    })?;
+    let text = String::from_utf8(bytes)
+        .map_err(|e| error!("not-utf8", file = path.display().to_string(), byte = e.utf8_error().valid_up_to()))?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-/// What identifies the bytes of a file.
+/// Identification of the contents of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stamp {
-    /// SHA-256 as `sha256sum` prints it.
+    /// SHA-256, as `sha256sum` prints it.
     pub sha256: String,
-    /// How many bytes.
+    /// Size (bytes).
     pub size: usize,
 }
 
 impl Stamp {
-    /// Of these bytes.
+    /// Stamp of `bytes`.
     pub fn of(bytes: &[u8]) -> Self {
         Self { sha256: sha256(bytes), size: bytes.len() }
     }
 }
 
-/// Writes a file: beside it, synced, then renamed, so that a stop at any moment loses nothing.
+fn cannot_write(path: &Path, reason: &impl std::fmt::Display) -> Message {
+    error!("cannot-write-file", file = path.display().to_string(), reason = reason.to_string())
+}
+
+/// Writes a file under a temporary name, syncs and renames it, so that an interruption at any
+/// moment loses nothing.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_by(path, |file| Ok(file.write_all(bytes)?))
 }
 
-/// The same of what `fill` writes, bit by bit.
+/// Like [`write()`], with a file that `fill` writes incrementally.
 pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<T>) -> Result<T> {
     let fail = |e: anyhow::Error| match e.downcast::<Problems>() {
         Ok(problems) => problems,
-        Err(e) => Message::error(format!("cannot write `{}`: {e}", path.display())).into(),
+        Err(e) => cannot_write(path, &e).into(),
     };
     std::fs::create_dir_all(parent(path)).map_err(|e| fail(e.into()))?;
     let _lock = Lock::take(path)?;
@@ -121,7 +128,7 @@ pub fn write_by<T>(path: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> anyho
     })
 }
 
-/// Writes files into a folder; gives their paths.
+/// Writes files into a folder and returns their paths.
 pub fn write_all<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
     let write = |(name, bytes): &(N, Vec<u8>)| {
         let path = folder.join(name);
@@ -131,11 +138,10 @@ pub fn write_all<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Resul
     files.iter().map(write).collect()
 }
 
-/// The same where none of them is there yet.
+/// Like [`write_all`], but fails if any of the files exists.
 pub fn write_new<N: AsRef<Path>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<Vec<String>> {
     if let Some(path) = files.iter().map(|(name, _)| folder.join(name)).find(|path| path.exists()) {
-        let message = Message::error(format!("`{}` is there already", path.display()));
-        return Err(message.hint("name a new folder").into());
+        return Err(error!("file-exists", file = path.display().to_string()).into());
     }
     write_all(folder, files)
 }
@@ -147,41 +153,41 @@ pub(super) fn write_synced(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     file.sync_all()
 }
 
-/// The folder that a path is in.
+/// Parent folder of a path.
 pub(super) fn parent(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// `.NAME.ending` beside a path: what is there only while NAME is being written.
+/// Temporary name `.NAME.ending` beside a path while NAME is being written.
 pub(super) fn beside(path: &Path, ending: &str) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     parent(path).join(format!(".{name}.{ending}"))
 }
 
-/// While it lives, no other process writes the path. What a killed process leaves of it is taken over by the next.
+/// Exclusive right to write a path, until dropped. The lock of a killed process is taken over by
+/// the next process.
 pub(super) struct Lock {
     path: PathBuf,
     file: File,
 }
 
 impl Lock {
-    /// Waits ten seconds for another process.
+    /// Takes the lock, waiting up to ten seconds for another process.
     pub fn take(of: &Path) -> Result<Self> {
         let path = beside(of, "lock");
-        let fail = |e: std::io::Error| Message::error(format!("cannot write `{}`: {e}", of.display()));
+        let fail = |e: std::io::Error| cannot_write(of, &e);
         for _ in 0..200 {
-            // what a link, a device or a second name of another file leads to is not touched
+            // links, devices and files with a second name are not touched
             if std::fs::symlink_metadata(&path).is_ok_and(|found| !is_lock(&found)) {
-                let other = std::io::Error::other(format!("`{}` is not a lock of etalon", path.display()));
-                let message = fail(other).expected("a regular file with one name");
-                return Err(message.hint("remove it: etalon needs this name while it writes").into());
+                let (file, lock) = (of.display().to_string(), path.display().to_string());
+                return Err(error!("lock-foreign", file, lock).into());
             }
             let file = open_lock(&path).map_err(fail)?;
             match file.try_lock() {
-                // the one who held it has removed it since
+                // the previous holder has removed the file
                 Ok(()) if !same_file(&file, &path) => {}
                 Ok(()) => {
-                    // dropped, and so removed, where the disk is full
+                    // dropped, and so removed, if the disk is full
                     let mut lock = Self { path, file };
                     lock.file.set_len(0).and_then(|()| write!(lock.file, "{}", std::process::id())).map_err(fail)?;
                     return Ok(lock);
@@ -191,8 +197,7 @@ impl Lock {
             }
         }
         let holder = std::fs::read_to_string(&path).unwrap_or_default();
-        let message = Message::error(format!("process {holder} is writing `{}`", of.display()));
-        Err(message.hint("wait until it has ended").into())
+        Err(error!("locked", process = holder, file = of.display().to_string()).into())
     }
 }
 
@@ -202,7 +207,7 @@ impl Drop for Lock {
     }
 }
 
-/// Opens the file of a lock, and makes it where there is none; a link is not followed.
+/// Opens or creates the file of a lock without following links.
 fn open_lock(path: &Path) -> std::io::Result<File> {
     let mut options = OpenOptions::new();
     options.read(true).write(true).create(true).truncate(false);
@@ -221,7 +226,7 @@ fn is_lock(found: &std::fs::Metadata) -> bool {
     let names = std::os::unix::fs::MetadataExt::nlink(found);
     #[cfg(not(unix))]
     let names = 1;
-    // one that is being removed has none
+    // a file that is being removed has no name
     found.is_file() && names <= 1
 }
 
@@ -237,7 +242,7 @@ fn same_file(_: &File, path: &Path) -> bool {
     path.exists()
 }
 
-/// An error if one of the files to be written is one of those that are read, under whatever name.
+/// Fails if one of the files to be written is one of the input files, under whatever name.
 pub fn refuse_overwriting<'a>(
     written: impl IntoIterator<Item = &'a PathBuf>,
     read: impl IntoIterator<Item = &'a PathBuf> + Clone,
@@ -245,20 +250,19 @@ pub fn refuse_overwriting<'a>(
     for path in written {
         let Ok(place) = path.canonicalize() else { continue };
         if let Some(input) = read.clone().into_iter().find(|input| input.canonicalize().is_ok_and(|p| p == place)) {
-            let message =
-                Message::error(format!("`{}` would be written over the input `{}`", path.display(), input.display()));
-            return Err(message.hint("name another file").into());
+            let (output, input) = (path.display().to_string(), input.display().to_string());
+            return Err(error!("output-is-input", output, input).into());
         }
     }
     Ok(())
 }
 
-/// SHA-256 as `sha256sum` prints it.
+/// SHA-256, as `sha256sum` prints it.
 pub fn sha256(bytes: &[u8]) -> String {
     hexadecimal(&Sha256::digest(bytes))
 }
 
-/// The same of a file, which is read piece by piece.
+/// SHA-256 of a file, which is read in pieces.
 pub fn sha256_of_file(path: &Path) -> std::io::Result<String> {
     let (mut digest, mut file, mut piece) = (Sha256::new(), open_regular(path)?, vec![0; 1 << 16]);
     loop {
@@ -273,7 +277,7 @@ fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// The same of files, by their names as the user gave them.
+/// SHA-256 of files, by their names as the user gave them.
 pub fn sha256_of<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<BTreeMap<String, String>> {
     paths.into_iter().map(|path| Ok((path.display().to_string(), sha256(&read(path)?)))).collect()
 }

@@ -1,33 +1,34 @@
-//! A folder of results that is written beside the earlier one and exchanged with it whole: a stop at any moment leaves the one
-//! or the other.
+//! Folder of results that is written beside the earlier one and replaces it as a whole: an
+//! interruption at any moment leaves one of the two complete.
 
 use super::files::{Lock, beside, parent, write_synced};
 use super::message::{Message, Problems, Result};
+use crate::error;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// When what is written is on the disk.
+/// Time at which written files reach the disk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Durability {
-    /// Before the folder is exchanged: a power cut leaves the earlier folder or the new one.
+    /// Before the folder is replaced: a power failure leaves the earlier or the new folder.
     Now,
-    /// When the system writes it, or [`flush`] asks for it: a power cut may leave a folder whose files are cut off, which their hashes
-    /// in the manifest show, and never files of two runs.
+    /// When the system writes them, or [`flush`] is called. A power failure may leave truncated
+    /// files, which the hashes in the manifest reveal, but never files of two runs.
     Later,
 }
 
-/// A folder that no other process replaces while this lives.
+/// Exclusive right to replace a folder, until dropped.
 pub struct FolderLock {
-    /// The folder as the user named it.
+    /// Folder, as the user named it.
     named: PathBuf,
-    /// The folder itself, where a link leads to it.
+    /// Folder itself, if a link leads to it.
     place: PathBuf,
     _lock: Lock,
 }
 
 impl FolderLock {
-    /// Waits for another process that replaces the folder.
+    /// Takes the lock, waiting for another process that is replacing the folder.
     pub fn take(folder: &Path) -> Result<Self> {
         let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
         fs::create_dir_all(parent(&place)).map_err(|e| cannot_write(folder, &e))?;
@@ -38,8 +39,9 @@ impl FolderLock {
         Ok(held)
     }
 
-    /// Replaces the folder by one that holds `files` and, of the earlier one, what `keeps` says by its
-    /// name. Right before the exchange `ready` is asked, after which nothing fails.
+    /// Replaces the folder by one that contains `files` and the parts of the earlier folder whose
+    /// names `keeps` accepts. `ready` is called immediately before the exchange, after which
+    /// nothing can fail.
     pub fn replace(
         self,
         files: &[(String, Vec<u8>)],
@@ -52,26 +54,26 @@ impl FolderLock {
         let written = fill(place, &new, files, keeps, durability).map_err(fail).and_then(|()| ready());
         let written = written.and_then(|()| exchange(place, &new, &old).map_err(fail));
         if written.is_ok() && durability == Durability::Now {
-            // the folder is exchanged, whatever the disk says of it
+            // the folder is replaced, whatever the result of the sync
             let _ = sync(parent(place));
         }
-        // the earlier folder; or the new one, where something failed
+        // the earlier folder or, after a failure, the new one
         let _ = fs::remove_dir_all(&new);
         let _ = fs::remove_dir_all(&old);
         written
     }
 
-    /// Names of the new folder and of the earlier one while they are exchanged.
+    /// Temporary names of the new and the earlier folder during the exchange.
     fn beside(&self) -> (PathBuf, PathBuf) {
         (beside(&self.place, "new"), beside(&self.place, "old"))
     }
 }
 
 fn cannot_write(folder: &Path, e: &io::Error) -> Message {
-    Message::error(format!("cannot write the folder `{}`: {e}", folder.display()))
+    error!("cannot-write-folder", folder = folder.display().to_string(), reason = e.to_string())
 }
 
-/// Takes away what a run left that was stopped while it wrote.
+/// Removes the remains of an interrupted run.
 fn recover(place: &Path, new: &Path, old: &Path) -> io::Result<()> {
     if old.exists() && !place.exists() {
         fs::rename(old, place)?;
@@ -108,7 +110,7 @@ fn fill(
     if durability == Durability::Now { sync(new) } else { Ok(()) }
 }
 
-/// The same file or folder under another name; a copy, where the file system has no links.
+/// Links a file or folder under another name; copies it if the file system has no links.
 fn carry(from: &Path, to: &Path) -> io::Result<()> {
     if !fs::symlink_metadata(from)?.is_dir() {
         return fs::hard_link(from, to).or_else(|_| fs::copy(from, to).map(drop));
@@ -117,7 +119,8 @@ fn carry(from: &Path, to: &Path) -> io::Result<()> {
     fs::read_dir(from)?.try_for_each(|entry| entry.and_then(|e| carry(&e.path(), &to.join(e.file_name()))))
 }
 
-/// Exchanges both folders in one step; in two, where the file system does not support that or no earlier folder exists.
+/// Exchanges two folders in one step; in two steps if the file system does not support that, or if
+/// there is no earlier folder.
 fn exchange(place: &Path, new: &Path, old: &Path) -> io::Result<()> {
     #[cfg(any(target_os = "linux", target_vendor = "apple"))]
     {
@@ -137,7 +140,8 @@ fn sync(folder: &Path) -> io::Result<()> {
     if cfg!(unix) { fs::File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
-/// Waits until all that was written into these folders is on the disk: one call a file system where the system has one.
+/// Waits until everything written into these folders is on the disk; one call per file system where
+/// supported.
 pub fn flush<'a>(folders: impl IntoIterator<Item = &'a Path>) -> io::Result<()> {
     #[cfg(target_os = "linux")]
     {

@@ -1,8 +1,10 @@
-//! What every room may use: messages, files, patterns of names, poses, numbers that carry derivatives, random
-//! numbers, dates, line drawings.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! Common basis of all crates: messages, files, patterns of names, poses, numbers with derivatives,
+//! random numbers, dates, line drawings.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+pub mod angle_order;
 pub mod bounds;
+pub mod catalogue;
 pub mod cell;
 pub mod country;
 pub mod date;

@@ -1,6 +1,10 @@
 //! Messages: what is wrong, where, what was expected, and a hint.
 
+use crate::catalogue::{Argument, Arguments, IntoArgument, Phrase, render};
+use crate::phrase;
+use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
@@ -46,15 +50,24 @@ pub struct Place {
     pub text: Option<String>,
 }
 
-/// One thing to say to the user.
+/// One error or warning: id and arguments of its text in the catalogue, the English texts, and its place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Message {
+    /// Id in the catalogue; `etalon explain ID` explains it.
+    #[serde(default, skip_serializing_if = "str::is_empty")]
+    pub id: Cow<'static, str>,
+    /// Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those of the message.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub arguments: Arguments,
+    /// Texts around the message, from inside: each has the message as its argument `message`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub around: Vec<Phrase>,
     /// Error or warning.
     pub severity: Severity,
     /// How much a reader has to care.
     #[serde(default)]
     pub rank: Rank,
-    /// What is wrong, in one sentence without a full stop.
+    /// What is wrong, in one English sentence without a full stop.
     pub what: String,
     /// Where.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,6 +78,18 @@ pub struct Message {
     /// What to do.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
+}
+
+/// Error message of an id of the catalogue: `error!("unit-missing", key = "unit")`. A variable alone is its own name: `error!("no-pose", pose)`.
+#[macro_export]
+macro_rules! error {
+    ($($call:tt)*) => { $crate::message::Message::of($crate::message::Severity::Error, $crate::phrase!($($call)*)) };
+}
+
+/// Warning of an id of the catalogue; arguments as of [`error!`](crate::error).
+#[macro_export]
+macro_rules! warning {
+    ($($call:tt)*) => { $crate::message::Message::of($crate::message::Severity::Warning, $crate::phrase!($($call)*)) };
 }
 
 impl Place {
@@ -91,6 +116,26 @@ impl Place {
             column: Some(source[line_start..start].chars().count() + 1),
             width: within.chars().count(),
             text: Some(text.to_owned()),
+        }
+    }
+
+    /// File and line as a terminal shows them, with the offending text underlined.
+    fn elements(&self) -> Vec<Element<'static>> {
+        let file = printable(&self.file);
+        let (Some(line), Some(text)) = (self.line, &self.text) else {
+            let origin = Origin::path(file);
+            return vec![self.line.map_or(origin.clone(), |line| origin.line(line)).into()];
+        };
+        let shown = printable(&one_line(text));
+        let byte = |column: usize| shown.char_indices().nth(column).map_or(shown.len(), |(at, _)| at);
+        let marked = self.column.map(|column| {
+            let start = column.saturating_sub(1);
+            byte(start)..byte(start + self.width.max(1))
+        });
+        let snippet = Snippet::source(shown.clone()).line_start(line).fold(false);
+        match marked {
+            Some(marked) => vec![snippet.path(file).annotation(AnnotationKind::Primary.span(marked)).into()],
+            None => vec![snippet.path(format!("{file}:{line}")).into()],
         }
     }
 
@@ -124,34 +169,86 @@ fn floor_boundary(source: &str, index: usize) -> usize {
 }
 
 impl Message {
-    /// An error: the work stops.
+    /// Message of the catalogue.
     ///
     /// # Examples
     ///
     /// ```
-    /// use etalon_base::message::{Message, Place};
+    /// use etalon_base::message::Place;
     ///
-    /// let message = Message::error("`10,5` is not a number")
-    ///     .at(Place::line("joints.csv", 7, "3;10,5"))
-    ///     .expected("an angle (deg)")
-    ///     .hint("state `decimal = \",\"`");
+    /// let message = etalon_base::error!("galil-value-too-large", parameter = "d").at(Place::line("joints.csv", 7, "3;10,5"));
     /// let lines = [
-    ///     "error: `10,5` is not a number",
-    ///     "  --> joints.csv:7",
-    ///     "    7 | 3;10,5",
-    ///     "  expected: an angle (deg)\n",
-    ///     "hint: state `decimal = \",\"`",
+    ///     "error[galil-value-too-large]: `d` is too large for a variable of a Galil controller",
+    ///     " --> joints.csv:7",
+    ///     "  |",
+    ///     "7 | 3;10,5",
     /// ];
-    /// assert_eq!(message.to_string(), lines.join("\n"));
+    /// assert!(message.to_string().starts_with(&lines.join("\n")), "{message}");
+    /// assert_eq!((message.id.as_ref(), &message.arguments["parameter"] == &"d"), ("galil-value-too-large", true));
     /// ```
-    pub fn error(what: impl Into<String>) -> Self {
-        let (severity, rank) = (Severity::Error, Rank::Decide);
-        Self { severity, rank, what: what.into(), place: None, expected: None, hint: None }
+    pub fn of(severity: Severity, text: Phrase) -> Self {
+        let Phrase { id, arguments } = text;
+        let rank = if severity == Severity::Error { Rank::Decide } else { Rank::Know };
+        let (what, around) = (String::new(), Vec::new());
+        let message = Self { severity, rank, id, arguments, what, around, place: None, expected: None, hint: None };
+        let Texts { what, expected, hint } = message.texts("en");
+        Self { what, expected, hint, ..message }
     }
 
-    /// A warning: the work goes on.
+    /// An error with a text that is not in the catalogue.
+    pub fn error(what: impl Into<String>) -> Self {
+        let (severity, rank, what) = (Severity::Error, Rank::Decide, what.into());
+        let (id, arguments, around) = (Cow::Borrowed(""), Arguments::new(), Vec::new());
+        Self { severity, rank, id, arguments, what, around, place: None, expected: None, hint: None }
+    }
+
+    /// A warning with a text that is not in the catalogue.
     pub fn warning(what: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, rank: Rank::Know, ..Self::error(what) }
+    }
+
+    /// Texts in a language (ISO 639-1). English for a message that is not in the catalogue.
+    pub fn texts(&self, language: &str) -> Texts {
+        let part = |name: &str, english: &Option<String>| match self.arguments.get(name) {
+            Some(Argument::Phrase(phrase)) => Some(phrase.text(language)),
+            _ => {
+                let of = |language: &str| render(&self.id, Some(name), &self.arguments, language);
+                // a caller may have stated another one
+                let own = english.is_none() || *english == of("en");
+                of(language).filter(|_| own).or_else(|| english.clone())
+            }
+        };
+        let what = match self.sentence(language).filter(|_| !self.is_reworded()) {
+            Some(text) => text,
+            None => self.what.clone(),
+        };
+        Texts { what, expected: part("expected", &self.expected), hint: part("hint", &self.hint) }
+    }
+
+    /// `true` if a caller changed the English sentence: the catalogue then lacks what was added.
+    fn is_reworded(&self) -> bool {
+        !self.what.is_empty() && self.sentence("en").is_some_and(|english| english != self.what)
+    }
+
+    /// Sentence of the catalogue, with the texts around it.
+    fn sentence(&self, language: &str) -> Option<String> {
+        let text = render(&self.id, None, &self.arguments, language)?;
+        let around = |inner: String, around: &Phrase| around.clone().with("message", &inner).text(language);
+        Some(self.around.iter().fold(text, around))
+    }
+
+    /// `true` if this is the message of an id of the catalogue, with at least these arguments.
+    pub fn is(&self, id: &str, arguments: &[(&str, &dyn IntoArgument)]) -> bool {
+        let is_stated =
+            |(name, value): &(&str, &dyn IntoArgument)| self.arguments.get(*name) == Some(&value.argument());
+        self.id == id && arguments.iter().all(is_stated)
+    }
+
+    /// The same message within a text that has the argument `message`: where it was found, for instance.
+    pub fn within(mut self, around: Phrase) -> Self {
+        self.what = around.clone().with("message", &self.what).to_string();
+        self.around.push(around);
+        self
     }
 
     /// The same message, of which somebody has to act.
@@ -171,15 +268,26 @@ impl Message {
     }
 
     /// The same message with what was expected.
-    pub fn expected(mut self, expected: impl Into<String>) -> Self {
-        self.expected = Some(expected.into());
+    pub fn expected(mut self, expected: impl Into<Remark>) -> Self {
+        self.expected = Some(self.remark("expected", expected.into()));
         self
     }
 
     /// The same message with a hint.
-    pub fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.hint = Some(hint.into());
+    pub fn hint(mut self, hint: impl Into<Remark>) -> Self {
+        self.hint = Some(self.remark("hint", hint.into()));
         self
+    }
+
+    /// English text of a remark, whose phrase is kept among the arguments.
+    fn remark(&mut self, name: &str, remark: Remark) -> String {
+        match remark {
+            Remark::Free(text) => text,
+            Remark::Phrase(phrase) => {
+                self.arguments.insert(name.to_owned(), phrase.argument());
+                phrase.to_string()
+            }
+        }
     }
 
     /// A hint that proposes the nearest of the names that exist, or lists them.
@@ -187,15 +295,57 @@ impl Message {
         let names: Vec<&str> = names.into_iter().collect();
         match nearest(wrong, names.iter().copied()) {
             Some(name) => match other_unit(wrong, name) {
-                Some(unit) => self.hint(format!("`{name}` is meant in another unit: {unit}")),
-                None => self.hint(format!("did you mean `{name}`?")),
+                Some((from, factor, to)) => self.hint(phrase!("meant-in-unit", name, from, factor, to)),
+                None => self.hint(phrase!("did-you-mean", name)),
             },
             None if names.is_empty() => self,
-            None => {
-                let more = if names.len() > 12 { ", ..." } else { "" };
-                self.hint(format!("there are: {}{more}", names[..names.len().min(12)].join(", ")))
-            }
+            None if names.len() > 12 => self.hint(phrase!("known-names-first", names = names[..12])),
+            None => self.hint(phrase!("known-names", names)),
         }
+    }
+}
+
+/// Texts of a message in one language.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Texts {
+    /// What is wrong.
+    pub what: String,
+    /// What was expected.
+    pub expected: Option<String>,
+    /// What to do.
+    pub hint: Option<String>,
+}
+
+/// Expected value or hint of a message.
+#[derive(Clone, Debug)]
+pub enum Remark {
+    /// English text that is not in the catalogue.
+    Free(String),
+    /// Text of the catalogue.
+    Phrase(Phrase),
+}
+
+impl From<&str> for Remark {
+    fn from(text: &str) -> Self {
+        Self::Free(text.to_owned())
+    }
+}
+
+impl From<&String> for Remark {
+    fn from(text: &String) -> Self {
+        Self::Free(text.clone())
+    }
+}
+
+impl From<String> for Remark {
+    fn from(text: String) -> Self {
+        Self::Free(text)
+    }
+}
+
+impl From<Phrase> for Remark {
+    fn from(phrase: Phrase) -> Self {
+        Self::Phrase(phrase)
     }
 }
 
@@ -211,15 +361,15 @@ const UNITS: [(&str, f64, bool); 8] = [
     ("inch", 25.4, false),
 ];
 
-/// How the units of two names differ that differ in nothing else: "1 rad is 57.29577951 deg".
-fn other_unit(wrong: &str, name: &str) -> Option<String> {
+/// Units of two names that differ in nothing else, and the factor between them: rad, 57.29577951, deg.
+fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static str)> {
     let split = |name: &str| {
         let (stem, unit) = name.rsplit_once('_')?;
         Some((stem.to_owned(), UNITS.into_iter().find(|u| u.0 == unit)?))
     };
     let ((stem, from), (other, to)) = (split(wrong)?, split(name)?);
     let factor = (1e8 * from.1 / to.1).round() / 1e8;
-    (stem == other && from.0 != to.0 && from.2 == to.2).then(|| format!("1 {} is {factor} {}", from.0, to.0))
+    (stem == other && from.0 != to.0 && from.2 == to.2).then_some((from.0, factor, to.0))
 }
 
 /// Lines of a file that a message may be repeated in before one takes the place of the others.
@@ -251,34 +401,32 @@ pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Opt
 
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kind = match self.severity {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
+        let level = match self.severity {
+            Severity::Error => Level::ERROR,
+            Severity::Warning => Level::WARNING,
         };
-        write!(f, "{kind}: {}", printable(&self.what))?;
-        if let Some(place) = &self.place {
-            write!(f, "\n  --> {}", printable(&place.file))?;
-            if let Some(line) = place.line {
-                write!(f, ":{line}")?;
-            }
-            if let Some(column) = place.column {
-                write!(f, ":{column}")?;
-            }
-            if let (Some(line), Some(text)) = (place.line, &place.text) {
-                write!(f, "\n{line:>5} | {}", printable(&one_line(text)))?;
-                if let Some(column) = place.column {
-                    let marks = "^".repeat(place.width.clamp(1, 60));
-                    write!(f, "\n      | {}{marks}", " ".repeat(column.saturating_sub(1).min(200)))?;
-                }
+        let mut title = level.primary_title(printable(&self.what));
+        if !self.id.is_empty() {
+            title = title.id(self.id.as_ref());
+        }
+        let mut group = Group::with_title(title).elements(self.place.iter().flat_map(|place| place.elements()));
+        let mut groups = Vec::new();
+        if let Some(text) = &self.expected {
+            let expected = Level::NOTE.with_name("expected");
+            match self.place {
+                Some(_) => group = group.element(expected.message(printable(text))),
+                None => groups.push(Group::with_title(expected.secondary_title(printable(text)))),
             }
         }
-        if let Some(expected) = &self.expected {
-            write!(f, "\n  expected: {}", printable(expected))?;
-        }
-        if let Some(hint) = &self.hint {
-            write!(f, "\n\nhint: {}", printable(hint))?;
-        }
-        Ok(())
+        groups.insert(0, group);
+        groups.extend(
+            self.hint
+                .iter()
+                .map(|text| Group::with_title(Level::HELP.with_name("hint").secondary_title(printable(text)))),
+        );
+        // groups that are drawn together are joined by an empty line
+        let drawn = groups.into_iter().map(|group| Renderer::plain().render(&[group]));
+        f.write_str(&drawn.collect::<Vec<_>>().join("\n"))
     }
 }
 
@@ -339,6 +487,11 @@ impl Problems {
         if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
     }
 
+    /// The same messages within a text that has the argument `message`.
+    pub fn within(self, around: &Phrase) -> Self {
+        Self(self.0.into_iter().map(|message| message.within(around.clone())).collect())
+    }
+
     /// The value of a result; its problems are added to these.
     pub fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
         result.map_err(|more| self.0.extend(more.0)).ok()
@@ -356,6 +509,8 @@ impl Problems {
         for (key, line) in self.0.iter().filter_map(key) {
             lines.entry(key).or_default().push(line);
         }
+        // several cells of a row are one row
+        lines.values_mut().for_each(|lines| lines.dedup());
         lines.retain(|(file, _), lines| {
             let distinct = lines.iter().collect::<BTreeSet<_>>().len() == lines.len();
             lines.len() > LISTED && distinct && !file.ends_with(".toml")
@@ -366,8 +521,8 @@ impl Problems {
             let Some(lines) = lines.get_mut(&key) else { return true };
             // the first takes the lines of the rest
             let [_, second, third, rest @ ..] = &std::mem::take(lines)[..] else { return false };
-            let more = count(rest.len(), "more row");
-            message.what.push_str(&format!("; also in lines {second}, {third} and {more}"));
+            let around = phrase!("also-in-lines", second, third, more = rest.len());
+            *message = message.clone().within(around);
             true
         });
         Self(messages)
@@ -432,8 +587,55 @@ mod tests {
         let message = Message::error("unknown key `robto`")
             .at(Place::span("campaign.toml", source, 11..16))
             .hint_names("robto", ["robot", "name"]);
-        let text = "error: unknown key `robto`\n  --> campaign.toml:2:1\n    2 | robto = 1\n      | ^^^^^\n\nhint: did you mean `robot`?";
-        assert_eq!(message.to_string(), text);
+        let lines = [
+            "error: unknown key `robto`",
+            " --> campaign.toml:2:1",
+            "  |",
+            "2 | robto = 1",
+            "  | ^^^^^",
+            "hint: did you mean `robot`?",
+        ];
+        assert_eq!(message.to_string(), lines.join("\n"));
+        assert_eq!(message.texts("de").hint.as_deref(), Some("meinten Sie `robot`?"));
+    }
+
+    #[test]
+    fn a_line_is_shown_whole_where_no_column_is_known() {
+        let message = crate::error!("locked", process = "17", file = "a.csv").at(Place::line("a.csv", 7, "3;10,5"));
+        let lines = [
+            "error[locked]: process 17 is writing `a.csv`",
+            " --> a.csv:7",
+            "  |",
+            "7 | 3;10,5",
+            "  |",
+            "  = expected: nothing",
+            "hint: wait until it has ended",
+        ];
+        assert_eq!(message.expected("nothing").to_string(), lines.join("\n"));
+        let unplaced = crate::error!("counts-too-large", of = "rows", counts = "3", most = 2).to_string();
+        assert_eq!(unplaced, "error[counts-too-large]: too many rows: 3\nexpected: at most 2");
+        let file = crate::error!("cannot-encode", format = "CSV", reason = "r").at(Place::file("a.csv"));
+        assert_eq!(file.to_string(), "error[cannot-encode]: cannot write CSV: r\n--> a.csv");
+    }
+
+    #[test]
+    fn a_message_and_what_is_around_it_have_every_language() {
+        let message = crate::error!("counts-too-large", of = "rows", counts = "3 poses", most = 2).within(phrase!(
+            "also-in-lines",
+            second = 3,
+            third = 4,
+            more = 1
+        ));
+        assert!(message.is("counts-too-large", &[("most", &2)]) && !message.is("counts-too-large", &[("most", &3)]));
+        assert_eq!(message.texts("en").what, message.what);
+        let german = message.texts("de");
+        assert_eq!(german.what, "zu viele rows: 3 poses; ebenso in den Zeilen 3, 4 und 1 weiteren Zeile");
+        assert_eq!(german.expected.as_deref(), Some("höchstens 2"));
+        let reworded = Message { what: format!("set A: {}", message.what), ..message.clone() };
+        assert_eq!(reworded.texts("de").what, reworded.what);
+        let other = crate::error!("locked", process = "1", file = "f").hint("another hint");
+        assert_eq!(other.texts("fr").hint.as_deref(), Some("another hint"));
+        assert_eq!(Message::error("free").hint("text").texts("fr").hint.as_deref(), Some("text"));
     }
 
     #[test]

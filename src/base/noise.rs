@@ -1,4 +1,5 @@
-//! Random numbers from a named seed, one stream per trial: the same on every machine and for any number of threads.
+//! Random numbers from a stated seed with one stream per trial, equal on all machines and for any
+//! number of threads.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -26,24 +27,24 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {
-    /// The stream `trial` of the generator with this seed.
+    /// Stream `trial` of the generator with this seed.
     pub fn new(seed: u64, trial: u64) -> Self {
         let mut generator = ChaCha8Rng::seed_from_u64(seed);
         generator.set_stream(trial);
         Self(generator)
     }
 
-    /// Uniform in [0, 1).
+    /// Uniform number in [0, 1).
     fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Uniform in [-half_width, half_width).
+    /// Uniform number in [−half_width, half_width).
     pub fn uniform(&mut self, half_width: f64) -> f64 {
         (2.0 * self.unit() - 1.0) * half_width
     }
 
-    /// Brings the items into a random order (Durstenfeld 1964, CACM 7, 420).
+    /// Shuffles the items (Durstenfeld 1964, CACM 7, 420).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for i in (1..items.len()).rev() {
             let j = ((self.uniform(0.5) + 0.5) * (i + 1) as f64) as usize;
@@ -51,18 +52,18 @@ impl Noise {
         }
     }
 
-    /// Radius, and angle in radians, of a pair of independent Gaussians of unit standard deviation (Box & Muller 1958).
+    /// Radius and angle (rad) of a pair of independent standard normal numbers (Box & Muller 1958).
     fn polar(&mut self) -> (f64, f64) {
         ((-2.0 * (1.0 - self.unit()).ln()).sqrt(), std::f64::consts::TAU * self.unit())
     }
 
-    /// Gaussian with mean zero.
+    /// Normal number with mean zero.
     pub fn gaussian(&mut self, standard_deviation: f64) -> f64 {
         let (radius, angle_rad) = self.polar();
         standard_deviation * radius * angle_rad.cos()
     }
 
-    /// Two independent ones of unit standard deviation, in two thirds of the time of two calls.
+    /// Two independent standard normal numbers, in two thirds of the time of two calls.
     pub fn gaussian_pair(&mut self) -> [f64; 2] {
         let (radius, angle_rad) = self.polar();
         let (sin, cos) = angle_rad.sin_cos();

@@ -1,6 +1,6 @@
 //! Patterns of names.
 
-/// Whether `name` is `pattern`, in which one `*` is any text.
+/// `true` if `name` matches `pattern`, in which a single `*` stands for any text.
 pub fn matches_pattern(pattern: &str, name: &str) -> bool {
     match pattern.split_once('*') {
         Some((head, tail)) => name.len() >= head.len() + tail.len() && name.starts_with(head) && name.ends_with(tail),

@@ -1,35 +1,40 @@
-//! Rigid transforms in space: `a_T_b` is the pose of frame b in frame a; chains read from left to right.
+//! Rigid transforms in space: `a_T_b` is the pose of frame b in frame a; chains read from left to
+//! right.
 
+use crate::message::Message;
 use crate::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
-/// A point or direction in space, in millimetres where it is a point.
+/// A point (mm) or direction in space.
 pub type Vector<T = f64> = [T; 3];
 
-/// A rigid transform: rotation matrix (rows) and translation in millimetres.
+/// A rigid transform: rotation matrix and translation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Pose<T = f64> {
     /// Rotation matrix, row by row.
     pub rotation: [[T; 3]; 3],
-    /// Translation in millimetres.
+    /// Translation (mm).
     pub translation_mm: Vector<T>,
 }
 
+/// Largest difference of a rotation matrix with three digits from an orthonormal one.
+const ORTHONORMAL: f64 = 4e-3;
+
 impl<T: Scalar> Pose<T> {
-    /// The pose of a frame in itself.
+    /// Identity: the pose of a frame in itself.
     pub fn identity() -> Self {
         let (o, i) = (T::from(0.0), T::from(1.0));
         Self { rotation: [[i, o, o], [o, i, o], [o, o, i]], translation_mm: [o; 3] }
     }
 
-    /// Translation (mm) and rotation `Rz(rz) Ry(ry) Rx(rx)` (rad).
+    /// Pose from a translation (mm) and the rotation `Rz(rz) Ry(ry) Rx(rx)` (rad).
     pub fn from_xyz_rpy(xyz_mm: Vector<T>, rpy_rad: Vector<T>) -> Self {
         let turned = Self { translation_mm: xyz_mm, ..Self::identity() };
         turned.turn_z(rpy_rad[2]).turn_y(rpy_rad[1]).turn_x(rpy_rad[0])
     }
 
-    /// Rotation by a vector: about its direction, by its length in radians (Rodrigues).
+    /// Rotation about the direction of a vector by its length (rad) (Rodrigues).
     pub fn from_rotation_vector(vector_rad: Vector<T>) -> Self {
         let [x, y, z] = vector_rad;
         let square = x * x + y * y + z * z;
@@ -54,32 +59,32 @@ impl<T: Scalar> Pose<T> {
         Self { rotation, ..Self::identity() }
     }
 
-    /// This pose, then a rotation about its own x axis.
+    /// This pose, followed by a rotation about its own x axis.
     pub fn turn_x(self, angle_rad: T) -> Self {
         self.turn(0, angle_rad)
     }
 
-    /// This pose, then a rotation about its own y axis.
+    /// This pose, followed by a rotation about its own y axis.
     pub fn turn_y(self, angle_rad: T) -> Self {
         self.turn(1, angle_rad)
     }
 
-    /// This pose, then a rotation about its own z axis.
+    /// This pose, followed by a rotation about its own z axis.
     pub fn turn_z(self, angle_rad: T) -> Self {
         self.turn(2, angle_rad)
     }
 
-    /// This pose, then a rotation about its own axis 0, 1 or 2.
+    /// This pose, followed by a rotation about its own axis 0, 1 or 2.
     pub fn turn(mut self, axis: usize, angle_rad: T) -> Self {
         let (sin, cos) = angle_rad.sin_cos();
         self.turn_by(axis, sin, cos);
         self
     }
 
-    /// Turns it about its own axis 0, 1 or 2 by an angle with this sine and cosine.
+    /// Rotates the pose about its own axis 0, 1 or 2 by an angle with this sine and cosine.
     #[inline]
     pub fn turn_by(&mut self, axis: usize, sin: T, cos: T) {
-        // columns that the compiler knows
+        // columns known at compile time
         match axis {
             0 => self.turn_columns::<1, 2>(sin, cos),
             1 => self.turn_columns::<2, 0>(sin, cos),
@@ -96,13 +101,13 @@ impl<T: Scalar> Pose<T> {
         }
     }
 
-    /// This pose, then a translation along its own axis 0, 1 or 2.
+    /// This pose, followed by a translation along its own axis 0, 1 or 2.
     pub fn shift(mut self, axis: usize, length_mm: T) -> Self {
         self.shift_by(axis, length_mm);
         self
     }
 
-    /// Moves it along its own axis 0, 1 or 2.
+    /// Translates the pose along its own axis 0, 1 or 2.
     #[inline]
     pub fn shift_by(&mut self, axis: usize, length_mm: T) {
         for (t, row) in self.translation_mm.iter_mut().zip(&self.rotation) {
@@ -116,21 +121,21 @@ impl<T: Scalar> Pose<T> {
         [x[axis], y[axis], z[axis]]
     }
 
-    /// A direction, expressed in the frame that this pose is named in.
+    /// Transforms a direction from this frame to the reference frame.
     pub fn rotate(&self, d: Vector<T>) -> Vector<T> {
         let [x, y, z] = &self.rotation;
         let along = |row: &[T; 3]| row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
         [along(x), along(y), along(z)]
     }
 
-    /// A point of this frame, expressed in the frame that this pose is named in.
+    /// Transforms a point from this frame to the reference frame.
     pub fn apply(&self, p: Vector<T>) -> Vector<T> {
         let r = self.rotate(p);
         let t = self.translation_mm;
         [r[0] + t[0], r[1] + t[1], r[2] + t[2]]
     }
 
-    /// `a_T_b` and `b_T_c` give `a_T_c`.
+    /// Composition: `a_T_b` and `b_T_c` give `a_T_c`.
     ///
     /// # Examples
     ///
@@ -157,7 +162,7 @@ impl<T: Scalar> Pose<T> {
         Self { rotation, translation_mm: self.apply(other.translation_mm) }
     }
 
-    /// `a_T_b` gives `b_T_a`.
+    /// Inverse: `a_T_b` gives `b_T_a`.
     pub fn inverse(&self) -> Self {
         let r = &self.rotation;
         let rotation = [0, 1, 2].map(|j| [r[0][j], r[1][j], r[2][j]]);
@@ -168,19 +173,19 @@ impl<T: Scalar> Pose<T> {
 }
 
 impl Pose {
-    /// The same with numbers of another kind.
+    /// Converts the pose to another scalar type.
     pub fn constant<T: Scalar>(&self) -> Pose<T> {
         Pose { rotation: self.rotation.map(|row| row.map(T::from)), translation_mm: self.translation_mm.map(T::from) }
     }
 
-    /// Angle of the rotation, in radians, accurate near zero.
+    /// Angle of the rotation (rad), accurate near zero.
     pub fn angle_rad(&self) -> f64 {
         let r = &self.rotation;
         let sin = norm([r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]]);
         sin.atan2(r[0][0] + r[1][1] + r[2][2] - 1.0)
     }
 
-    /// The rotation as a unit quaternion (w, x, y, z) with w not negative (Shepperd 1978).
+    /// Rotation as a unit quaternion (w, x, y, z) with w ≥ 0 (Shepperd 1978).
     pub fn quaternion(&self) -> [f64; 4] {
         let r = &self.rotation;
         let trace = r[0][0] + r[1][1] + r[2][2];
@@ -202,6 +207,28 @@ impl Pose {
         q.map(|v| v / length)
     }
 
+    /// The rotation of a matrix, row by row.
+    ///
+    /// # Errors
+    /// A matrix that is not orthonormal to three digits, or that mirrors.
+    pub fn from_rotation(rows: [f64; 9]) -> Result<Self, Message> {
+        let rotation: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| rows[3 * i + j]));
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let off = |i: usize, j: usize| (dot(rotation[i], rotation[j]) - unit(i, j)).abs();
+        let worst = (0..9).map(|k| off(k / 3, k % 3)).fold(0.0, f64::max);
+        if !(worst < ORTHONORMAL) {
+            let what =
+                format!("the rotation matrix is not orthonormal: rows times rows differ from 1 and 0 by {worst:.4}");
+            return Err(Message::error(what).expected("r11 to r33, row by row: body in world"));
+        }
+        if dot(cross(rotation[0], rotation[1]), rotation[2]) < 0.0 {
+            let message = Message::error("the rotation matrix mirrors: its determinant is -1");
+            return Err(message.hint("check the signs of its columns"));
+        }
+        // rounded elements are made a rotation again
+        Ok(Self::from_quaternion(Self { rotation, ..Self::identity() }.quaternion()))
+    }
+
     /// The rotation by a quaternion (w, x, y, z) of any length but zero.
     pub fn from_quaternion(quaternion: [f64; 4]) -> Self {
         let length = quaternion.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -214,7 +241,7 @@ impl Pose {
         Self { rotation, translation_mm: [0.0; 3] }
     }
 
-    /// The rotation as a vector: its direction the axis, its length the angle, at most π.
+    /// Rotation vector: direction of the axis, length of the angle (rad, at most π).
     pub fn rotation_vector_rad(&self) -> Vector {
         let [w, x, y, z] = self.quaternion();
         let sine = norm([x, y, z]);
@@ -222,22 +249,23 @@ impl Pose {
         [x, y, z].map(|v| factor * v)
     }
 
-    /// Angles (rx, ry, rz) in radians of `Rz(rz) Ry(ry) Rx(rx)`.
+    /// Angles (rx, ry, rz) (rad) of `Rz(rz) Ry(ry) Rx(rx)`.
     pub fn rpy_rad(&self) -> Vector {
         let r = &self.rotation;
         [r[2][1].atan2(r[2][2]), (-r[2][0]).atan2(r[0][0].hypot(r[1][0])), r[1][0].atan2(r[0][0])]
     }
 }
 
-/// The shortest rotation vector of the same rotation, rad.
+/// Shortest rotation vector of the rotation (rad).
 pub fn shortest(vector_rad: Vector) -> Vector {
     let length = norm(vector_rad);
     let turns = (length / TAU).round();
     if length > PI { vector_rad.map(|v| v * (1.0 - turns * TAU / length)) } else { vector_rad }
 }
 
-/// Axes about which a rotation by a vector turns for each radian of the vector's components: columns of the left Jacobian of the
-/// rotation group (Solà et al., "A micro Lie theory", 2018, eq. 145). They are independent below a full turn.
+/// Axes of rotation per unit of each component of a rotation vector: columns of the left Jacobian
+/// of the rotation group (Solà et al., "A micro Lie theory", 2018, eq. 145). They are independent
+/// below a full turn.
 pub fn turning_axes(vector_rad: Vector) -> [Vector; 3] {
     let angle = norm(vector_rad);
     let (first, second) = if angle < 1e-4 {
@@ -254,33 +282,33 @@ pub fn turning_axes(vector_rad: Vector) -> [Vector; 3] {
     })
 }
 
-/// `a - b`.
+/// Difference `a - b`.
 pub fn minus<T: Scalar>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Scalar product.
+/// Dot product.
 pub fn dot<T: Scalar>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Vector product.
+/// Cross product.
 pub fn cross<T: Scalar>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Length.
+/// Length of a vector.
 pub fn norm(a: Vector) -> f64 {
     a[0].hypot(a[1]).hypot(a[2])
 }
 
-/// `a` scaled to length one; `None` for a vector without direction.
+/// `a` scaled to unit length; `None` if the length is zero or non-finite.
 pub fn unit(a: Vector) -> Option<Vector> {
     let length = norm(a);
     (length > 0.0 && length.is_finite()).then(|| a.map(|v| v / length))
 }
 
-/// Mean of points; `None` without any.
+/// Mean of points; `None` without points.
 pub fn centroid(points: &[Vector]) -> Option<Vector> {
     let n = points.len() as f64;
     let sum = points.iter().fold([0.0; 3], |s, p| [s[0] + p[0], s[1] + p[1], s[2] + p[2]]);
@@ -316,7 +344,7 @@ mod tests {
                 let again = Pose::from_quaternion(pose.quaternion().map(|v| 2.0 * v));
                 assert!(pose.inverse().then(&back).angle_rad() < 1e-14, "{direction:?} {angle}");
                 assert!(pose.inverse().then(&again).angle_rad() < 1e-14, "{direction:?} {angle}");
-                // about z it is the elementary rotation
+                // about z this is the elementary rotation
                 let turned = Pose::<f64>::identity().turn_z(angle);
                 let same = Pose::from_rotation_vector([0.0, 0.0, angle]);
                 assert!(turned.inverse().then(&same).angle_rad() < 1e-15);

@@ -1,7 +1,9 @@
-//! Names of poses: whole numbers, or any other text.
+//! Names of poses: integers or other texts.
 
 use super::cell::is_formula;
 use super::message::Message;
+use crate::catalogue::{Argument, IntoArgument};
+use crate::error;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -11,9 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
-/// The name of a pose: a whole number (`7`, `07`), or any other text (`home`, `A-3`, `P7`), letter by letter as it is written.
+/// Name of a pose: an integer (`7`, `07`), or any other text, as written (`home`, `A-3`, `P7`).
 ///
-/// Numbers sort before texts, texts by natural order: `P2` before `P10`.
+/// Numbers sort before texts, texts in natural order: `P2` before `P10`.
 ///
 /// # Examples
 ///
@@ -33,37 +35,34 @@ use std::sync::{Mutex, PoisonError};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PoseName {
-    /// A number.
+    /// Integer.
     Number(i64),
-    /// A text that is not a number. Every text is stored once, until the program ends.
+    /// Other text; every text is stored once, until the program ends.
     Text(&'static str),
 }
 
-/// Texts of poses that occurred.
+/// All texts of poses so far.
 static TEXTS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
 
-/// The most characters of a name.
+/// Maximum length of a name (characters).
 const LONGEST: usize = 100;
 
 impl PoseName {
-    /// The pose of this name, blanks around it left out. A name that no table or spreadsheet could hold is an error.
+    /// Parses a name without surrounding blanks. Names that a table or spreadsheet cannot hold are
+    /// errors.
     pub fn new(name: &str) -> Result<Self, Message> {
         let name = name.trim();
         if let Ok(number) = name.parse() {
             return Ok(Self::Number(number));
         }
-        let wrong = |what: String| Err(Message::error(what).expected("a whole number, or a name like `home` or `A-3`"));
         if name.is_empty() {
-            return wrong("the pose has no name".to_owned());
+            return Err(error!("pose-name-empty"));
         }
         if name.len() > LONGEST {
-            return wrong(format!("the name of a pose has {} characters", name.chars().count()));
+            return Err(error!("pose-name-too-long", characters = name.chars().count(), most = LONGEST));
         }
         if name.contains(char::is_control) || is_formula(name) {
-            return wrong(format!(
-                "the pose `{}` would be a formula or a line of its own in a table",
-                name.escape_debug()
-            ));
+            return Err(error!("pose-name-unprintable", name = name.escape_debug().to_string()));
         }
         let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(Self::Text(texts.get(name).copied().unwrap_or_else(|| {
@@ -73,7 +72,7 @@ impl PoseName {
         })))
     }
 
-    /// Its number, if it is one.
+    /// Number of the pose, if it is an integer.
     pub fn number(self) -> Option<i64> {
         match self {
             Self::Number(number) => Some(number),
@@ -81,8 +80,8 @@ impl PoseName {
         }
     }
 
-    /// What is left of a name without capital letters, blanks, `_`, `-` and leading zeros: names that agree so are two spellings
-    /// of one.
+    /// Name without case, blanks, `_`, `-` and leading zeros; names with equal folded form are
+    /// spellings of one name.
     fn folded(self) -> String {
         let mut folded = String::new();
         for part in parts(&self.to_string().to_lowercase()) {
@@ -96,7 +95,8 @@ impl PoseName {
     }
 }
 
-/// The first pose among these that another one before it names in another spelling (`P1` and `p 01`): the other, and its index.
+/// Finds the first pose that is another spelling of an earlier one (`P1` and `p 01`): message and
+/// index.
 pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Option<(Message, usize)> {
     let mut known: BTreeSet<&'static str> = BTreeSet::new();
     let mut by_spelling: BTreeMap<String, PoseName> = BTreeMap::new();
@@ -106,14 +106,16 @@ pub fn two_spellings(names: impl IntoIterator<Item = Option<PoseName>>) -> Optio
             continue;
         }
         if let Some(other) = by_spelling.insert(name.folded(), name) {
-            let what = format!("`{other}` and `{name}` differ only in capital letters, blanks, `_`, `-` or zeros");
-            return Some((
-                Message::error(what).hint("one pose has one name: write it the same in every row and file"),
-                i,
-            ));
+            return Some((error!("pose-name-two-spellings", first = other, second = name), i));
         }
     }
     None
+}
+
+impl IntoArgument for PoseName {
+    fn argument(&self) -> Argument {
+        self.to_string().argument()
+    }
 }
 
 impl Default for PoseName {
@@ -160,10 +162,11 @@ impl PartialOrd for PoseName {
     }
 }
 
-/// What natural order compares: runs of digits as numbers, anything else letter by letter.
+/// Unit of natural order: runs of digits compare as numbers, everything else character by
+/// character.
 #[derive(PartialEq, Eq)]
 enum Part<'a> {
-    /// Without leading zeros.
+    /// Digits without leading zeros.
     Digits(&'a str),
     Other(char),
 }
@@ -274,7 +277,7 @@ mod tests {
         names.sort();
         assert_eq!(names.iter().map(ToString::to_string).collect::<Vec<_>>(), {
             let mut expected = sorted;
-            // of equal numbers the text decides
+            // equal numbers are ordered by their texts
             expected.swap(6, 7);
             expected
         });
@@ -285,7 +288,8 @@ mod tests {
         let found = |names: &[&str]| two_spellings(names.iter().map(|name| PoseName::new(name).ok()));
         for pair in [["P1", "p1"], ["P01", "P1"], ["P_1", "P-1"], ["home", "Home"], ["pose 2", "pose2"]] {
             let (message, at) = found(&["7", pair[0], "A1", "B1", pair[1]]).unwrap();
-            assert!(message.what.contains(pair[0]) && message.what.contains(pair[1]) && at == 4, "{}", message.what);
+            let names: [(&str, &dyn IntoArgument); 2] = [("first", &pair[0]), ("second", &pair[1])];
+            assert!(message.is("pose-name-two-spellings", &names) && at == 4, "{message:?}");
         }
         assert!(found(&["7", "07", "P7", "P70", "A1", "B1", "10", "10b", "P1"]).is_none());
     }

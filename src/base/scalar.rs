@@ -1,8 +1,8 @@
-//! Numbers that a kinematic model may be written in: `f64`, or a dual number that carries exact derivatives.
+//! Number types of kinematic models: `f64`, or a dual number with exact derivatives.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What the models ask of a number. Implemented for `f64` and for [`Dual`].
+/// Operations that models need. Implemented for `f64` and [`Dual`].
 pub trait Scalar:
     Copy
     + Send
@@ -16,23 +16,23 @@ pub trait Scalar:
     + Mul<f64, Output = Self>
     + Add<f64, Output = Self>
 {
-    /// The value without its derivatives.
+    /// Value without derivatives.
     fn value(self) -> f64;
-    /// Whether it is zero and has no derivatives: a motion by it is none.
+    /// `true` if value and derivatives are zero, so that a motion by it can be skipped.
     fn is_zero(self) -> bool {
         false
     }
-    /// Sine and cosine of an angle in radians.
+    /// Sine and cosine of an angle (rad).
     fn sin_cos(self) -> (Self, Self);
-    /// Angle in radians of the vector (`x`, `self`).
+    /// Angle of the vector (`x`, `self`) (rad).
     fn atan2(self, x: Self) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
-    /// An angle brought to (−π, π] rad.
+    /// Angle wrapped to (−π, π] (rad).
     fn wrapped(self) -> Self {
         self + (-(self.value() / std::f64::consts::TAU).round() * std::f64::consts::TAU)
     }
-    /// Tangent of an angle in radians.
+    /// Tangent of an angle (rad).
     fn tan(self) -> Self {
         let (sin, cos) = self.sin_cos();
         sin / cos
@@ -57,30 +57,31 @@ impl Scalar for f64 {
     }
 }
 
-/// A dual number: a value and its derivatives with respect to `N` variables (forward-mode differentiation).
+/// A dual number: a value and its derivatives with respect to `N` variables (forward-mode
+/// differentiation).
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<const N: usize> {
-    /// The value.
+    /// Value.
     pub value: f64,
     /// Derivatives with respect to the `N` variables.
     pub gradient: [f64; N],
 }
 
 impl<const N: usize> Dual<N> {
-    /// The `index`-th variable, at `value`.
+    /// Variable number `index` with the given value.
     pub fn variable(value: f64, index: usize) -> Self {
         let mut gradient = [0.0; N];
         gradient[index] = 1.0;
         Self { value, gradient }
     }
 
-    /// `value` with the derivative scaled by `slope`: the chain rule for one argument.
+    /// Chain rule for one argument: `value` with the gradient scaled by `slope`.
     #[inline(always)]
     fn chain(self, value: f64, slope: f64) -> Self {
         Self { value, gradient: self.gradient.map(|g| slope * g) }
     }
 
-    /// `value` with gradient `a * self' + b * other'`: the chain rule for two arguments.
+    /// Chain rule for two arguments: `value` with gradient `a * self' + b * other'`.
     #[inline(always)]
     fn combine(self, other: Self, value: f64, a: f64, b: f64) -> Self {
         let mut gradient = self.gradient;
@@ -91,12 +92,12 @@ impl<const N: usize> Dual<N> {
     }
 }
 
-/// Values as variables, each with its own derivative.
+/// Converts values to variables, each with its own derivative.
 pub fn duals<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
     values.iter().enumerate().map(|(i, &v)| Dual::variable(v, i)).collect()
 }
 
-/// Values without derivatives.
+/// Converts values to constants without derivatives.
 pub fn constants<const N: usize>(values: &[f64]) -> Vec<Dual<N>> {
     values.iter().map(|&v| Dual::from(v)).collect()
 }

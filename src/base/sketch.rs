@@ -1,53 +1,53 @@
-//! A line drawing of a robot in its base frame, with its parameters as dimensions.
+//! Line drawing of a robot in its base frame, with its parameters as dimensions.
 
 use super::pose::{Pose, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A drawing; lengths in mm.
+/// A drawing with lengths in mm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sketch {
-    /// What it shows, in words.
+    /// Title of the drawing.
     pub title: String,
-    /// It lies in the plane z = 0.
+    /// `true` if the drawing lies in the plane z = 0.
     pub planar: bool,
-    /// Its lines.
+    /// Lines of the drawing.
     pub strokes: Vec<Stroke>,
 }
 
-/// A line of a drawing, through these points.
+/// A polyline of a drawing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stroke {
-    /// What it represents.
+    /// Meaning of the line.
     pub kind: StrokeKind,
-    /// Its name: that of a parameter, a joint or a frame; empty without one.
+    /// Name of a parameter, joint or frame; empty if unnamed.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
-    /// Places in mm, two or more.
+    /// At least two points (mm).
     pub points_mm: Vec<Vector>,
 }
 
-/// What a line represents.
+/// Meaning of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StrokeKind {
     /// A link, a rod, a platform.
     Part,
-    /// An axis, or the line from which an angle counts.
+    /// An axis, or the reference line of an angle.
     Axis,
-    /// A dimension, with an arrow at either end.
+    /// A dimension with an arrow at either end.
     Length,
-    /// An angle or a direction, with an arrow at its positive end.
+    /// An angle or direction with an arrow at its positive end.
     Direction,
 }
 
-/// Places of a drawn arc.
+/// Number of segments of an arc.
 const ARC: usize = 8;
 
 impl Sketch {
-    /// An empty drawing.
+    /// Creates an empty drawing.
     pub fn new(title: &str, planar: bool) -> Self {
         Self { title: title.to_owned(), planar, strokes: Vec::new() }
     }
@@ -63,7 +63,7 @@ impl Sketch {
         self.add(StrokeKind::Direction, name, &(0..=ARC).map(at).collect::<Vec<_>>());
     }
 
-    /// Adds the axes of a frame, of which the x axis bears a name.
+    /// Adds the axes of a frame, with the name at the x axis.
     pub fn frame(&mut self, name: &str, frame: &Pose, length_mm: f64) {
         for (axis, letter) in ["x", "y", "z"].into_iter().enumerate().take(if self.planar { 2 } else { 3 }) {
             let tip = frame.shift(axis, length_mm).translation_mm;
@@ -72,7 +72,7 @@ impl Sketch {
         }
     }
 
-    /// Its largest extent along a coordinate axis, mm.
+    /// Largest extent along a coordinate axis (mm).
     pub fn extent_mm(&self) -> f64 {
         let all = || self.strokes.iter().flat_map(|s| &s.points_mm);
         let along = |i: usize| {

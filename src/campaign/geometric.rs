@@ -1,29 +1,35 @@
-//! `[geometric]`: which labels are which step of the geometric calibration (thesis, chapter 2).
+//! `[geometric]`: assignment of labels to the steps of the geometric calibration (thesis, chapter
+//! 2).
 
 use super::StatedPoses;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Steps of the geometric calibration, each of which can be alone: leads, scale bars, single balls and the workspace need nothing else;
-/// `arc` (origin O of the base) and `turn` (centre C of the platform) need the world frame, `shaft` (s) needs `arc` too, `offsets` (d1, d3)
-/// all of them and `mid_travel_mm`. The base frame's plane, ball R and the side of actuator 3 are those of the world frame.
+/// Steps of the geometric calibration, each of which can be used alone. Leads, scale bars, single
+/// balls and the workspace need nothing else. `arc` (origin O of the base) and `turn` (centre C of
+/// the platform) need the world frame, `shaft` (s) also needs `arc`, `offsets` (d1, d3) needs all
+/// of them and `mid_travel_mm`. The plane of the base frame, ball R and the side of actuator 3 are
+/// those of the world frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {
     /// Pattern of the labels of ball N on its arc.
     #[schemars(with = "Option<String>")]
     pub arc: Option<Spanned<String>>,
-    /// Pattern of the labels of balls K, L and the one on the tapered block while the platform turns.
+    /// Pattern of the labels of balls K, L and the ball on the tapered block while the platform
+    /// rotates.
     #[schemars(with = "Option<String>")]
     pub turn: Option<Spanned<String>>,
     /// Name of the ball on the tapered block.
     #[serde(default = "ball_i")]
     pub turn_ball: String,
-    /// Pattern of the labels of all points on the shaft; pose 1 and 2 are the two positions, cycle the repeat.
+    /// Pattern of the labels of all points on the shaft; poses 1 and 2 are the two positions, the
+    /// cycle is the repeat.
     #[schemars(with = "Option<String>")]
     pub shaft: Option<Spanned<String>>,
-    /// Pattern of the labels of balls K and L with actuator 1 homed (pose 1) and K with it at its end (pose 2).
+    /// Pattern of the labels of balls K and L with actuator 1 at home (pose 1), and of K with
+    /// actuator 1 at its end (pose 2).
     #[schemars(with = "Option<String>")]
     pub offsets: Option<Spanned<String>>,
     /// Commanded displacement of actuators 2 and 3 for the offsets.
@@ -34,10 +40,10 @@ pub struct GeometricDefinition {
     /// Scale bars.
     #[serde(default)]
     pub scale_bar: Vec<ScaleBarDefinition>,
-    /// Single balls, measured repeatedly while the robot does not move (2.6).
+    /// Single balls, measured repeatedly while the robot does not move (thesis, 2.6).
     #[serde(default)]
     pub ball: Vec<BallDefinition>,
-    /// Tables of errors by pose (2.7).
+    /// Tables of errors by pose (thesis, 2.7).
     #[serde(default)]
     pub table: Vec<TableDefinition>,
     /// Workspace to report.
@@ -55,7 +61,8 @@ pub struct LeadDefinition {
     /// Number of the actuator, 1 to 3.
     #[schemars(with = "usize")]
     pub actuator: Spanned<usize>,
-    /// Pattern of the labels; pose is the number of the position, cycle that of the pass.
+    /// Pattern of the labels; the pose is the number of the position, the cycle the number of the
+    /// pass.
     #[schemars(with = "String")]
     pub label: Spanned<String>,
     /// Commanded displacements of the positions.
@@ -70,49 +77,50 @@ pub struct LeadDefinition {
 pub struct ScaleBarDefinition {
     /// Name for the report.
     pub name: String,
-    /// Pattern of the labels; target is `A` or `B`, cycle the repeat.
+    /// Pattern of the labels; the target is `A` or `B`, the cycle is the repeat.
     #[schemars(with = "String")]
     pub label: Spanned<String>,
-    /// Calibrated distance of its balls.
+    /// Calibrated distance of the balls.
     pub length_mm: f64,
-    /// Expanded uncertainty (k = 2) of that, from the certificate of the bar.
+    /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate of the bar.
     pub length_uncertainty_um: Option<f64>,
-    /// Largest error of a distance that the instrument is specified with; by default what its stated uncertainty makes of two points (k = 2).
+    /// Maximum permissible error of the instrument for a distance; by default computed from its
+    /// stated uncertainty for two points (k = 2).
     pub permissible_error_um: Option<f64>,
 }
 
-/// A ball that does not move.
+/// A stationary ball.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallDefinition {
     /// Name for the report.
     pub name: String,
-    /// Pattern of the labels; cycle is the repeat.
+    /// Pattern of the labels; the cycle is the repeat.
     #[schemars(with = "String")]
     pub label: Spanned<String>,
 }
 
-/// Poses whose mean errors make a table.
+/// Table of mean errors of selected poses.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TableDefinition {
     /// Title of the table.
     pub title: String,
-    /// Poses of the table, as those of `[identify]`.
+    /// Poses of the table, in the notation of `[identify]`.
     #[schemars(with = "StatedPoses")]
     pub poses: Spanned<StatedPoses>,
 }
 
-/// The orientations that must all be reached; the travel of the actuators is that of robot.toml.
+/// Orientations that must all be reached; the travel of the actuators is stated in robot.toml.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorkspaceDefinition {
-    /// Largest orientation to both sides.
+    /// Largest orientation to either side.
     pub theta_deg: f64,
 }
 
 impl GeometricDefinition {
-    /// Every pattern of labels.
+    /// All patterns of labels.
     pub fn patterns(&self) -> impl Iterator<Item = &Spanned<String>> {
         let leads = self.lead.iter().map(|l| &l.label);
         let bars = self.scale_bar.iter().map(|b| &b.label);
@@ -121,12 +129,12 @@ impl GeometricDefinition {
         robot.chain(leads).chain(bars).chain(balls)
     }
 
-    /// Whether all steps that find the robot are stated.
+    /// `true` if all steps that determine the robot are stated.
     pub fn is_whole(&self) -> bool {
         self.arc.is_some() && self.turn.is_some() && self.shaft.is_some() && self.offsets.is_some()
     }
 
-    /// Keys that are missing, each with the one that needs it.
+    /// Missing keys, each with the key that needs it.
     pub fn missing(&self) -> Vec<(&'static str, &'static str)> {
         let [arc, turn, shaft, offsets] = [&self.arc, &self.turn, &self.shaft, &self.offsets].map(Option::is_some);
         let mid_travel = self.mid_travel_mm.is_some();

@@ -1,18 +1,22 @@
 //! `[repeatability]`, `[poses]`, `[compliance]` and `[[stream]]`: tests of ISO 9283.
 
 use super::Campaign;
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 use etalon_base::pose_name::PoseName;
-use etalon_formats::{Format, dialect::Unit};
+use etalon_formats::dialect::{Cells, ColumnSource, Decimal, Delimiter, Encoding, Header, Unit};
+use etalon_formats::{Format, TableLayout};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// A test of repeatability along one trajectory, from labelled points.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RepeatabilityDefinition {
-    /// Pattern of the labels, with `{pose}` and `{cycle}`. Attained poses of one pose and cycle have one label, in their order.
+    /// Pattern of the labels, with `{pose}` and `{cycle}`. Attained poses with equal pose and cycle
+    /// share a label, in their order.
     #[schemars(with = "String")]
     pub label: Spanned<String>,
     /// Numbers or names of the poses in the order of one cycle; the previous pose is the approach.
@@ -24,43 +28,84 @@ pub struct RepeatabilityDefinition {
     /// Pattern of the labels of the home position, each measured after homing.
     #[schemars(with = "Option<String>")]
     pub homing: Option<Spanned<String>>,
-    /// Table of commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`. Without it there is no accuracy, distance or
-    /// drift.
+    /// Table of commanded poses in the world frame: `pose,x_mm,y_mm[,z_mm]`. Accuracy, distance and
+    /// drift require this table.
     #[schemars(with = "Option<String>")]
     pub commanded: Option<Spanned<String>>,
-    /// Number of cycles in one set of a drift test; without it there is no drift.
+    /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
 }
 
 impl RepeatabilityDefinition {
-    /// Every pattern of labels.
+    /// All patterns of labels.
     pub fn patterns(&self) -> impl Iterator<Item = &Spanned<String>> {
         std::iter::once(&self.label).chain(&self.homing)
     }
 }
 
-/// A test of poses from tables, which are in one frame of their own.
+/// A test of poses from tables, in a frame of its own.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PosesDefinition {
-    /// Table of attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
+    /// Table of attained poses:
+    /// `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]`.
     #[schemars(with = "String")]
     pub attained: Spanned<String>,
-    /// Table of commanded poses: the same coordinates without `cycle`.
+    /// Table of commanded poses: the same columns without `cycle`.
     #[schemars(with = "String")]
     pub commanded: Spanned<String>,
-    /// Table of reference targets, which do not move and are measured from time to time: `cycle,target,x_mm,y_mm[,z_mm]`.
+    /// Table of stationary reference targets that are measured from time to time:
+    /// `cycle,target,x_mm,y_mm[,z_mm]`.
     #[schemars(with = "Option<String>")]
     pub reference: Option<Spanned<String>>,
+    /// What separates the columns of the tables.
+    #[schemars(extend("default" = ","))]
+    pub delimiter: Option<Delimiter>,
+    /// Decimal mark of the tables.
+    #[serde(default)]
+    pub decimal: Decimal,
+    /// Encoding of their characters, where no byte-order mark states it.
+    #[schemars(extend("default" = "utf-8"))]
+    pub encoding: Option<Encoding>,
+    /// Rows before the data of each table, the last of which names the columns: a number, `false` for none, or words of the row.
+    #[serde(default = "one_row")]
+    #[schemars(extend("default" = 1))]
+    pub header: Header,
+    /// Where each column comes from that is called otherwise in the tables: a heading, a number from 1, or an expression (`x_t - x_dif`). A
+    /// table that has no such heading is read without it.
+    #[serde(default)]
+    pub columns: BTreeMap<String, ColumnSource>,
+    /// Rows that are left out: those with one of these cells in one of these columns of the attained poses.
+    #[serde(default)]
+    pub without: BTreeMap<String, Cells>,
     /// Number of cycles in one set of a drift test; without it there is no drift.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
-    /// Order of the rotations a, b, c; with it reference targets compensate orientations too.
+    /// Order of the rotations a, b, c; if stated, reference targets also compensate orientations.
     pub rotation_order: Option<String>,
     /// Seed of the bootstrap intervals.
     #[serde(default = "seed")]
     pub seed: u64,
+}
+
+impl PosesDefinition {
+    /// How a table is laid out; rows are left out of the attained poses alone.
+    pub fn layout(&self, attained: bool) -> TableLayout {
+        TableLayout {
+            delimiter: self.delimiter.unwrap_or(Delimiter::Comma),
+            decimal: self.decimal,
+            header: self.header.clone(),
+            columns: self.columns.clone(),
+            lenient: true,
+            without: if attained { self.without.clone() } else { BTreeMap::new() },
+            ..TableLayout::default()
+        }
+    }
+}
+
+fn one_row() -> Header {
+    Header::Rows(1)
 }
 
 fn seed() -> u64 {
@@ -71,34 +116,37 @@ fn seed() -> u64 {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ComplianceDefinition {
-    /// Table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of force 0 in each direction and cycle.
+    /// Table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of force 0 in each direction
+    /// and cycle.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
 }
 
-/// A recorded motion. Recording, path and commanded poses are in one frame: that of the recording.
+/// A recorded motion. Recording, path and commanded poses are in the frame of the recording.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StreamDefinition {
-    /// Name for the report; each name once.
+    /// Unique name for the report.
     #[schemars(with = "String")]
     pub name: Spanned<String>,
-    /// The recording: `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, or any text whose `format` and `unit` are stated.
+    /// Recording: `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, or any text with stated
+    /// `format` and `unit`.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Format of the recording, as that of an export; without it the recording is the table above.
+    /// Format of the recording, as for an export; by default the table of the key `file`.
     pub format: Option<Format>,
     /// Length unit of the recording; required with `format`.
     pub unit: Option<Unit>,
-    /// Sampling rate, in place of the time stamps.
+    /// Sampling rate, which replaces time stamps.
     pub rate_hz: Option<f64>,
-    /// A standstill has all positions within this distance of their mean.
+    /// Largest distance of positions from their mean during a standstill.
     #[serde(default = "still_mm")]
     pub still_mm: f64,
-    /// A standstill has at least this duration.
+    /// Minimum duration of a standstill.
     #[serde(default = "still_s")]
     pub still_s: f64,
-    /// Largest distance of a standstill from its pose, and of an attained path from the commanded one.
+    /// Largest distance of a standstill from its pose, and of an attained path from the commanded
+    /// path.
     #[serde(default = "near_mm")]
     pub near_mm: f64,
     /// Limit band for stabilisation time, overshoot and posing time.
@@ -106,7 +154,8 @@ pub struct StreamDefinition {
     /// Table of commanded poses: `pose,x_mm,y_mm[,z_mm]...`
     #[schemars(with = "Option<String>")]
     pub commanded: Option<Spanned<String>>,
-    /// Table of the commanded path: the columns of the recording without time, one row for each point.
+    /// Table of the commanded path: the columns of the recording without time, with one row per
+    /// point.
     #[schemars(with = "Option<String>")]
     pub path: Option<Spanned<String>>,
     /// Number of command points on the path.
@@ -119,7 +168,7 @@ pub struct StreamDefinition {
     pub central_percent: f64,
     /// Stroke of a weave from side to side; the path is then its centre line.
     pub weave_stroke_mm: Option<f64>,
-    /// Frequency of the weave, there and back.
+    /// Frequency of the weave in full swings.
     pub weave_hz: Option<f64>,
     /// Direction of the weave: x, y and z.
     #[serde(default)]
@@ -147,13 +196,11 @@ fn central_percent() -> f64 {
 }
 
 impl StreamDefinition {
-    /// A file whose units are not stated, or stated twice.
+    /// Reports a file whose units are missing, or stated twice.
     pub fn problems(&self, campaign: &Campaign) -> Problems {
         if self.format.is_some() == self.unit.is_some() {
             return Problems::default();
         }
-        let message = Message::error("a recording with a `format` needs its `unit`, and only then one");
-        let message = message.hint("without both it is a table time_s,x_mm,y_mm,z_mm, whose header states the units");
-        message.at(campaign.place(&self.name)).into()
+        error!("recording-unit").at(campaign.place(&self.name)).into()
     }
 }

@@ -1,4 +1,4 @@
-//! `[join]`: how measurements meet joint values.
+//! `[join]`: assignment of measurements to joint values.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, SeqAccess, Visitor};
@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::fmt;
 use toml::Spanned;
 
-/// How points are joined with joint values.
+/// Assignment of points to joint values.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Join {
@@ -17,11 +17,12 @@ pub struct Join {
     /// Targets that become observations; all targets of the robot if absent.
     #[schemars(with = "Option<Vec<String>>")]
     pub targets: Option<Vec<Spanned<String>>>,
-    /// Time of the measurement minus time of the log, for a join by time; `standstills` determines it from the log.
+    /// Time of the measurement minus time of the log, for a join by time; with `standstills` it is
+    /// determined from the log.
     pub clock_offset_s: Option<ClockOffset>,
-    /// Largest difference of two times, for a join by time.
+    /// Largest difference of the times, for a join by time.
     pub tolerance_s: Option<f64>,
-    /// Interpolates joint values between the rows before and after, for a join by time.
+    /// Interpolates joint values between the previous and the next row, for a join by time.
     #[serde(default)]
     pub interpolate: bool,
 }
@@ -43,12 +44,12 @@ impl JsonSchema for ClockOffset {
     }
 }
 
-/// The offset of two clocks.
+/// Offset of two clocks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ClockOffset {
-    /// Known.
+    /// Stated offset.
     Stated(f64),
-    /// From the standstills of the log: every point was measured in one.
+    /// Determined from the standstills of the log; every point was measured during one.
     Standstills,
 }
 
@@ -78,7 +79,7 @@ impl<'de> Deserialize<'de> for ClockOffset {
 }
 
 impl Join {
-    /// The offset of the clocks, where it is stated.
+    /// Offset of the clocks, if stated.
     pub fn stated_offset_s(&self) -> Option<f64> {
         match self.clock_offset_s? {
             ClockOffset::Stated(offset_s) => Some(offset_s),
@@ -92,13 +93,14 @@ impl Join {
 pub enum JoinBy {
     /// Pose and cycle.
     PoseAndCycle,
-    /// Pose: the log has one row for all cycles.
+    /// Pose; the log has one row for all cycles.
     Pose,
-    /// Number of the row; the counts must agree.
+    /// Number of the row; the numbers of rows must agree.
     Row,
     /// Nearest time.
     Time,
-    /// Label of the point that the robot touches by the log: measured once, touched often.
+    /// Label of the point that the robot touches according to the log; the point is measured once
+    /// and touched repeatedly.
     Label,
 }
 

@@ -1,5 +1,5 @@
-//! A campaign: one measurement session of one robot, as `campaign.toml` and `robot.toml` state it.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! A campaign: one measurement session of one robot, as stated in `campaign.toml` and `robot.toml`.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod geometric;
 mod iso9283;
@@ -22,8 +22,9 @@ pub use selection::{Selection, Selections, StatedPoses};
 pub use toml_file::UnreadKeys;
 pub use types::*;
 
+use etalon_base::error;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result, SourceText};
+use etalon_base::message::{Place, Problems, Result, SourceText};
 use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_identify::{FrameError, Settings, Systematic};
@@ -34,7 +35,7 @@ use toml::Spanned;
 use toml_file::Recovered;
 pub use toml_file::parse;
 
-/// A campaign with the folder it lives in and the text it was read from.
+/// A campaign with its folder and text.
 ///
 /// # Examples
 ///
@@ -52,43 +53,45 @@ pub use toml_file::parse;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Campaign {
-    /// `campaign.toml`.
+    /// Contents of `campaign.toml`.
     pub file: CampaignFile,
-    /// `robot.toml`.
+    /// Contents of `robot.toml`.
     pub robot: RobotFile,
-    /// The folder of `campaign.toml`.
+    /// Folder of `campaign.toml`.
     pub folder: PathBuf,
     /// Path of `campaign.toml`.
     pub location: PathBuf,
-    /// `campaign.toml` as messages name it: its path, with replaced bytes where that is not UTF-8.
+    /// Path of `campaign.toml` in messages, with replacement characters where it is not UTF-8.
     pub path: String,
-    /// Its text.
+    /// Text of `campaign.toml`.
     pub text: String,
-    /// What identifies both files.
+    /// Stamps of both files.
     pub stamps: [Stamp; 2],
-    /// What of `campaign.toml` did not read.
+    /// Entries of `campaign.toml` that could not be read.
     pub unread: UnreadKeys,
 }
 
 impl Campaign {
-    /// Reads a campaign: the path of a `campaign.toml`, or of the folder that holds it.
+    /// Reads a campaign from the path of a `campaign.toml`, or of its folder.
     ///
-    /// Every wrong key and value of both files is reported, not only the first.
+    /// All wrong keys and values of both files are reported, not only the first.
     pub fn read(path: &Path) -> Result<Self> {
         let (campaign, problems) = Self::recover(path)?;
         campaign.filter(|_| problems.0.is_empty()).ok_or(problems)
     }
 
-    /// The campaign that is left when everything that does not fit is taken away, and what that is.
+    /// Reads a campaign without the entries that do not fit, and returns the problems.
     pub fn recover(path: &Path) -> Result<(Option<Self>, Problems)> {
         let path = if path.is_dir() { path.join("campaign.toml") } else { path.to_owned() };
         if !path.is_file() {
-            let what = format!("there is no campaign `{}`", path.display());
-            return Err(Message::error(what).hint("`etalon init FOLDER` writes one to start from").into());
+            return Err(error!("campaign-missing", file = path.display().to_string()).into());
         }
         let (text, stamp) = files::read_statement(&path)?;
         let name = path.display().to_string();
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
+        if let Some(question) = open_question(&name, &text) {
+            return Ok((None, question.into()));
+        }
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
         let Some(mut file) = value else { return Ok((None, problems)) };
         let joints = file.exports.iter().any(|export| !export.joints.is_empty());
@@ -117,12 +120,13 @@ impl Campaign {
         Ok((Some(Self { file, robot, folder, location: path, path: name, text, stamps, unread }), problems))
     }
 
-    /// The path of a file that the campaign names: inside its folder, or below `$NAME/` of the environment.
+    /// Path of a file that the campaign names: inside its folder, or below `$NAME/` of the
+    /// environment.
     pub fn resolve(&self, file: &Spanned<String>) -> Result<PathBuf> {
         paths::resolve(&self.folder, file.get_ref()).map_err(|m| m.at(self.place(file)).into())
     }
 
-    /// The path of a file that was read.
+    /// Path of a source file.
     pub fn source(&self, source: &Source) -> Result<PathBuf> {
         match source.kind {
             SourceKind::Campaign => Ok(self.location.clone()),
@@ -135,7 +139,8 @@ impl Campaign {
         self.resolve(&self.file.output)
     }
 
-    /// The file that describes the robot beside robot.toml, as a path from the campaign's folder, and what identifies it.
+    /// File that describes the robot beside robot.toml, as a path from the campaign's folder, and
+    /// its stamp.
     pub fn robot_description(&self) -> Option<(String, &Stamp)> {
         let (file, stamp) = self.robot.description_file()?;
         let robot = self.file.robot.get_ref();
@@ -143,38 +148,41 @@ impl Campaign {
         Some((if file.starts_with('$') { file.to_owned() } else { folder + file }, stamp))
     }
 
-    /// Whether parameters are identified, even if `[identify]` itself does not read; a campaign may be a test by ISO 9283 alone.
+    /// `true` if parameters are identified, even if `[identify]` itself could not be read; `false`
+    /// for a test by ISO 9283 alone.
     pub fn identifies(&self) -> bool {
         self.file.identify.is_some() || self.unread.affects(&["identify"])
     }
 
-    /// The environment variable that the campaign's data depend on, if it is not set.
+    /// Environment variable that the campaign's data need, if it is unset.
     pub fn missing_variable(&self) -> Option<String> {
         self.file.inputs().find_map(|f| paths::missing_variable(f.get_ref()))
     }
 
-    /// The place of a value in `campaign.toml`.
+    /// Place of a value in `campaign.toml`.
     pub fn place<T>(&self, value: &Spanned<T>) -> Place {
         self.stated().place(value)
     }
 
-    /// `campaign.toml` as the text that states values.
+    /// Name and text of `campaign.toml` for messages.
     pub fn stated(&self) -> SourceText<'_> {
         SourceText { name: &self.path, text: &self.text }
     }
 
-    /// The place of a key's value in `campaign.toml`, given by the keys that lead to it; the file where there is none.
+    /// Place of a key's value in `campaign.toml`, given by the keys that lead to it; the file if
+    /// the key is missing.
     pub fn place_of(&self, path: &[&str]) -> Place {
         let span = toml_file::find(&self.text, path);
         span.map_or_else(|| Place::file(self.path.as_str()), |span| Place::span(self.path.as_str(), &self.text, span))
     }
 
-    /// `campaign.toml`, without the folder: documents do not depend on where the folder is.
+    /// Name of `campaign.toml` without its folder, so that documents do not depend on the folder.
     pub fn file_name(&self) -> &str {
         self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
     }
 
-    /// Whether all that an export states reads, except its unit, which labels do not need.
+    /// `true` if all keys of an export could be read, except for its unit, which labels do not
+    /// need.
     pub fn export_reads(&self, index: usize) -> bool {
         !self.unread.affects_except(&["export", &index.to_string()], "unit")
     }
@@ -195,7 +203,7 @@ impl Campaign {
         }
     }
 
-    /// The errors that all observations of `robot` have in common, `frames` among them.
+    /// Errors common to all observations of `robot`, including `frames`.
     pub fn systematic(&self, robot: &dyn Robot, frames: Vec<FrameError>) -> Systematic {
         let of_joint = |homing: &Homing, joint: &Joint| {
             let expanded = match joint.quantity {
@@ -213,28 +221,35 @@ impl Campaign {
         }
     }
 
-    /// The place of the world frame's definition.
+    /// Place of the definition of the world frame.
     pub fn world_place(&self) -> Place {
         self.place_of(&["frame", "world"])
     }
 
-    /// The robot that the campaign measured, with the targets that `[join]` names.
+    /// Builds the robot of the campaign, with the targets of `[join]`.
     pub fn build_robot(&self) -> Result<Box<dyn Robot>> {
         self.build_robot_with(&[])
     }
 
-    /// The same with these targets beside.
+    /// Builds the robot like [`Self::build_robot`], with additional targets.
     pub fn build_robot_with(&self, more: &[String]) -> Result<Box<dyn Robot>> {
-        // an arm whose targets did not read has some, and a test needs none
+        // an arm whose targets could not be read has some, and a test needs none
         let unread = self.unread.affects(&["join", "targets"]) || !self.identifies();
         let targets: Vec<String> = match unread && more.is_empty() {
             true => vec!["target".to_owned()],
             false => self.file.join_targets().map(|t| t.get_ref()).chain(more).cloned().collect(),
         };
-        self.robot.build(&targets).map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
+        let built = match self.robot.build(&targets) {
+            // a robot without targets of its own
+            Err(_) if targets.is_empty() && !self.file.stated_targets().is_empty() => {
+                self.robot.build(&self.file.stated_targets())
+            }
+            built => built,
+        };
+        built.map_err(|problems| problems.at(&self.place_of(&["join", "targets"])))
     }
 
-    /// The poses of `calibration` and `validation`.
+    /// Poses of `calibration` and `validation`.
     pub fn selections(&self, identify: &Identify) -> Result<Selections> {
         let parse = |text: &Spanned<StatedPoses>| {
             Selection::parse(text.get_ref()).map_err(|m| Problems::from(m.at(self.place(text))))
@@ -244,13 +259,32 @@ impl Campaign {
     }
 }
 
+/// The first line that a proposal leaves open: a value `"?"`, or a joint in `UNIT`.
+fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message> {
+    let open = |line: &str| {
+        let stated = line.split(" #").next().unwrap_or(line);
+        !stated.trim_start().starts_with('#') && (stated.contains("= \"?\"") || stated.contains("_UNIT ="))
+    };
+    let mut lines = text.lines().enumerate().filter(|(_, line)| open(line));
+    let (at, line) = lines.next()?;
+    let more = lines.count();
+    let key = line.split('=').next().unwrap_or("").trim();
+    let message = if line.contains("_UNIT =") {
+        error!("joint-unit-open", more)
+    } else {
+        let remark = line.split_once(" #").map_or("none", |(_, remark)| remark.trim());
+        error!("key-open", key, more, remark)
+    };
+    Some(message.at(Place::line(name, at + 1, line)))
+}
+
 /// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.
 fn missing_keys(text: &str) -> Vec<&'static str> {
     let all = toml_file::Stated::of(text);
     let stated = |key: &&str| all.find(&[key]).is_some();
     let tests = ["repeatability", "poses", "stream", "compliance"].iter().any(stated);
     let geometric = stated(&"geometric");
-    // leads, bars, balls and a whole geometric calibration need no log
+    // leads, bars, balls and a complete geometric calibration need no log
     let identifies = !(tests || geometric) || ["log", "join", "identify", "observations"].iter().any(stated);
     let needed: &[&str] = match identifies {
         true if stated(&"observations") => &["identify"],
@@ -292,13 +326,14 @@ pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// The chain of a URDF file with the most moving joints, and the text of the file.
+/// Reads a URDF file: its chain with the most moving joints, and its text.
 pub fn read_urdf(path: &Path) -> Result<(LongestChain, String)> {
     let (name, text) = (path.display().to_string(), files::read_text(path)?);
     Ok((urdf::read(&name, &text)?.longest_chain()?, text))
 }
 
-/// Reads the true parameters of a simulation alone, by name in mm, deg and 1: of a truth, or of a file that has nothing else.
+/// Reads only the true parameters of a simulation, by name (mm, deg or 1), from a truth or from a
+/// file without other keys.
 pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
     #[derive(serde::Deserialize, schemars::JsonSchema)]
     struct Parameters {
@@ -308,7 +343,7 @@ pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
     Ok(toml_file::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
 }
 
-/// Name and JSON Schema of every input file, as in `schemas/`.
+/// Name and JSON Schema of all input files, as in `schemas/`.
 pub fn schemas() -> Vec<(&'static str, String)> {
     vec![("campaign.toml", schema::<CampaignFile>()), ("robot.toml", schema::<RobotFile>())]
 }

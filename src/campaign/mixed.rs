@@ -1,71 +1,95 @@
-//! Exports that carry joint values beside the points: each row is joined with itself.
+//! Exports with joint values beside the points: each row is joined with itself.
 
 use super::{CampaignFile, Join, JoinBy};
+use etalon_base::error;
 use etalon_base::message::{Message, SourceText};
-use etalon_formats::dialect::{ColumnRole, Delimiter, FromRow, Header};
+use etalon_formats::dialect::{Column, ColumnRole, FromRow};
 use etalon_formats::{Export, Log, LogKind};
 use toml::Spanned;
 
 impl CampaignFile {
-    /// Adds the log that an export with `joints` is, and the join by its rows, where neither is stated; an error where its joints cannot
-    /// be read.
-    pub(super) fn add_joints_of_exports(&mut self, stated: SourceText) -> Option<Message> {
-        let export = self.exports.iter_mut().find(|export| !export.joints.is_empty())?;
-        if !self.logs.is_empty() {
-            return None;
+    /// Adds a log for each file whose exports state `joints`, and the join by rows, if neither is
+    /// stated; returns errors if joints cannot be read.
+    pub(super) fn add_joints_of_exports(&mut self, stated: SourceText) -> Vec<Message> {
+        if !self.logs.is_empty() || self.exports.iter().all(|export| export.joints.is_empty()) {
+            return Vec::new();
         }
-        let dialect = &export.format.dialect;
-        let header = match dialect.header {
-            Header::Rows(0) => Some(false),
-            Header::Rows(1) => Some(true),
-            _ => None,
-        };
-        let (Some(delimiter), Some(header), None) = (dialect.delimiter, header, &dialect.comment) else {
-            let message = Message::error("`joints` are read of delimited text with one row of names at most")
-                .at(stated.place(&export.file));
-            let hint = "state `format = { delimiter = .., header = 1, columns = .. }`; of other files name the joints in a [log]";
-            return Some(message.hint(hint));
-        };
-        self.logs.push(log_of(export, delimiter, header));
-        let named = |role| export.format.dialect.columns.contains(role);
-        let in_label = export.label.as_ref().is_some_and(|label| label.get_ref().contains("{pose}"));
-        if export.pose.is_none() && !named(ColumnRole::Pose) && !in_label {
-            export.pose = Some(FromRow::default());
+        let mut wrong = Vec::new();
+        for export in self.exports.iter_mut().filter(|export| !export.joints.is_empty()) {
+            let dialect = &export.format.dialect;
+            if dialect.delimiter.is_none() && dialect.sheet.is_none() {
+                wrong.push(error!("joints-need-delimited-text").at(stated.place(&export.file)));
+                continue;
+            }
+            let named = |role| export.format.dialect.columns.contains(role);
+            let in_label = export.label.as_ref().is_some_and(|label| label.get_ref().contains("{pose}"));
+            if export.pose.is_none() && !named(ColumnRole::Pose) && !in_label {
+                export.pose = Some(FromRow::default());
+            }
+            // several points of a row share the joints of the row
+            if self.logs.iter().all(|log| log.file.get_ref() != export.file.get_ref()) {
+                let mut log = log_of(export);
+                if !self.logs.is_empty() {
+                    log.name = format!("log-{}", self.logs.len() + 1);
+                }
+                self.logs.push(log);
+            }
         }
         let by_row =
             Join { by: JoinBy::Row, targets: None, clock_offset_s: None, tolerance_s: None, interpolate: false };
         self.join.get_or_insert(by_row);
-        None
+        wrong
     }
 
-    /// What contradicts an export with `joints`, with the text that states it.
+    /// Contradiction to an export with `joints`, with the text that states it.
     pub fn joints_stated_twice(&self) -> Option<(Message, &Spanned<String>)> {
         let mut mixed = self.exports.iter().filter(|export| !export.joints.is_empty());
         let export = mixed.next()?;
-        if let Some(other) = mixed.next() {
-            let message = Message::error("two exports carry joints, and a campaign has one such file");
-            return Some((message.hint("put their rows into one file"), &other.file));
+        let of_exports = |log: &&Log| self.exports.iter().any(|e| e.file.span() == log.file.span());
+        if let Some(log) = self.logs.iter().find(|log| !of_exports(log)) {
+            return Some((error!("joints-twice", file = export.file.get_ref()), &log.file));
         }
-        if let Some(log) = self.logs.iter().find(|log| log.file.span() != export.file.span()) {
-            let what = format!("the joints are stated twice: in `joints` of `{}` and in [log]", export.file.get_ref());
-            return Some((Message::error(what).hint("leave one of them out"), &log.file));
+        let columns = |export: &Export| -> Vec<(String, Column)> {
+            export.joints.iter().map(|(key, column)| (key.get_ref().clone(), column.clone())).collect()
+        };
+        for (i, export) in self.exports.iter().enumerate().filter(|(_, export)| !export.joints.is_empty()) {
+            let same = |other: &&Export| !other.joints.is_empty() && other.file.get_ref() == export.file.get_ref();
+            if self.exports[..i].iter().find(same).is_some_and(|other| columns(other) != columns(export)) {
+                return Some((error!("joints-differ", file = export.file.get_ref()), &export.file));
+            }
         }
-        (self.join_by() != Some(JoinBy::Row)).then(|| {
-            let message = Message::error("an export with `joints` is joined by its rows");
-            (message.hint("state `by = \"row\"` in [join], or leave [join] out"), &export.file)
-        })
+        (self.join_by() != Some(JoinBy::Row)).then(|| (error!("joints-joined-by-row"), &export.file))
+    }
+
+    /// Targets that exports state for all their rows and that have no other use; these are the
+    /// robot's targets if `[join]` names none.
+    pub fn stated_targets(&self) -> Vec<String> {
+        let mixed = self.exports.iter().any(|export| !export.joints.is_empty());
+        let of_world = self.frame.iter().flat_map(|frame| frame.world.targets.iter().flatten());
+        let fixed = self.fixed.iter().flat_map(|fixed| &fixed.targets);
+        let claimed: Vec<&str> = of_world.chain(fixed).map(|name| name.get_ref().as_str()).collect();
+        let mut targets: Vec<String> = Vec::new();
+        for export in self.exports.iter().filter(|export| !mixed || !export.joints.is_empty()) {
+            let new = |target: &&String| !claimed.contains(&target.as_str()) && !targets.contains(*target);
+            let target = export.target.iter().find(new).cloned();
+            targets.extend(target);
+        }
+        targets
     }
 }
 
-fn log_of(export: &Export, delimiter: Delimiter, header: bool) -> Log {
+fn log_of(export: &Export) -> Log {
+    let dialect = &export.format.dialect;
     Log {
         name: "log".to_owned(),
         file: export.file.clone(),
         encoding: export.encoding,
         format: LogKind::default(),
-        delimiter: Some(delimiter),
-        decimal: export.format.dialect.decimal,
-        header,
+        delimiter: dialect.delimiter,
+        decimal: dialect.decimal,
+        sheet: dialect.sheet.clone(),
+        header: dialect.header.clone(),
+        comment: dialect.comment.clone(),
         columns: export.joints.clone(),
         pose: None,
         period_s: None,

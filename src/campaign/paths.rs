@@ -1,34 +1,33 @@
-//! Paths that a campaign may name: inside its folder, or below a variable of the environment that it names.
+//! Paths in a campaign: inside its folder, or below a named environment variable.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 use std::path::{Component, Path, PathBuf};
 
-/// `$NAME/rest` as (NAME, rest).
+/// Splits `$NAME/rest` into NAME and rest.
 fn variable(file: &str) -> Option<(&str, &str)> {
     file.strip_prefix('$').map(|f| f.split_once('/').unwrap_or((f, "")))
 }
 
-/// The variable that a path starts with, if it is not set.
+/// Variable at the start of a path, if it is unset.
 pub(super) fn missing_variable(file: &str) -> Option<String> {
     variable(file).filter(|(name, _)| std::env::var_os(name).is_none()).map(|(name, _)| name.to_owned())
 }
 
-/// The path that `file` names; an error if it leaves the folder, or if its variable is not set.
+/// Resolves a path; an error if it leaves the folder, or if its variable is unset.
 pub(super) fn resolve(folder: &Path, file: &str) -> Result<PathBuf, Message> {
     let (root, rest) = match variable(file) {
         Some((name, rest)) => match std::env::var_os(name) {
             Some(root) => (PathBuf::from(root), rest),
             None => {
-                return Err(Message::error(format!("the environment has no `{name}`"))
-                    .hint(format!("set {name} to the folder that holds `{rest}`")));
+                return Err(error!("environment-missing", name, file = rest));
             }
         },
         None => (folder.to_owned(), file),
     };
     let inside = Path::new(rest).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
     if !inside {
-        return Err(Message::error(format!("`{file}` leaves the folder of the campaign"))
-            .expected("a path inside the campaign's folder, or one that starts with `$NAME/`"));
+        return Err(error!("path-outside", file));
     }
     Ok(root.join(rest))
 }

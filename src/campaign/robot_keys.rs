@@ -1,4 +1,4 @@
-//! Keys of robot.toml that are a model's own: their spelling with units, their schema, and how TOML states them.
+//! Keys of robot.toml that belong to a model: spelling with units, schema, and TOML form.
 
 use etalon_robots::{Absence, JointRef, Key, Quantity, Shape, Value, Values};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -20,7 +20,7 @@ pub(super) fn spellings(key: &Key) -> Vec<String> {
     units.iter().take(count).map(|unit| format!("{}_{unit}", key.name)).collect()
 }
 
-/// Paths of all keys: those of a table by the table's name and their own.
+/// Paths of all keys; keys of a table are preceded by its name.
 pub(super) fn paths(keys: &[Key]) -> Vec<Vec<String>> {
     let of = |key: &Key| match &key.shape {
         Shape::Table(own) => own.iter().flat_map(spellings).map(|own| vec![key.name.to_owned(), own]).collect(),
@@ -29,7 +29,8 @@ pub(super) fn paths(keys: &[Key]) -> Vec<Vec<String>> {
     keys.iter().flat_map(of).collect()
 }
 
-/// Keys without which the robot is meaningless, and those of tables that end up at the top where the head of their table is missing.
+/// Essential keys, and keys of tables that end up at the top if the header of their table is
+/// missing.
 pub(super) fn essential(keys: &[Key]) -> Vec<String> {
     let of = |key: &Key| {
         let mut all = if key.essential { spellings(key) } else { Vec::new() };
@@ -39,23 +40,23 @@ pub(super) fn essential(keys: &[Key]) -> Vec<String> {
     keys.iter().flat_map(of).collect()
 }
 
-/// The key of this name, at the top or in a table.
+/// Key with this name, at the top or in a table.
 pub(super) fn named<'k>(keys: &'k [Key], name: &str) -> Option<&'k Key> {
     keys.iter().find_map(|key| if key.name == name { Some(key) } else { named(own_keys(key), name) })
 }
 
-/// Keys of a table, or of each of several.
+/// Keys of a table, or of a list of tables.
 fn own_keys(key: &Key) -> &[Key] {
     if let Shape::Table(own) | Shape::Tables(_, own) = &key.shape { own } else { &[] }
 }
 
-/// A joint by its number, from 1, or its name.
+/// A joint, by number or name.
 #[derive(Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected the number of a joint, from 1, or its name")]
 enum StatedJoint {
-    /// From 1.
+    /// Number, from 1.
     Number(usize),
-    /// As its column begins.
+    /// Name, as at the start of its column.
     Name(String),
 }
 
@@ -124,7 +125,7 @@ fn schema_of(key: &Key, generator: &mut SchemaGenerator) -> Schema {
     }
 }
 
-/// A default value in JSON.
+/// JSON form of a default value.
 fn json_of(value: &Value, shape: &Shape) -> Json {
     match (value, shape) {
         (Value::Numbers(numbers), Shape::Number) => numbers.first().copied().into(),
@@ -140,7 +141,7 @@ pub(super) fn read(keys: &[Key], table: Spanned<DeTable<'_>>) -> Result<Values, 
     TableOf(keys).deserialize(toml::de::Deserializer::from(table))
 }
 
-/// Names as serde lists them.
+/// Names in serde's notation.
 fn one_of(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     match &quoted[..] {
@@ -150,7 +151,7 @@ fn one_of(names: &[String]) -> String {
     }
 }
 
-/// A table with these keys.
+/// Table with these keys.
 #[derive(Clone, Copy)]
 struct TableOf<'k>(&'k [Key]);
 
@@ -187,7 +188,7 @@ impl<'de> Visitor<'de> for TableOf<'_> {
     }
 }
 
-/// One of these keys, and which of its units it is spelled with.
+/// Key among these, with the index of its unit.
 struct KeyOf<'k>(&'k [Key]);
 
 impl<'de, 'k> DeserializeSeed<'de> for KeyOf<'k> {
@@ -214,7 +215,7 @@ impl<'k> Visitor<'_> for KeyOf<'k> {
     }
 }
 
-/// The value of a key in one of its units.
+/// Value of a key in one of its units.
 struct ValueOf<'k>(&'k Key, usize);
 
 impl ValueOf<'_> {
@@ -250,7 +251,7 @@ impl<'de> DeserializeSeed<'de> for ValueOf<'_> {
     }
 }
 
-/// One of these words, by its index.
+/// Word among these, by its index.
 #[derive(Clone, Copy)]
 struct ChoiceOf<'k>(&'k [(&'static str, &'static str)]);
 
@@ -282,7 +283,7 @@ impl<'de> Visitor<'de> for ChoiceOf<'_> {
     }
 }
 
-/// Tables with these keys.
+/// List of tables with these keys.
 struct TablesOf<'k>(&'k [Key]);
 
 impl<'de> Visitor<'de> for TablesOf<'_> {

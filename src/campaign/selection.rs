@@ -1,5 +1,7 @@
-//! Which poses: `"1-8, 12, home"`, `["home", "P3", "5-9"]`, `"all"`, `"rest"`, or `"index mod 10 < 7"`.
+//! Selection of poses: `"1-8, 12, home"`, `["home", "P3", "5-9"]`, `"all"`, `"rest"`, or
+//! `"index mod 10 < 7"`.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -9,13 +11,13 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::RangeInclusive;
 
-/// Poses as a campaign states them: a text with commas between names and ranges, or a list of them.
+/// Poses in a campaign: a text with names and ranges separated by commas, or a list.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(untagged, expecting = "poses are a text like \"1-8, 12\", or a list like [\"home\", \"5-9\"]")]
 pub enum StatedPoses {
-    /// A text.
+    /// Text.
     Text(String),
-    /// A list: a name may then hold a comma, or be `all`.
+    /// List; its names may contain a comma, or be `all`.
     List(Vec<PoseName>),
 }
 
@@ -46,23 +48,23 @@ impl fmt::Display for StatedPoses {
 /// A set of poses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selection {
-    /// Poses by their names, and ranges of them.
+    /// Poses by name, and ranges of poses.
     Named(Vec<PoseRange>),
-    /// Poses whose index, counted from 0 over the poses that remain in their order, modulo the first number is
-    /// below the second.
+    /// Poses whose index modulo the first number is below the second; the index counts the
+    /// remaining poses in order, from 0.
     Modulo(usize, usize),
     /// All poses.
     All,
-    /// All poses that the calibration does not take.
+    /// All poses that the calibration does not use.
     Rest,
 }
 
-/// A pose, or several with the same text before their numbers: `12`, `home`, `5-9`, `P1-P8`.
+/// A pose, or a range of poses with equal text before their numbers: `12`, `home`, `5-9`, `P1-P8`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PoseRange {
-    /// As it is written.
+    /// Name, as written.
     pub name: PoseName,
-    /// The text before the numbers, and the numbers, both ends in.
+    /// Text before the numbers, and inclusive range of the numbers.
     range: Option<(String, RangeInclusive<i64>)>,
 }
 
@@ -78,7 +80,7 @@ impl PoseRange {
         range.as_ref().is_none_or(|(_, numbers)| !numbers.is_empty()).then_some(Self { name, range })
     }
 
-    /// Whether it names this pose.
+    /// `true` if the range contains this pose.
     pub fn contains(&self, pose: PoseName) -> bool {
         let within = |(before, numbers): &(String, RangeInclusive<i64>)| match pose {
             PoseName::Number(number) => before.is_empty() && numbers.contains(&number),
@@ -88,7 +90,7 @@ impl PoseRange {
     }
 }
 
-/// A name that ends in a number, taken apart.
+/// Splits a name that ends in a number.
 fn numbered(name: &str) -> Option<(&str, i64)> {
     let before = name.trim_end_matches(|c: char| c.is_ascii_digit());
     Some((before, name[before.len()..].parse().ok()?))
@@ -97,19 +99,19 @@ fn numbered(name: &str) -> Option<(&str, i64)> {
 /// The poses of an identification.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Selections {
-    /// Poses to identify on.
+    /// Poses for identification.
     pub calibration: Selection,
-    /// Poses to test on.
+    /// Poses for validation.
     pub validation: Option<Selection>,
 }
 
 impl Selections {
-    /// Whether the pose with this name and index is for calibration.
+    /// `true` if the pose with this name and index is for calibration.
     pub fn calibrates(&self, pose: PoseName, index: usize) -> bool {
         self.calibration.contains(pose, index, false)
     }
 
-    /// Whether the pose is for validation.
+    /// `true` if the pose is for validation.
     pub fn validates(&self, pose: PoseName, index: usize) -> bool {
         let calibrates = self.calibrates(pose, index);
         self.validation.as_ref().is_some_and(|validation| validation.contains(pose, index, calibrates))
@@ -119,11 +121,7 @@ impl Selections {
 impl Selection {
     /// Reads a selection.
     pub fn parse(stated: &StatedPoses) -> Result<Self, Message> {
-        let wrong = || {
-            Message::error(format!("`{stated}` names no poses")).expected(
-                "names and ranges like \"1-8, 12, home\", a list of them, \"all\", \"rest\" or \"index mod 10 < 7\"",
-            )
-        };
+        let wrong = || error!("selection-empty", stated = stated.to_string());
         let text = match stated {
             StatedPoses::Text(text) => text,
             StatedPoses::List(names) => {
@@ -148,7 +146,8 @@ impl Selection {
             .ok_or_else(wrong)
     }
 
-    /// Whether the pose with this name and index is in; `taken`: the calibration has it.
+    /// `true` if the selection contains the pose with this name and index; `taken` states whether
+    /// the calibration uses it.
     pub fn contains(&self, pose: PoseName, index: usize, taken: bool) -> bool {
         match self {
             Self::Named(named) => named.iter().any(|named| named.contains(pose)),
@@ -158,7 +157,8 @@ impl Selection {
         }
     }
 
-    /// The first text that none of these poses bears: a mistaken name. Of numbers and their ranges some may not have been measured.
+    /// First name that none of these poses has, and which is therefore a mistake. Numbers and their
+    /// ranges may be unmeasured.
     pub fn mistaken(&self, poses: &BTreeSet<PoseName>) -> Option<PoseName> {
         let Self::Named(named) = self else { return None };
         let text = |named: &&PoseRange| match &named.range {

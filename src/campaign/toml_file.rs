@@ -1,7 +1,9 @@
-//! All problems of a TOML file at once, by the JSON Schema of what it states: an entry that does
-//! not fit is reported and removed, a missing one is reported and filled in, and the rest is read.
+//! Reading of a TOML file with all its problems at once, by JSON Schema: an entry that does not fit
+//! is reported and removed, a missing entry is reported and replaced, and the rest is read.
 
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
+use etalon_base::{error, phrase};
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -9,18 +11,18 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
-/// What is left of a file.
+/// Result of reading a file with problems.
 pub(super) struct Recovered<T> {
-    /// The value; none where the file is not TOML.
+    /// Value; `None` if the file is not TOML.
     pub value: Option<T>,
-    /// What does not fit.
+    /// Problems of the file.
     pub problems: Problems,
-    /// Where that is in the file.
+    /// Entries with problems.
     pub unread: UnreadKeys,
 }
 
-/// Entries of a TOML file that did not read, each by the keys that lead to it; a number counts tables of an array. Their
-/// absence from the value means nothing.
+/// Entries of a TOML file that could not be read, each by the keys that lead to it; numbers count
+/// tables of an array. Their absence from the value is meaningless.
 #[derive(Clone, Debug, Default)]
 pub struct UnreadKeys(Vec<Vec<String>>);
 
@@ -30,51 +32,51 @@ impl UnreadKeys {
         self.0.push(path);
     }
 
-    /// Whether exactly this entry is among them.
+    /// `true` if exactly this entry is included.
     pub(super) fn contains(&self, path: &[String]) -> bool {
         self.0.iter().any(|keys| keys == path)
     }
 
-    /// Whether something at, above or below these keys did not read.
+    /// `true` if an entry at, above or below these keys could not be read.
     pub fn affects(&self, path: &[&str]) -> bool {
         self.0.iter().any(|keys| meet(keys, path))
     }
 
-    /// The same, except for keys of this name.
+    /// Like [`Self::affects`], except for keys with the name `key`.
     pub fn affects_except(&self, path: &[&str], key: &str) -> bool {
         self.0.iter().any(|keys| meet(keys, path) && keys.last().is_none_or(|last| last != key))
     }
 
-    /// Whether the entry itself, or an element of it, did not read, or one of this name in any table.
+    /// `true` if an entry of this name, or an element of it, could not be read in any table.
     pub fn affects_entry(&self, key: &str) -> bool {
         let is = |name: Option<&String>| name.is_some_and(|name| name == key);
         self.0.iter().any(|keys| (keys.len() <= 2 && is(keys.first())) || is(keys.last()))
     }
 
-    /// Whether everything read.
+    /// `true` if everything could be read.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 }
 
-/// Whether one path leads to the other.
+/// `true` if one path is the beginning of the other.
 fn meet(keys: &[String], path: &[&str]) -> bool {
     keys.iter().zip(path).all(|(a, b)| a == b)
 }
 
-/// Reads `text` as a `T`, or reports everything in it that does not fit.
+/// Reads `text` as a `T`, or reports all entries that do not fit.
 pub fn parse<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Result<T> {
     let Recovered { value, problems, .. } = recover(file, text);
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
-/// [`parse`] with the value that is left when everything that does not fit is taken away.
+/// Like [`parse`], but also returns the value without the entries that do not fit.
 pub(super) fn recover<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Recovered<T> {
     let schema = schemars::schema_for!(T).to_value();
     recover_with(file, text, &schema, |root| T::deserialize(Deserializer::from(root)))
 }
 
-/// [`recover`] of what `read` makes of a file with this schema.
+/// Like [`recover`], with a given schema and reader.
 pub(super) fn recover_with<T>(
     file: &str,
     text: &str,
@@ -93,7 +95,7 @@ pub(super) fn recover_with<T>(
             Ok(value) => break Some(value),
             Err(error) => error,
         };
-        // what a schema cannot state, a type refuses in its own words
+        // constraints beyond the schema are checked by the type, with its own message
         check.problems.push(wrong(file, text, &error));
         match error.span().and_then(|span| remove(root.get_mut(), &span)) {
             Some(path) => check.unread.add(path),
@@ -104,13 +106,13 @@ pub(super) fn recover_with<T>(
     Recovered { value, problems, unread }
 }
 
-/// A file against the JSON Schema of what it states: what does not fit is reported and removed,
-/// what is missing is reported and filled in.
+/// Check of a file by its JSON Schema: entries that do not fit are reported and removed, missing
+/// ones are reported and replaced.
 struct Check<'a> {
     file: &'a str,
     text: &'a str,
     schema: &'a Value,
-    /// The keys that lead to what is checked.
+    /// Keys that lead to the checked value.
     path: Vec<String>,
     problems: Vec<Message>,
     unknown: Vec<Unknown>,
@@ -127,12 +129,12 @@ impl<'a> Check<'a> {
         Place::span(self.file, self.text, span)
     }
 
-    /// Reports numbers that are not finite: TOML has `nan` and `inf`, a measurement does not.
+    /// Reports non-finite numbers, which TOML allows (`nan`, `inf`), but measurements do not.
     fn finite(&mut self, value: &Spanned<DeValue>) {
         match value.get_ref() {
             DeValue::Float(number) if number.as_str().contains(['n', 'i']) => {
-                let what = format!("`{}` is not a measured value", self.text.get(value.span()).unwrap_or(""));
-                self.problems.push(Message::error(what).at(self.place(value.span())).expected("a finite number"));
+                let message = error!("not-a-measured-value", value = self.text.get(value.span()).unwrap_or(""));
+                self.problems.push(message.at(self.place(value.span())));
             }
             DeValue::Array(array) => array.iter().for_each(|v| self.finite(v)),
             DeValue::Table(table) => table.values().for_each(|v| self.finite(v)),
@@ -140,7 +142,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// The schemas of which a value has to meet one; `null` is left out.
+    /// Alternative schemas of a value, without `null`.
     fn alternatives(&self, schema: &'a Value) -> Vec<&'a Value> {
         let definition = schema["$ref"].as_str().and_then(|name| self.schema.pointer(name.strip_prefix('#')?));
         if let Some(definition) = definition {
@@ -153,7 +155,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Keys that a table has, those that it must have filled in.
+    /// Checks the keys of a table, and replaces missing mandatory keys.
     fn table(&mut self, table: &mut DeTable, span: &Range<usize>, schema: &'a Value) {
         let others = schema.get("additionalProperties").or(schema.get("unevaluatedProperties"));
         let others = others.unwrap_or(&Value::Bool(true));
@@ -186,7 +188,7 @@ impl<'a> Check<'a> {
                 continue;
             }
             let path = [&self.path[..], &[key.to_owned()]].concat();
-            // what was removed is reported already
+            // removed keys are already reported
             if !self.unread.contains(&path) {
                 self.problems.push(missing(self.file, self.text, span, key, &self.path));
                 self.unread.add(path);
@@ -196,7 +198,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Whether a value, without the tables in it that do not fit, meets a schema.
+    /// `true` if a value meets a schema after removal of tables that do not fit.
     fn value(&mut self, value: &mut Spanned<DeValue>, schema: &'a Value) -> bool {
         let (span, all) = (value.span(), self.alternatives(schema));
         let of_kind = all.iter().copied().find(|s| is_of_kind(s, value.get_ref()));
@@ -224,26 +226,27 @@ impl<'a> Check<'a> {
         true
     }
 
-    /// Reports a value that is of none of the kinds.
+    /// Reports a value of a wrong kind.
     fn odd_kind(&mut self, value: &Spanned<DeValue>, all: &[&Value]) -> bool {
-        let kind = match value.get_ref() {
-            DeValue::String(_) => "a text".to_owned(),
-            DeValue::Integer(number) => number.as_str().to_owned(),
-            DeValue::Float(number) => number.as_str().to_owned(),
-            DeValue::Boolean(truth) => truth.to_string(),
-            DeValue::Datetime(_) => "a date without quotation marks".to_owned(),
-            DeValue::Array(array) => format!("a list of {}", array.len()),
-            DeValue::Table(_) => "a table".to_owned(),
+        let kind = |kind: &str, length: usize| phrase!("kind-of-value", kind, length).argument();
+        let found = match value.get_ref() {
+            DeValue::Integer(number) => number.as_str().argument(),
+            DeValue::Float(number) => number.as_str().argument(),
+            DeValue::Boolean(truth) => truth.to_string().argument(),
+            DeValue::String(_) => kind("text", 0),
+            DeValue::Datetime(_) => kind("date", 0),
+            DeValue::Array(array) => kind("list", array.len()),
+            DeValue::Table(_) => kind("table", 0),
         };
         let name = self.path.iter().rfind(|key| key.parse::<usize>().is_err());
-        let of = if self.path.last() == name { "" } else { "an element of " };
-        let what = format!("{of}`{}` is {kind}", name.map_or("", String::as_str));
-        let message = Message::error(what).at(self.place(value.span()));
+        let element = if self.path.last() == name { "no" } else { "yes" };
+        let key = name.map_or("", String::as_str);
+        let message = error!("value-of-other-kind", element, key, found).at(self.place(value.span()));
         self.problems.push(message.expected(joined(all.iter().flat_map(|s| kinds(s)).collect())));
         false
     }
 
-    /// Whether a text is one of those that a schema lists; any is if it lists none.
+    /// `true` if a text is among those that a schema lists, or if it lists none.
     fn choice(&mut self, text: &str, span: Range<usize>, schema: &'a Value) -> bool {
         let texts = self.alternatives(schema).into_iter().filter(|s| is_of_kind(s, &DeValue::String(text.into())));
         let lists: Option<Vec<Vec<&Value>>> = texts.map(listed).collect();
@@ -252,14 +255,16 @@ impl<'a> Check<'a> {
             return true;
         }
         let names: Vec<&str> = known.iter().filter_map(|v| v.as_str()).collect();
-        let message = Message::error(format!("unknown variant `{text}`")).at(self.place(span));
+        let message = error!("unknown-variant", text).at(self.place(span));
         let message = message.expected(joined(self.alternatives(schema).into_iter().flat_map(kinds).collect()));
-        let near = nearest(text, names.iter().copied()).map(|name| format!("did you mean `{name}`?"));
-        self.problems.push(Message { hint: near, ..message });
+        self.problems.push(match nearest(text, names.iter().copied()) {
+            Some(_) => message.hint_names(text, names),
+            None => message,
+        });
         false
     }
 
-    /// A value that meets a schema.
+    /// Value that meets a schema.
     fn example(&self, schema: &'a Value) -> DeValue<'static> {
         let all = self.alternatives(schema);
         let Some(schema) = all.first() else { return DeValue::Boolean(false) };
@@ -303,7 +308,7 @@ impl<'a> Check<'a> {
     }
 }
 
-/// The type that a schema states beside `null`.
+/// Type of a schema, apart from `null`.
 fn type_of(schema: &Value) -> &str {
     match &schema["type"] {
         Value::Array(all) => all.iter().filter_map(Value::as_str).find(|t| *t != "null").unwrap_or(""),
@@ -311,14 +316,14 @@ fn type_of(schema: &Value) -> &str {
     }
 }
 
-/// The values that a schema lists, if it does.
+/// Values that a schema lists, if any.
 fn listed(schema: &Value) -> Option<Vec<&Value>> {
     schema.get("const").map(|v| vec![v]).or_else(|| Some(schema.get("enum")?.as_array()?.iter().collect()))
 }
 
-/// Whether a value is of the kind that a schema asks for, whatever is in it.
+/// `true` if a value is of the kind that a schema requires, whatever its contents.
 fn is_of_kind(schema: &Value, value: &DeValue) -> bool {
-    // a schema without a type lists values of any, or allows all
+    // a schema without a type lists values of any type, or allows all values
     let lists = |is: fn(&Value) -> bool| listed(schema).is_none_or(|all| all.into_iter().any(is));
     match (value, type_of(schema)) {
         (DeValue::Integer(number), "integer") => {
@@ -334,7 +339,7 @@ fn is_of_kind(schema: &Value, value: &DeValue) -> bool {
     }
 }
 
-/// What a schema asks for, in words.
+/// Requirements of a schema in words.
 fn kinds(schema: &Value) -> Vec<String> {
     let limit = |key: &str, words: &str| schema[key].as_u64().map_or_else(String::new, |n| format!(" {words} {n}"));
     match (listed(schema), type_of(schema)) {
@@ -358,18 +363,18 @@ fn joined(all: Vec<String>) -> String {
     }
 }
 
-/// Keys of a table; `true` allows what is reported elsewhere.
+/// Keys of a table; a schema `true` allows keys that are reported elsewhere.
 fn known_keys(schema: &Value) -> Vec<String> {
     let all = schema["properties"].as_object().into_iter().flatten();
     all.filter(|(_, value)| !value.is_boolean()).map(|(key, _)| key.clone()).collect()
 }
 
-/// The span of the value of a key, given by the keys that lead to it; a number among them counts tables of an array.
+/// Span of a key's value, given by the keys that lead to it; numbers count tables of an array.
 pub(super) fn find(text: &str, path: &[&str]) -> Option<Range<usize>> {
     Stated::of(text).find(path)
 }
 
-/// What a text states, for several keys to be found in it.
+/// Parsed text in which several keys can be found.
 pub(super) struct Stated<'t>(Spanned<DeTable<'t>>);
 
 impl<'t> Stated<'t> {
@@ -377,7 +382,7 @@ impl<'t> Stated<'t> {
         Self(DeTable::parse_recoverable(text).0)
     }
 
-    /// [`find`]
+    /// Finds a value like [`find`].
     pub fn find(&self, path: &[&str]) -> Option<Range<usize>> {
         let (first, rest) = path.split_first()?;
         let mut value = self.0.get_ref().get(*first)?;
@@ -392,7 +397,7 @@ impl<'t> Stated<'t> {
     }
 }
 
-/// Removes the innermost entry whose key or value covers `span`; gives the keys that lead to it.
+/// Removes the innermost entry whose key or value covers `span`; returns the keys that lead to it.
 fn remove(table: &mut DeTable, span: &Range<usize>) -> Option<Vec<String>> {
     for (key, value) in table.iter_mut() {
         if let Some(mut path) = remove_within(value, span) {
@@ -426,7 +431,7 @@ fn remove_within(value: &mut Spanned<DeValue>, span: &Range<usize>) -> Option<Ve
     }
 }
 
-/// Whether `value`, or an element of it, covers `span`.
+/// `true` if `value`, or an element of it, covers `span`.
 fn reaches(value: &Spanned<DeValue>, span: &Range<usize>) -> bool {
     covers(&value.span(), span)
         || matches!(value.get_ref(), DeValue::Array(array) if array.iter().any(|v| covers(&v.span(), span)))
@@ -436,50 +441,47 @@ fn covers(outer: &Range<usize>, span: &Range<usize>) -> bool {
     outer.start <= span.start && span.end <= outer.end && !span.is_empty()
 }
 
-/// That a key of a section is missing.
+/// Message for a missing key of a section.
 pub(super) fn missing(file: &str, text: &str, span: &Range<usize>, key: &str, section: &[String]) -> Message {
     let name = section.iter().rfind(|key| key.parse::<usize>().is_err());
-    let of = name.map(|s| format!(" in `{s}`")).unwrap_or_default();
+    let (has_section, section_name) = name.map_or(("no", ""), |name| ("yes", name.as_str()));
     let place = if section.is_empty() { Place::file(file) } else { Place::span(file, text, span.clone()) };
-    let message = Message::error(format!("the key `{key}` is missing{of}")).at(place);
+    let message = error!("key-missing", key, has_section, section = section_name).at(place);
     let hint = match (key, section) {
-        ("unit", _) => "state the length unit of the file: \"mm\", \"m\", \"um\" or \"inch\"; it is never guessed",
-        ("expanded_uncertainty_um" | "coverage_factor" | "instrument", _) => {
-            "[instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate"
-        }
-        ("file", _) => "name the file, in the folder of the campaign",
-        (_, []) => "`etalon init FOLDER` writes a campaign with all keys to copy from",
+        ("unit", _) => phrase!("state-unit"),
+        ("expanded_uncertainty_um" | "coverage_factor" | "instrument", _) => phrase!("state-instrument"),
+        ("file", _) => phrase!("state-file"),
+        (_, []) => phrase!("copy-keys"),
         _ => return message,
     };
     message.hint(hint)
 }
 
-/// An error of the TOML, or of a type that refuses a value.
+/// Message for an error of the TOML syntax, or of a type that rejects a value.
 fn wrong(file: &str, text: &str, error: &Error) -> Message {
     let what = error.message().lines().collect::<Vec<_>>().join(", ");
     let place = error.span().map_or_else(|| Place::file(file), |span| Place::span(file, text, span));
     match what.split_once(", expected ") {
-        Some((what, expected)) => Message::error(what).at(place).expected(expected),
-        None => Message::error(what).at(place),
+        Some((reason, expected)) => error!("toml-invalid", reason).at(place).expected(expected),
+        None => error!("toml-invalid", reason = what).at(place),
     }
 }
 
-/// Errors of a file that is not TOML. Duplicate keys are one error: mostly, the head of a table is missing.
+/// Errors of a file that is not TOML. Duplicate keys are reported once, as the header of a table is
+/// usually missing.
 fn syntax(file: &str, text: &str, errors: &[Error]) -> Problems {
     let (twice, others): (Vec<&Error>, Vec<&Error>) =
         errors.iter().partition(|e| e.message().contains("duplicate key"));
     let mut problems: Vec<Message> = others.into_iter().map(|e| wrong(file, text, e)).collect();
     if let Some(first) = twice.first() {
-        let hint = "a table among several begins with its head in double brackets, like `[[joint]]`: is one missing before it?";
-        let more = if twice.len() > 1 { format!(", and {} keys after it", twice.len() - 1) } else { String::new() };
-        let message = wrong(file, text, first).hint(hint);
-        problems.push(Message { what: format!("this table has the key twice{more}"), ..message });
+        let place = wrong(file, text, first).place;
+        problems.push(Message { place, ..error!("table-key-twice", more = twice.len() - 1) });
     }
     problems.sort_by_key(|m| m.place.as_ref().and_then(|p| p.line));
     Problems(problems)
 }
 
-/// A key that a section does not have.
+/// A key that is unknown in its section.
 struct Unknown {
     key: String,
     section: Vec<String>,
@@ -488,53 +490,43 @@ struct Unknown {
 }
 
 impl Unknown {
-    /// The key at `path` in a table with this schema.
+    /// Creates the error for the key at `path` in a table with this schema.
     fn new(path: &[String], span: Range<usize>, table: &Value) -> Self {
         let (key, section) =
             path.split_last().map_or_else(Default::default, |(key, rest)| (key.clone(), rest.to_vec()));
         Self { key, section, span, known: known_keys(table) }
     }
 
-    /// The entry that the key may be meant as.
+    /// Entry for which the key may be a misspelling.
     fn meant(&self) -> Option<Vec<String>> {
         let name = nearest(&self.key, self.known.iter().map(String::as_str))?;
         Some([&self.section[..], &[name.to_owned()]].concat())
     }
 
-    /// Whether the key is like none of those that are known here.
+    /// `true` if the key is similar to none of the known keys.
     fn stray(&self) -> bool {
         self.meant().is_none()
     }
 }
 
-/// What to do about keys that were read once, or that belong elsewhere.
-const REMEDIES: [(&str, &str); 2] = [
-    (
-        "base_turn_y_deg",
-        "delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular",
-    ),
-    (
-        "station",
-        "stations of an instrument are a column `station` of a table of observations: [observations] instead of exports and log",
-    ),
-];
+/// Keys of earlier versions and of other sections, each with a hint of its own.
+const REMEDIES: [&str; 2] = ["base_turn_y_deg", "station"];
 
-/// One error for each unknown key; for several of one section that are like no key of it, one error in all.
+/// Errors for unknown keys; several keys of one section without similar known keys share one error.
 fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown>) -> Vec<Message> {
     unknown.sort_by_key(|key| key.span.start);
     let groups = unknown.chunk_by(|a, b| a.section == b.section && a.stray() && b.stray());
     let message = |group: &[Unknown]| {
         let first = group.first()?;
         let names: Vec<String> = group.iter().map(|key| format!("`{}`", key.key)).collect();
-        let s = if names.len() > 1 { "s" } else { "" };
-        let message = Message::error(format!("unknown key{s} {}", names.join(", ")));
+        let message = error!("unknown-key", count = names.len(), keys = names);
         let message = message.at(Place::span(file, text, first.span.clone()));
         Some(if first.stray() && !first.section.is_empty() && top.contains(&first.key) {
-            message.hint(format!("`{}` belongs at the top, before the first section", first.key))
+            message.hint(phrase!("key-belongs-at-top", key = first.key))
         } else if names.len() > 1 {
-            message.hint("is the head of their table missing, like `[section]` or `[[joint]]`?")
-        } else if let Some((_, remedy)) = REMEDIES.iter().find(|(key, _)| *key == first.key) {
-            message.hint(*remedy)
+            message.hint(phrase!("table-head-missing"))
+        } else if REMEDIES.contains(&first.key.as_str()) {
+            message.hint(phrase!("key-remedy", key = first.key))
         } else {
             message.hint_names(&first.key, first.known.iter().map(String::as_str))
         })
@@ -617,7 +609,7 @@ mod tests {
             assert!(said.iter().any(|said| parts.iter().all(|part| said.contains(part))), "{parts:?}: {said:?}");
         }
         assert_eq!(said.len(), 5, "{said:?}");
-        // what is missing stands in for itself, a table with all that it needs
+        // missing entries are replaced; a table gets all its mandatory keys
         assert!(value.is_some() && unread.affects(&["part"]) && unread.affects(&["point"]));
     }
 

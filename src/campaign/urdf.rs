@@ -1,23 +1,25 @@
-//! URDF files: links and joints of a robot, in metres and radians. What the program does not need is passed over.
+//! URDF files: links and joints of a robot (m, rad). Elements that the program does not need are
+//! skipped.
 
 use super::robot_faults;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
+use etalon_base::{error, phrase};
 use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, LongestChain, Mimic, Tree, TreeJoint};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Elements that say nothing of kinematics and masses.
+/// Elements without information about kinematics and masses.
 const SKIPPED: [&str; 7] = ["visual", "collision", "transmission", "gazebo", "material", "sensor", "ros2_control"];
 
 /// A URDF file.
 #[derive(Debug)]
 pub(super) struct Urdf {
-    /// Its links and joints.
+    /// Links and joints.
     pub tree: Arc<Tree>,
     name: String,
-    /// Places of its joints.
+    /// Places of the joints.
     places: Vec<Place>,
 }
 
@@ -29,7 +31,7 @@ impl Urdf {
         self.places.get(joint).cloned()
     }
 
-    /// The chain with the most moving joints.
+    /// Chain with the most moving joints.
     pub fn longest_chain(&self) -> Result<LongestChain> {
         self.tree.longest_chain().map_err(|Faults(faults)| {
             let message = |fault: &Fault| {
@@ -41,15 +43,15 @@ impl Urdf {
     }
 }
 
-/// Links and joints of a file.
+/// Reads links and joints of a file.
 pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
-    if let Some(at) = text.find("<xacro:") {
-        return Err(xacro(xml.error(at, "the file holds macros of xacro, which are not expanded"), file).into());
+    if let Some(at) = without_comments(text).find("<xacro:") {
+        return Err(xacro(error!("urdf-xacro").at(xml.place(at)), file).into());
     }
     let root = xml.root().filter(|root| root.name() == "robot");
     let Some(root) = root else {
-        return Err(xml.error(0, "the file is not a URDF").expected("the element <robot>").into());
+        return Err(error!("urdf-no-robot").at(xml.place(0)).into());
     };
     let mut problems = Problems::default();
     let (mut tree, mut places) = (Tree::default(), Vec::new());
@@ -66,14 +68,13 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
         }
     }
     for (i, joint) in tree.joints.iter().enumerate() {
-        let error = |what: String| Message::error(what).at(places[i].clone());
+        let place = || places[i].clone();
         if tree.joints[..i].iter().any(|other| other.name == joint.name) {
-            problems.0.push(error(format!("there are two joints `{}`", joint.name)).hint("rename one of them"));
+            problems.0.push(error!("urdf-joint-twice", joint = joint.name).at(place()));
         }
         for link in [&joint.parent, &joint.child] {
             if tree.links.iter().all(|l| l.name != *link) {
-                let message =
-                    error(format!("joint `{}` names the link `{link}`, which the file does not have", joint.name));
+                let message = error!("urdf-joint-link-unknown", joint = joint.name, link).at(place());
                 problems.0.push(message.hint_names(link, tree.links.iter().map(|l| l.name.as_str())));
             }
         }
@@ -82,11 +83,24 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
 }
 
 /// An error about macros, with the command that expands them.
+/// The text with blanks in place of its comments, so that places stay.
+fn without_comments(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find("<!--") {
+        let end = rest[at..].find("-->").map_or(rest.len(), |end| at + end + 3);
+        out.push_str(&rest[..at]);
+        out.extend(std::iter::repeat_n(' ', end - at));
+        rest = &rest[end..];
+    }
+    out + rest
+}
+
 fn xacro(message: Message, file: &str) -> Message {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let name = name.strip_suffix(".xacro").unwrap_or(name);
     let name = name.strip_suffix(".urdf").unwrap_or(name);
-    message.hint(format!("expand it: xacro {name}.urdf.xacro > {name}.urdf"))
+    message.hint(phrase!("expand-xacro", name))
 }
 
 fn link(node: Node, file: &str) -> Result<Link> {
@@ -100,17 +114,17 @@ fn link(node: Node, file: &str) -> Result<Link> {
 fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     let name = text(node, "name")?;
     let of = |child: &str| {
-        let missing = || node.error(format!("joint `{name}` has no <{child} link=\"...\"/>"));
+        let missing = || error!("urdf-joint-without-link", joint = name, child).at(node.place());
         text(node.child(child).ok_or_else(missing)?, "link")
     };
     let axis = node.child("axis").map_or(Ok([1.0, 0.0, 0.0]), |axis| vector(axis, "xyz", file, [1.0, 0.0, 0.0]));
     let kind = text(node, "type")?;
-    // those of a continuous joint are of its effort alone
+    // limits of a continuous joint apply to its effort only
     let limited = ["revolute", "prismatic"].contains(&kind.as_str());
     let limits = node.child("limit").filter(|_| limited).map(|limit| -> Result<[f64; 2]> {
         let [lower, upper] = [number(limit, "lower", file, 0.0)?, number(limit, "upper", file, 0.0)?];
         if lower > upper {
-            return Err(limit.error(format!("the limits of joint `{name}` are exchanged: {lower} to {upper}")).into());
+            return Err(error!("urdf-limits-exchanged", joint = name, lower, upper).at(limit.place()).into());
         }
         Ok([lower, upper])
     });
@@ -133,27 +147,27 @@ fn joint(node: Node, file: &str) -> Result<TreeJoint> {
     })
 }
 
-/// The pose that `<origin xyz rpy>` of an element states, in mm.
+/// Pose of an element's `<origin xyz rpy>` (mm).
 fn origin(node: Node, file: &str) -> Result<Pose> {
     let Some(origin) = node.child("origin") else { return Ok(Pose::identity()) };
     let [xyz, rpy] = [vector(origin, "xyz", file, [0.0; 3])?, vector(origin, "rpy", file, [0.0; 3])?];
     if rpy.iter().any(|angle| angle.abs() > TAU + 1e-3) {
-        let message = origin.error("angles of `rpy` beyond a full turn");
-        return Err(message.hint("angles of a URDF are radians: 90 degrees are 1.5707963267948966").into());
+        return Err(error!("urdf-angles-beyond-turn").at(origin.place()).into());
     }
     Ok(Pose::from_xyz_rpy(xyz.map(|m| 1000.0 * m), rpy))
 }
 
 fn text(node: Node, name: &str) -> Result<String> {
     let value = node.attribute(name).filter(|value| !value.trim().is_empty());
-    Ok(value.ok_or_else(|| node.error(format!("<{}> has no `{name}`", node.name())))?.into_owned())
+    let missing = || error!("urdf-attribute-missing", element = node.name(), attribute = name).at(node.place());
+    Ok(value.ok_or_else(missing)?.into_owned())
 }
 
 /// Numbers of an attribute, separated by blanks.
 fn numbers(node: Node, name: &str, file: &str) -> Result<Option<Vec<f64>>> {
     let Some(value) = node.attribute(name) else { return Ok(None) };
     let number = |word: &str| {
-        let wrong = node.error(format!("`{name}`: `{word}` is not a number"));
+        let wrong = error!("urdf-not-number", attribute = name, word).at(node.place());
         let wrong = if word.contains('$') { xacro(wrong, file) } else { wrong };
         word.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| Problems::from(wrong))
     };
@@ -164,7 +178,7 @@ fn number(node: Node, name: &str, file: &str, absent: f64) -> Result<f64> {
     match numbers(node, name, file)?.as_deref() {
         None => Ok(absent),
         Some([value]) => Ok(*value),
-        Some(_) => Err(node.error(format!("`{name}` is not one number")).into()),
+        Some(all) => Err(other_count(node, name, all.len(), 1).into()),
     }
 }
 
@@ -172,9 +186,10 @@ fn vector(node: Node, name: &str, file: &str, absent: Vector) -> Result<Vector> 
     match numbers(node, name, file)?.as_deref() {
         None => Ok(absent),
         Some([x, y, z]) => Ok([*x, *y, *z]),
-        Some(all) => {
-            let message = node.error(format!("`{name}` has {} numbers", all.len()));
-            Err(message.expected("three, separated by blanks").into())
-        }
+        Some(all) => Err(other_count(node, name, all.len(), 3).into()),
     }
+}
+
+fn other_count(node: Node, attribute: &str, count: usize, expected_count: usize) -> Message {
+    error!("urdf-number-count", attribute, count, expected_count).at(node.place())
 }

@@ -1,10 +1,11 @@
-//! `etalon axis-table`
+//! Command `etalon axis-table`.
 
 use super::export::Exported;
 use super::kinematics::{identified, joint_names, whole_pose};
 use super::{Verdict, print, say};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::Pose;
@@ -15,7 +16,8 @@ use etalon_robots::{Calibrated, Quantity};
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
-/// Compensation table of an axis, or of a plane, from identified parameters, from leads, or from measured errors
+/// Compensation table of an axis, or of a plane, from identified parameters, from leads, or from
+/// measured errors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Sources:
   parameters.json  of a joint its own error (lead, gain, zero, harmonics), of two sliding joints that of the tool; of x, y, z that of a robot
@@ -26,65 +28,65 @@ use std::path::{Path, PathBuf};
 Example:
   etalon axis-table out/parameters.json --robot robot.toml --axis x=0:300:25 --axis y=0:200:25 --corrected y --to beckhoff-plane --sign add")]
 pub struct AxisTable {
-    /// parameters.json, geometric.json or a table of measured errors
+    /// File parameters.json, geometric.json or a table of measured errors.
     source: PathBuf,
-    /// robot.toml, for parameters.json
+    /// Robot file, for parameters.json.
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
-    /// Base axis and its positions in mm or deg: x_mm, y_mm, z_mm (or x, y, z) or the column of a joint; twice for a plane. The positions of a
-    /// table are its own
+    /// Base axis with its positions (mm or deg): x_mm, y_mm, z_mm (or x, y, z) or the column of a
+    /// joint; twice for a plane. A table states its own positions.
     #[arg(long = "axis", value_name = "NAME[=FROM:TO:STEP]", required = true, value_parser = base_axis)]
     axes: Vec<BaseAxis>,
-    /// Axis that is corrected; the first base axis if none is named
+    /// Corrected axis; the first base axis by default.
     #[arg(long, value_name = "NAME")]
     corrected: Option<String>,
-    /// Where other axes are meanwhile; x, y, z, qw, qx, qy, qz or joints, zero where not stated
+    /// Values of other axes: x, y, z, qw, qx, qy, qz or joints; zero by default.
     #[arg(long, value_name = "NAME=VALUE,...", value_delimiter = ',', value_parser = assignment)]
     at: Vec<(String, f64)>,
-    /// Positions of the base axes where the table is zero, as at the reference point
+    /// Positions of the base axes at which the table is zero, such as the reference point.
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
     zero_at: Vec<f64>,
-    /// What to write
+    /// Format to write.
     #[arg(long, value_enum, default_value = "csv")]
     to: Controller,
-    /// What the control does with the values, for tables whose sign its maker does not publish
+    /// Use of the values in the control, for tables whose sign is not published.
     #[arg(long, value_enum)]
     sign: Option<Sign>,
-    /// Numbers of the axes in the control: base axes, and the corrected one if it is another
+    /// Numbers of the axes in the control: base axes, then the corrected axis if it is another.
     #[arg(long, value_name = "N,N", value_delimiter = ',', default_values_t = [1, 2, 3])]
     numbers: Vec<usize>,
-    /// Number of the table in the control, for `sinumerik-cec`
+    /// Number of the table in the control, for `sinumerik-cec`.
     #[arg(long, value_name = "N", default_value_t = 0)]
     table: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Controller {
-    /// Base axes and `deviation`
+    /// Base axes and `deviation`.
     Csv,
-    /// COMP_FILE of LinuxCNC, with COMP_FILE_TYPE = 0
+    /// LinuxCNC: COMP_FILE with COMP_FILE_TYPE = 0.
     Linuxcnc,
-    /// kw.ssfk of a Beckhoff CNC
+    /// Beckhoff CNC: kw.ssfk.
     Beckhoff,
-    /// kw.crosscomp2 of a Beckhoff CNC, over two axes; needs --sign
+    /// Beckhoff CNC: kw.crosscomp2 over two axes; needs --sign.
     BeckhoffPlane,
-    /// $AA_ENC_COMP of a SINUMERIK
+    /// SINUMERIK: $AA_ENC_COMP.
     Sinumerik,
-    /// $AN_CEC of a SINUMERIK: one axis by another, or by itself; needs --sign
+    /// SINUMERIK: $AN_CEC, one axis by another or by itself; needs --sign.
     SinumerikCec,
 }
 
-/// A base axis and its positions, where they are stated.
+/// A base axis with its positions, if stated.
 #[derive(Clone, Debug)]
 struct BaseAxis {
     name: String,
     positions: Vec<f64>,
 }
 
-/// Most positions of a table.
+/// Maximum number of positions in a table.
 const MOST_POSITIONS: usize = 100_000;
 
-/// NAME or NAME=FROM:TO:STEP.
+/// Parses NAME or NAME=FROM:TO:STEP.
 fn base_axis(text: &str) -> std::result::Result<BaseAxis, String> {
     let (name, range) = text.split_once('=').map_or((text, None), |(name, range)| (name, Some(range)));
     let name = if XYZ.iter().any(|known| known.strip_suffix("_mm") == Some(name)) {
@@ -111,7 +113,7 @@ fn assignment(text: &str) -> std::result::Result<(String, f64), String> {
     Ok((base_axis(name)?.name, value.ok_or_else(|| format!("`{name}` has no number"))?))
 }
 
-/// What deviations come from.
+/// Source of deviations.
 enum Source<'a> {
     Joint {
         robot: &'a Calibrated<'a>,
@@ -126,12 +128,13 @@ enum Source<'a> {
         corrected: usize,
     },
     Lead(&'a LeadResult),
-    /// By position.
+    /// Measured errors by position.
     Measured(Vec<(Vec<f64>, f64)>),
 }
 
 impl Source<'_> {
-    /// Attained minus programmed position of the corrected axis at positions of the base axes, mm or deg; `near` is where the robot comes from.
+    /// Attained minus programmed position of the corrected axis at positions of the base axes (mm
+    /// or deg); `near` holds the joint values before the motion.
     fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<f64, String> {
         match self {
             Self::Joint { robot, joints, bases, corrected } => {
@@ -172,12 +175,12 @@ impl Source<'_> {
     }
 }
 
-/// Axes that a table can move: the base axes, and the corrected one.
+/// Axes that a table can move: the base axes and the corrected axis.
 fn moved(bases: &[usize], corrected: usize) -> Vec<usize> {
     bases.iter().copied().chain((!bases.contains(&corrected)).then_some(corrected)).collect()
 }
 
-/// A source as it was read.
+/// Source in memory.
 enum Read {
     Parameters(Box<Exported>),
     Leads(GeometricDocument),
@@ -192,9 +195,7 @@ impl AxisTable {
         let source = match &read {
             Read::Parameters(exported) => {
                 let given = exported.given(false);
-                let arm = given
-                    .robot
-                    .map_or_else(|| Err(Message::error("parameters.json needs --robot FILE").into()), whole_pose)?;
+                let arm = given.robot.map_or_else(|| Err(error!("robot-option-missing").into()), whole_pose)?;
                 let identified = identified(arm, given.parameters, &self.source)?;
                 calibrated = Calibrated { arm, nominal: arm.nominal(), identified };
                 self.of_robot(&calibrated)?
@@ -214,7 +215,7 @@ impl AxisTable {
         self.corrected.as_deref().unwrap_or(&self.axes[0].name)
     }
 
-    /// Refuses options that do not go together.
+    /// Rejects contradictory options.
     fn consistent(&mut self) -> Result<()> {
         self.corrected = self.corrected.take().map(|name| base_axis(&name).map_or(name, |axis| axis.name));
         let planes = self.to == Controller::BeckhoffPlane;
@@ -250,7 +251,7 @@ impl AxisTable {
         self.axes.iter().any(|axis| axis.name == self.corrected())
     }
 
-    /// The source, and what its table begins with.
+    /// Reads the source, and creates the header of its table.
     fn read(&self) -> Result<(Read, Vec<String>)> {
         let units = unit_words(self.to);
         if self.source.extension().is_some_and(|ending| ending == "csv") {
@@ -272,7 +273,7 @@ impl AxisTable {
         Ok((Read::Parameters(Box::new(exported)), header))
     }
 
-    /// The campaign and the robot beside a source, where it is in the output folder of a campaign.
+    /// Campaign and robot of a source in the output folder of a campaign.
     fn about(&self) -> impl Iterator<Item = String> {
         let folder = Documents::open(self.source.parent().unwrap_or(Path::new(""))).ok();
         let summary = folder.and_then(|folder| folder.json::<CampaignSummary>("campaign.json").ok());
@@ -295,7 +296,7 @@ impl AxisTable {
             match (coordinate, joint(name)) {
                 (Some(i), _) => at[i] = *value,
                 (None, Some(i)) => near[i] = joints[i].quantity.inward(*value),
-                _ => return Err(Message::error(format!("the robot has no axis `{name}`")).into()),
+                _ => return Err(error!("axis-unknown", axis = name).into()),
             }
         }
         let [x, y, z, q @ ..] = at;
@@ -305,18 +306,15 @@ impl AxisTable {
             return Ok(Source::Pose { robot, at, bases, corrected });
         }
         let Some(all) = names().map(joint).collect::<Option<Vec<_>>>() else {
-            let columns = joints.iter().map(|joint| joint.column()).collect::<Vec<_>>().join(", ");
-            let message = Message::error("the axes of a table are all of x_mm, y_mm, z_mm, or all joints");
-            return Err(message.expected(format!("joints {columns}")).into());
+            let joints: Vec<String> = joints.iter().map(|joint| joint.column()).collect();
+            return Err(error!("axes-mixed", joints).into());
         };
         let (bases, corrected) = (all[..self.axes.len()].to_vec(), all[self.axes.len()]);
         let chain = robot.arm.joint_chain(&robot.nominal);
         let slides =
             |&joint: &usize| chain.as_ref().is_some_and(|chain| chain.joints.get(joint).is_some_and(|j| j.prismatic));
         if bases != [corrected] && !all.iter().all(slides) {
-            let message =
-                Message::error("a table of more than one joint needs joints that slide, one behind the other");
-            return Err(message.hint("use x_mm and y_mm: poses of the nominal robot").into());
+            return Err(error!("table-of-turning-joints").into());
         }
         Ok(Source::Joint { robot, joints: near, bases, corrected })
     }
@@ -326,15 +324,15 @@ impl AxisTable {
         let lead = geometric.leads.iter().find(|lead| *name == format!("rho{}_mm", lead.actuator));
         let missing = || {
             let measured = geometric.leads.iter().map(|lead| format!("rho{}_mm", lead.actuator)).collect::<Vec<_>>();
-            Message::error(format!("no lead of `{name}` was measured")).expected(measured.join(", "))
+            error!("lead-not-measured", axis = name, measured)
         };
         if self.axes.len() != 1 || self.corrected() != name {
-            return Err(Message::error("a lead is of one axis, which it corrects").into());
+            return Err(error!("lead-of-one-axis").into());
         }
         Ok(Source::Lead(lead.ok_or_else(missing)?))
     }
 
-    /// Measured errors of a table; its positions become those of the base axes.
+    /// Measured errors of a table, whose positions become those of the base axes.
     fn of_table<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
         let names: Vec<String> =
             self.axes.iter().map(|axis| axis.name.clone()).chain(["deviation".to_owned()]).collect();
@@ -345,7 +343,7 @@ impl AxisTable {
         let mut columns = columns().map_err(|problems| file.place(problems))?;
         if columns.iter().flatten().any(|v| !v.is_finite()) {
             let place = Place::file(file.name.clone());
-            return Err(Message::error("a value is missing or not a number").at(place).into());
+            return Err(error!("table-value-missing").at(place).into());
         }
         let deviations = columns.pop().unwrap_or_default();
         for (axis, positions) in self.axes.iter_mut().zip(&columns) {
@@ -356,15 +354,14 @@ impl AxisTable {
         let at = |row: usize| columns.iter().map(|column| column[row]).collect::<Vec<_>>();
         let mut rows: Vec<(Vec<f64>, f64)> = deviations.iter().enumerate().map(|(row, d)| (at(row), *d)).collect();
         if rows.len() != self.axes.iter().map(|axis| axis.positions.len()).product::<usize>() {
-            let message = Message::error("the positions are not those of a grid").at(Place::file(file.name.clone()));
-            return Err(message.expected("one row for each position of each base axis").into());
+            return Err(error!("not-a-grid").at(Place::file(file.name.clone())).into());
         }
-        // finite numbers, and what is looked up is found fast
+        // finite numbers, sorted for fast search
         rows.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(Ordering::Equal));
         Ok(Source::Measured(rows))
     }
 
-    /// Deviations along the first axis, one row for each position of the second.
+    /// Deviations along the first axis, one row per position of the second.
     fn rows(&self, source: &Source) -> Result<Vec<Vec<f64>>> {
         let mut near = match source {
             Source::Pose { robot, .. } => vec![0.0; joint_names(robot.arm).len()],
@@ -375,8 +372,7 @@ impl AxisTable {
             source.deviation(at, &mut near).map_err(|why| Message::error(format!("{}: {why}", place.join(", "))))
         };
         if let Some(axis) = self.axes.iter().find(|axis| axis.positions.is_empty()) {
-            let message = Message::error(format!("`{}` has no positions", axis.name));
-            return Err(message.expected(format!("--axis {}=FROM:TO:STEP", axis.name)).into());
+            return Err(error!("axis-without-positions", axis = axis.name).into());
         }
         let zero = if self.zero_at.is_empty() { 0.0 } else { deviation(&self.zero_at)? };
         let seconds: Vec<Vec<f64>> = match self.axes.get(1) {
@@ -430,7 +426,7 @@ impl AxisTable {
     }
 }
 
-/// Of the column of a joint, or a coordinate.
+/// Unit of a joint's column, or of a coordinate.
 fn unit(name: &str) -> &'static str {
     if name.ends_with("_deg") { Quantity::Angle.unit() } else { Quantity::Length.unit() }
 }

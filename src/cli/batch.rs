@@ -1,4 +1,4 @@
-//! `etalon batch`
+//! Command `etalon batch`.
 
 use super::report::Dressed;
 use super::{Verdict, print_with, progress, say};
@@ -12,27 +12,29 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Run many campaigns on all cores, and write their results as one table and one page
+/// Run many campaigns on all cores, and write their results as one table and one page.
 ///
-/// A campaign of which nothing has changed since its last run is read back: a batch that was stopped goes on where it was.
-/// One that fails stops no other.
+/// A campaign without changes since its last run is read back, so that an interrupted batch
+/// continues where it stopped. A failed campaign does not stop the others.
 #[derive(Debug, clap::Args)]
 pub struct Batch {
-    /// Campaigns, folders of campaigns, or texts that list campaigns, one a line, beside the list
+    /// Campaigns, folders of campaigns, or text files that list campaigns, one per line, relative
+    /// to the file.
     #[arg(required = true)]
     campaigns: Vec<PathBuf>,
-    /// Write no reports, which `etalon report` can write later, and no tables of points, joint values and observations
+    /// Omit reports, which `etalon report` can write later, and tables of points, joint values and
+    /// observations.
     #[arg(long)]
     documents: bool,
-    /// Run campaigns again whose results are older than this file, as the program itself
+    /// Run campaigns again whose results are older than this file, for example the program itself.
     #[arg(long, value_name = "FILE")]
     newer_than: Option<PathBuf>,
-    /// Folder for batch.parquet and batch.html
+    /// Folder for batch.parquet and batch.html.
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     to: PathBuf,
     #[command(flatten)]
     dressed: Dressed,
-    /// Print how each campaign ended as JSON
+    /// Print the outcome of each campaign as JSON.
     #[arg(long)]
     json: bool,
 }

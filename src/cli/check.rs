@@ -1,16 +1,17 @@
-//! `etalon check`
+//! Command `etalon check`.
 
 use super::in_memory::{check, find};
 use super::{Verdict, next_step, print_text, print_with, remark, shell_word};
 use etalon_base::message::printable;
+use etalon_documents::JointTravel;
 use std::path::PathBuf;
 
-/// Find everything that is wrong with a campaign, without computing
+/// Find all errors of a campaign without computing.
 #[derive(Debug, clap::Args)]
 pub struct Check {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Print errors, warnings and what was read as JSON
+    /// Print errors, warnings and imported rows as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -22,13 +23,18 @@ impl Check {
             let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
             return print_with(etalon_documents::to_json(&document)?, verdict);
         }
-        let (imported, problems) = find(&self.campaign);
+        let (checked, problems) = find(&self.campaign);
+        let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();
+        let joints = joints.unwrap_or_default();
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
         remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
             let (file, dialect) = (printable(&source.file), printable(&source.dialect));
             print_text(&format!("{file}: {} rows, {refused} refused ({dialect})\n", source.rows_read))?;
+        }
+        for JointTravel { column, lowest, highest } in &joints {
+            print_text(&format!("{}: {lowest:.2} .. {highest:.2}\n", printable(column)))?;
         }
         let next = format!("`etalon run {}`", shell_word(&self.campaign));
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };

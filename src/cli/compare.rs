@@ -1,27 +1,29 @@
-//! `etalon compare`
+//! Command `etalon compare`.
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
 use crate::run::documents::{self, Documents};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_compare::{Compared, compare};
 use etalon_documents::to_json;
 use etalon_report::Faces;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// Compare campaigns of one robot: what changed, and what is chance
+/// Compare campaigns of one robot: significant changes and chance.
 ///
-/// Each folder is that of a campaign, or the output folder of `etalon run`; the oldest first. Parameters, errors, AP, RP and
-/// mean positions are compared with the first campaign and with the previous one.
+/// Each folder is that of a campaign, or the output folder of `etalon run`, the oldest first.
+/// Parameters, errors, AP, RP and mean positions are compared with the first and with the previous
+/// campaign.
 #[derive(Debug, clap::Args)]
 pub struct Compare {
-    /// Folders of campaigns, or their output folders, in the order of time
+    /// Folders of campaigns, or their output folders, in the order of time.
     #[arg(required = true, num_args = 2..)]
     folders: Vec<PathBuf>,
     #[command(flatten)]
     reports: Reports,
-    /// Print JSON
+    /// Print JSON.
     #[arg(long)]
     json: bool,
 }
@@ -35,10 +37,10 @@ impl Compare {
         let (mut all, mut places) = (Vec::new(), BTreeSet::new());
         for folder in &self.folders {
             match read(folder) {
-                // under another name it is the same folder
+                // the same folder under another name
                 Ok((place, read)) => match places.insert(place) {
                     true => all.push(read),
-                    false => problems.0.push(Message::error(format!("`{}` is named twice", read.folder))),
+                    false => problems.0.push(error!("campaign-twice", folder = read.folder)),
                 },
                 Err(more) => problems.0.extend(more.0),
             }
@@ -53,11 +55,11 @@ impl Compare {
     }
 }
 
-/// What is compared, of those that a run writes.
+/// Compared documents of a run.
 const COMPARED: [&str; 5] =
     ["campaign.json", "parameters.json", "accuracy.json", "iso9283.json", "iso9283-streams.json"];
 
-/// A campaign's output folder and its documents.
+/// Reads a campaign's output folder and its documents.
 fn read(named: &Path) -> Result<(PathBuf, Compared)> {
     let folder = documents::folder_of(named)?;
     let place = folder.canonicalize().unwrap_or_else(|_| folder.clone());

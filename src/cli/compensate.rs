@@ -1,4 +1,4 @@
-//! `etalon compensate`
+//! Command `etalon compensate`.
 
 use super::export::Exported;
 use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose};
@@ -7,8 +7,9 @@ use crate::stages::table_file::TableFile;
 use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Rank, Result, Severity, count};
 use etalon_base::pose::{Pose, minus, norm};
+use etalon_base::{error, phrase, warning};
 use etalon_controllers::Given;
 use etalon_controllers::commands::{
     self, Command, CommandLanguage, Configuration, DECIMALS, Freedoms, Galil, Program, ProgramTarget,
@@ -18,10 +19,11 @@ use etalon_formats::table::{self, QUATERNION, XYZ};
 use etalon_robots::{Calibrated, Kinematics};
 use std::path::PathBuf;
 
-/// What to command so that the identified robot comes to its targets
+/// Compute commands with which the identified robot reaches its targets.
 ///
-/// For a controller that computes with nominal geometry: the pose to command is where the nominal robot is at the joint values that bring
-/// the identified robot to the target. Of a program the targets are replaced, and nothing else.
+/// For a controller that computes with nominal geometry: the pose to command is the pose of the
+/// nominal robot at the joint values that bring the identified robot to the target. In a program
+/// only the targets are replaced.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Targets:
   table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joints near which the robot is to reach them; or pose and joints alone, which
@@ -31,57 +33,59 @@ use std::path::PathBuf;
 
 Exit code 1 where a target is out of reach or in another configuration; no program or list is written with a target out of reach: 2.")]
 pub struct Compensate {
-    /// Table of targets (CSV), or a program
+    /// Table of targets (CSV), or a program.
     targets: PathBuf,
-    /// robot.toml
+    /// Robot file.
     #[arg(long, value_name = "FILE")]
     robot: PathBuf,
-    /// Identified parameters: parameters.json of a run
+    /// Identified parameters: parameters.json of a run.
     #[arg(long, value_name = "FILE")]
     parameters: PathBuf,
-    /// What to write; a table by default, or the program that was given
+    /// Format to write; by default a table, or the language of the given program.
     #[arg(long, value_enum)]
     format: Option<Format>,
-    /// Frame of the targets of a table
+    /// Frame of the targets in a table.
     #[arg(long, value_enum, default_value_t = Frame::Base)]
     frame: Frame,
-    /// Tool centre point in the flange (or tool link, platform): x,y,z or x,y,z,qw,qx,qy,qz in mm
+    /// Tool centre point in the flange (or tool link, platform): x,y,z or x,y,z,qw,qx,qy,qz in mm.
     #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
     tool: Option<Pose>,
-    /// Frame of the targets (work object) in the base of the robot, likewise
+    /// Frame of the targets (work object) in the robot's base: x,y,z or x,y,z,qw,qx,qy,qz in mm.
     #[arg(long, value_name = "POSE", value_parser = pose_argument, allow_hyphen_values = true)]
     object: Option<Pose>,
-    /// Joint values where a program starts, mm and deg, and the assembly mode: the working mode of a five-bar is the nearest to them
+    /// Joint values at the start of a program (mm or deg), followed by the assembly mode; they
+    /// select the working mode of a five-bar.
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
     start: Vec<f64>,
-    /// Counts of each axis for a mm or deg of its joint, for `galil`
+    /// Counts of each axis per mm or deg of its joint, for `galil`.
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
     counts_per_unit: Vec<f64>,
-    /// Decimals of lengths in mm; metres, angles and quaternions have as many more as makes them as fine
+    /// Decimals of lengths in mm; other quantities have as many more as they need for the same
+    /// resolution.
     #[arg(long, value_name = "N", default_value_t = DECIMALS, value_parser = option_at_most::<17>)]
     decimals: usize,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Format {
-    /// Poses to command, joint values and residuals
+    /// Poses to command, joint values and residuals.
     Csv,
-    /// Joint values to command
+    /// Joint values to command.
     Joints,
-    /// G-code: X Y Z A B C
+    /// G-code: X Y Z A B C.
     Gcode,
-    /// Galil: positions in counts
+    /// Galil: positions in counts.
     Galil,
-    /// DexTAR: MoveC
+    /// DexTAR: MoveC.
     Mecaprol,
-    /// ABB: robtarget
+    /// ABB: robtarget.
     Rapid,
-    /// KUKA: POS
+    /// KUKA: POS.
     Krl,
-    /// Universal Robots: p[...]
+    /// Universal Robots: p[...].
     Urscript,
 }
 
@@ -91,29 +95,29 @@ impl Format {
     }
 }
 
-/// Name of the language whose targets are counts.
+/// Name of the language with targets in counts.
 const GALIL: &str = "galil";
 
-/// The frame that targets are in.
+/// Frame of the targets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Frame {
-    /// The base of the robot, or the frame of `--object`
+    /// Base of the robot, or the frame of `--object`.
     Base,
-    /// The world of the measurements, in which the base was identified
+    /// World of the measurements, in which the base was identified.
     World,
 }
 
 /// A target.
 struct Target {
     name: String,
-    /// Of the tool, in the frame of the targets.
+    /// Pose of the tool in the frame of the targets.
     pose: Pose,
-    /// Joint values near which it is to be reached.
+    /// Joint values near which the target is to be reached.
     near: Option<Vec<f64>>,
     configuration: Option<Configuration>,
 }
 
-/// Targets and where they come from.
+/// Targets and their origin.
 struct Source {
     targets: Vec<Target>,
     program: Option<ProgramSource>,
@@ -125,17 +129,17 @@ struct ProgramSource {
     program: Program,
 }
 
-/// Everything that turns a target into a command.
+/// Converter of targets to commands.
 struct Compensator<'a> {
     robot: Calibrated<'a>,
     freedoms: Freedoms,
-    /// Frame of the targets in the base, and that of the commands.
+    /// Frame of the targets in the base, and frame of the commands.
     frames: [Pose; 2],
     tool: Pose,
     format: Format,
     language: Option<(&'static str, &'static dyn CommandLanguage)>,
     galil: Galil,
-    /// Joint values where the robot starts.
+    /// Joint values at the start.
     start: Vec<f64>,
     decimals: usize,
 }
@@ -157,16 +161,17 @@ impl Compensate {
             (true, ..) => to_json(&answer)?,
             (_, Format::Csv | Format::Joints, _) => csv(&answer, format).into_bytes(),
             _ => {
-                let refused = answer.unreachable.iter().map(unreachable).map(|m| Message::error(m.what));
+                let refused = answer.unreachable.iter().map(unreachable);
+                let refused = refused.map(|m| Message { severity: Severity::Error, rank: Rank::Decide, ..m });
                 Problems(refused.collect()).check()?;
                 compensator.program(&given, &commands, &answer, source.program.as_ref())?
             }
         };
-        let changed = answer.targets.iter().filter(|t| !t.same_configuration).map(|t| {
-            let message = Message::warning(format!("target {}: the command is in another configuration", t.target));
-            message
-                .hint("its configuration data (working mode, confdata, Status and Turn) stay as they are: check them")
-        });
+        let changed = answer
+            .targets
+            .iter()
+            .filter(|t| !t.same_configuration)
+            .map(|t| warning!("configuration-changed", target = t.target));
         remark(&answer.unreachable.iter().map(unreachable).chain(changed).collect::<Vec<_>>());
         if let Some(ProgramSource { program, .. }) = &source.program {
             let left = count(program.joint_targets, "target");
@@ -175,23 +180,21 @@ impl Compensate {
                 count(answer.targets.len(), "target")
             ));
             if !program.computed.is_empty() {
-                let names = program.computed.iter().cloned().collect::<Vec<_>>().join(", ");
-                remark(&[Message::warning(format!("poses of {names} are left as they are"))
-                    .hint("what a program computes from compensated targets has their compensation, not its own")]);
+                let names: Vec<&String> = program.computed.iter().collect();
+                remark(&[warning!("poses-computed-by-program", names)]);
             }
         }
         let met = answer.unreachable.is_empty() && answer.targets.iter().all(|t| t.same_configuration);
         print_with(data, Verdict::of(met))
     }
 
-    /// The targets of the table or program.
+    /// Reads the targets of the table or program.
     fn read(&self, robot: &Calibrated) -> Result<Source> {
         let ending = self.targets.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         match commands::language_of(ending) {
             Some((name, language)) => {
                 if self.start.is_empty() && robot.arm.has_assembly_modes() {
-                    let message = Message::error("the program does not state which working mode the robot starts in");
-                    return Err(message.hint("state the joint values where it starts: --start N,N,+1").into());
+                    return Err(error!("working-mode-missing").into());
                 }
                 self.read_program(name, language, freedoms(robot.arm))
             }
@@ -208,18 +211,18 @@ impl Compensate {
         for (option, stated, names) in
             [("tool", self.tool.is_some(), &program.tools), ("object", self.object.is_some(), &program.objects)]
         {
-            let all = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-            if names.len() > 1 || (names.len() == 1 && !stated) {
-                let message = Message::error(format!("the program uses {all}"))
-                    .at(Place::file(self.targets.display().to_string()));
-                let one = format!("state its pose: --{option} x,y,z,qw,qx,qy,qz");
-                return Err(message
-                    .hint(if names.len() > 1 { "give the targets of each as a program of their own" } else { &one })
-                    .into());
+            let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            if all.len() > 1 || (all.len() == 1 && !stated) {
+                let next = match all.len() {
+                    1 => phrase!("state-pose-option", option),
+                    _ => phrase!("one-program-each"),
+                };
+                let place = Place::file(self.targets.display().to_string());
+                return Err(error!("program-frames", names = all).at(place).hint(next).into());
             }
         }
         if self.frame == Frame::World {
-            return Err(Message::error("targets of a program are not in the world").hint("use --object").into());
+            return Err(error!("program-in-world").into());
         }
         let target = |t: &ProgramTarget| Target {
             name: t.name.clone(),
@@ -231,7 +234,7 @@ impl Compensate {
         Ok(Source { targets, program: Some(ProgramSource { language: name, bytes, program }) })
     }
 
-    /// Positions of a Galil program: joint values that the nominal robot is commanded.
+    /// Reads positions of a Galil program: joint values commanded to the nominal robot.
     fn read_galil(&self, robot: &Calibrated) -> Result<Source> {
         let bytes = files::read(&self.targets)?;
         let text = String::from_utf8_lossy(&bytes);
@@ -249,7 +252,7 @@ impl Compensate {
         Ok(Source { targets, program: Some(ProgramSource { language: GALIL, bytes, program }) })
     }
 
-    /// Joint values where a program starts, rad and mm; zero where they are not stated.
+    /// Joint values at the start of a program (rad or mm); zero by default.
     fn start(&self, robot: &Calibrated) -> Vec<f64> {
         let joints = robot.arm.joints();
         let value = |(i, v): (usize, &f64)| joints.get(i).map_or(*v, |joint| joint.quantity.inward(*v));
@@ -261,8 +264,7 @@ impl Compensate {
     fn galil(&self, robot: &Calibrated) -> Result<Galil> {
         let axes = robot.arm.joints().len();
         if self.counts_per_unit.len() != axes || self.counts_per_unit.contains(&0.0) {
-            let message = Message::error(format!("`galil` needs the counts of {axes} axes for a mm or deg"));
-            return Err(message.hint("--counts-per-unit N,N").into());
+            return Err(error!("counts-missing", axes).into());
         }
         Ok(Galil { counts_per_unit: self.counts_per_unit.clone() })
     }
@@ -285,13 +287,13 @@ impl Compensate {
         Ok(Source { targets: read().map_err(|problems| file.place(problems))?, program: None })
     }
 
-    /// The tool of the nominal robot in the frame of the targets.
+    /// Pose of the nominal robot's tool in the frame of the targets.
     fn nominal_pose(&self, robot: &Calibrated, joints: &[f64]) -> Result<Pose> {
         if self.frame == Frame::World {
-            return Err(Message::error("joint values are not in the world").hint("leave --frame out").into());
+            return Err(error!("joints-in-world").into());
         }
         let flange = robot.arm.tool_pose(&robot.nominal, joints);
-        let flange = flange.ok_or_else(|| Message::error("the nominal robot cannot be where the joints put it"))?;
+        let flange = flange.ok_or_else(|| error!("nominal-pose-unreachable"))?;
         Ok(self.object.unwrap_or(Pose::identity()).inverse().then(&flange).then(&self.tool.unwrap_or(Pose::identity())))
     }
 
@@ -302,14 +304,13 @@ impl Compensate {
             Frame::Base => object,
             Frame::World => {
                 let base = robot.arm.base_in_world(&robot.identified);
-                base.ok_or_else(|| Message::error(format!("`{}` has no base in the world", robot.arm.model())))?
-                    .inverse()
+                base.ok_or_else(|| error!("base-not-in-world", model = robot.arm.model()))?.inverse()
             }
         };
         let galil = (format == Format::Galil).then(|| self.galil(&robot)).transpose()?.unwrap_or_default();
         let start = self.start(&robot);
         if format == Format::Mecaprol && freedoms != Freedoms::Point {
-            return Err(Message::error(format!("Mecaprol commands a five-bar, not `{}`", robot.arm.model())).into());
+            return Err(error!("mecaprol-other-robot", model = robot.arm.model()).into());
         }
         let language = commands::language(&format.name());
         let tool = self.tool.unwrap_or(Pose::identity());
@@ -319,7 +320,7 @@ impl Compensate {
 }
 
 impl Compensator<'_> {
-    /// Commands of the targets that have one, and the document.
+    /// Commands of the reachable targets, and the document.
     fn answer(&self, targets: &[Target]) -> (Vec<Command>, CompensationDocument) {
         let arm = self.robot.arm;
         let mut document = CompensationDocument {
@@ -345,7 +346,8 @@ impl Compensator<'_> {
         (commands, document)
     }
 
-    /// The command for a target, as the controller has it; `last` is where the robot comes from.
+    /// Command for a target in the controller's form; `last` holds the joint values before the
+    /// motion.
     fn target(&self, target: &Target, last: &mut Vec<f64>) -> std::result::Result<(Pose, CompensatedTarget), String> {
         let [targets, commands] = self.frames;
         let mut wanted = targets.then(&target.pose).then(&self.tool.inverse());
@@ -379,7 +381,7 @@ impl Compensator<'_> {
         ))
     }
 
-    /// Joint values of the nominal robot that have the configuration data of a target, the nearest.
+    /// Nearest joint values of the nominal robot with the configuration data of a target.
     fn configured(&self, wanted: &Pose, configuration: Option<Configuration>, near: &[f64]) -> Option<Vec<f64>> {
         let (configuration, arm, nominal) = (configuration?, self.robot.arm, &self.robot.nominal);
         let distance = |q: &[f64]| q.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
@@ -389,7 +391,7 @@ impl Compensator<'_> {
         within.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    /// The command as it is written, and where the identified robot then is.
+    /// Command as written, and pose of the identified robot with this command.
     fn carried_out(&self, command: &Pose, joints: &[f64]) -> std::result::Result<(Pose, Pose), String> {
         let units = |q: &[f64], out: bool| -> Vec<f64> {
             let joint = |(i, &q): (usize, &f64)| match self.robot.arm.joints().get(i) {
@@ -419,7 +421,7 @@ impl Compensator<'_> {
         self.robot.attained(&self.frames[1].then(command).then(&self.tool.inverse()), joints)
     }
 
-    /// The program with other targets, or a list of commands.
+    /// Program with new targets, or list of commands.
     fn program(
         &self,
         given: &Given,
@@ -456,10 +458,10 @@ fn freedoms(arm: &dyn Kinematics) -> Freedoms {
 }
 
 fn unreachable(target: &UnreachableTarget) -> Message {
-    Message::warning(format!("target {}: {}", target.target, target.reason))
+    warning!("target-unreachable", target = target.target, reason = target.reason)
 }
 
-/// x,y,z or x,y,z,qw,qx,qy,qz.
+/// Parses x,y,z or x,y,z,qw,qx,qy,qz.
 fn pose_argument(text: &str) -> std::result::Result<Pose, String> {
     let numbers: Vec<f64> =
         text.split(',').filter_map(|v| v.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
@@ -472,7 +474,7 @@ fn pose_argument(text: &str) -> std::result::Result<Pose, String> {
     }
 }
 
-/// The answer as a table: commands with joint values, or joint values alone.
+/// Answer as a table: commands with joint values, or joint values only.
 fn csv(document: &CompensationDocument, format: Format) -> String {
     let poses = XYZ.iter().chain(&QUATERNION).filter(|_| format == Format::Csv);
     let columns = poses.copied().chain(document.joints.iter().map(String::as_str));

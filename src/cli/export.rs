@@ -1,12 +1,13 @@
-//! `etalon export`
+//! Command `etalon export`.
 
 use super::{Verdict, print, print_text, progress, remark};
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::summary::summary;
 use crate::run::validation::recommend;
-use crate::stages::given::other_nominal;
+use crate::stages::given::{check_described, other_nominal};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Severity, printable};
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
@@ -16,33 +17,35 @@ use etalon_documents::{
 use etalon_robots::Robot;
 use std::path::{Path, PathBuf};
 
-/// Write identified parameters as a file that a controller or another program loads
+/// Write identified parameters as a file for a controller or another program.
 #[derive(Debug, clap::Args)]
 pub struct ExportCommand {
-    /// parameters.json of a run; with `--parameters recommended` the folder of the campaign, or its campaign.toml
+    /// File parameters.json of a run; with `--parameters recommended` the folder of the campaign,
+    /// or its campaign.toml.
     #[arg(value_name = "PARAMETERS")]
     source: PathBuf,
-    /// Which parameters: those of the file, or of a campaign those that deserve to be loaded (`etalon recommend`), identified again with all
-    /// others at their nominal values
+    /// Parameters to write: those of the file, or those recommended for a campaign
+    /// (`etalon recommend`), which are identified again with all others at nominal.
     #[arg(long, value_name = "WHICH", value_enum, default_value = "identified")]
     parameters: Which,
-    /// Format: json, csv and c-header if none is named; may be repeated
+    /// Format; json, csv and c-header by default; may be repeated.
     #[arg(long, value_name = "NAME")]
     format: Vec<String>,
-    /// robot.toml, for formats that need the robot itself
+    /// Robot file, for formats that need the robot.
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
-    /// Folder to write to; the one of parameters.json by default
+    /// Folder to write to; by default the folder of parameters.json.
     #[arg(long, value_name = "FOLDER", required_if_eq("parameters", "recommended"))]
     to: Option<PathBuf>,
-    /// Hash that the robot itself states (`calib_...`), for the format universal-robots: that of etalon by default
+    /// Hash that the robot states (`calib_...`), for the format universal-robots; by default
+    /// etalon's hash.
     #[arg(long, value_name = "HASH", value_parser = controller_hash)]
     controller_hash: Option<String>,
-    /// Write parameters that failed the checks of their identification, and files that are worse than nominal:
-    /// their headers say so
+    /// Write parameters that failed their checks, and files that are worse than nominal; their
+    /// headers say so.
     #[arg(long)]
     force: bool,
-    /// Print the names of the files written, and the errors with them, as JSON
+    /// Print the names of the files written, and the errors with them, as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -57,7 +60,7 @@ impl ExportCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let folder = self.source.parent().unwrap_or(Path::new("")).to_owned();
         let to = self.to.unwrap_or(folder);
-        // before the parameters are read: a run that replaces the folder meanwhile is seen
+        // before the parameters are read, so that a concurrent run is noticed
         let run = Documents::open(&to).ok();
         let exported = match self.parameters {
             Which::Identified => Exported::read(&self.source, self.robot.as_deref())?,
@@ -69,15 +72,14 @@ impl ExportCommand {
             self.format
         };
         let exporter = |name: &String| {
-            let wrong = || Message::error(format!("`{name}` is not a controller format"));
+            let wrong = || error!("controller-format-unknown", name);
             etalon_controllers::by_name(name)
                 .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
         let hash = self.controller_hash.as_deref();
         if hash.is_some() && !wanted.iter().any(|name| name == "universal-robots") {
-            let message = Message::error("`--controller-hash` is for the format universal-robots");
-            return Err(Problems::from(message.hint("name it: --format universal-robots")).into());
+            return Err(Problems::from(error!("hash-of-other-format")).into());
         }
         let given = Given { controller_hash: hash, ..exported.given(self.force) };
         given.check()?;
@@ -103,40 +105,31 @@ impl ExportCommand {
     }
 }
 
-/// A warning of a file that was made from the covariance alone.
+/// Warning about a file that was made from the covariance only.
 fn not_measured(file: &WrittenController) -> Option<Message> {
-    let what = format!(
-        "format `{}` does not hold {}: its file has the estimate conditioned on their nominal values, and its error was not measured",
-        file.format,
-        file.left_out.join(", ")
-    );
-    let hint =
-        format!("run the campaign with \"{}\" among its `controllers`, and export from its output folder", file.format);
-    (file.errors.is_none() && !file.left_out.is_empty()).then(|| Message::warning(what).hint(hint))
+    let message = || warning!("controller-error-not-measured", format = file.format, parameters = file.left_out);
+    (file.errors.is_none() && !file.left_out.is_empty()).then(message)
 }
 
-/// The hash of a calibration as a robot of Universal Robots states it.
+/// Parses the hash of a calibration as stated by a robot of Universal Robots.
 fn controller_hash(text: &str) -> Result<String, String> {
     let digits = text.strip_prefix("calib_").unwrap_or_default();
     let is_hash = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_alphanumeric());
     if is_hash { Ok(text.to_owned()) } else { Err("expected `calib_` and digits".to_owned()) }
 }
 
-/// Writes files into a folder that held no run when the parameters were read.
+/// Writes files into a folder that contained no run when the parameters were read.
 fn beside_no_run(to: &Path, files: &[(String, Vec<u8>)]) -> Result<Vec<String>, Problems> {
     let no_run = || match Documents::open(to) {
         Err(_) => Ok(()),
-        Ok(_) => {
-            let what = format!("a run wrote `{}` while files for a controller were made", to.display());
-            Err(Problems::from(Message::error(what).hint("repeat the command: they may be of earlier parameters")))
-        }
+        Ok(_) => Err(Problems::from(error!("run-while-exporting", folder = to.display().to_string()))),
     };
     no_run()?;
     let written = files::write_all(to, files)?;
     no_run().map(|()| written)
 }
 
-/// Everything that a file for a controller is made of.
+/// Source data of a controller file.
 pub(super) struct Exported {
     pub parameters: ParametersDocument,
     file: Option<RobotFile>,
@@ -147,7 +140,7 @@ pub(super) struct Exported {
 }
 
 impl Exported {
-    /// Parameters, the campaign in whose folder they are, and robot.toml where it is named.
+    /// Reads parameters, their campaign, and robot.toml if named.
     pub fn read(parameters: &Path, robot: Option<&Path>) -> Result<Self, Problems> {
         let (document, run) = read_parameters_and_run(parameters)?;
         let file = robot.map(read_robot).transpose()?;
@@ -162,7 +155,7 @@ impl Exported {
         Ok(exported)
     }
 
-    /// What a campaign recommends to load.
+    /// Identifies the recommended parameters of a campaign.
     fn recommended(campaign: &Path) -> Result<Self, Problems> {
         let campaign = Campaign::read(campaign)?;
         let found = recommend(&campaign, &mut progress)?;
@@ -176,8 +169,11 @@ impl Exported {
         file: Option<RobotFile>,
         summary: Option<CampaignSummary>,
     ) -> Result<Self, Problems> {
-        // the model needs a target; no format holds its place
+        // the model needs a target; no format contains its position
         let robot = file.as_ref().map(|file| file.build(&["tool".to_owned()])).transpose()?;
+        if let Some(robot) = &robot {
+            check_described(robot.as_ref(), &parameters)?;
+        }
         if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
             let hint = "run the campaign again, or name the robot.toml that it was run with";
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());

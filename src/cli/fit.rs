@@ -1,10 +1,11 @@
-//! `etalon fit`
+//! Command `etalon fit`.
 
 use super::fit_text::as_text;
 use super::text_format::{TextFormat, word};
 use super::{Verdict, print, print_text, remark, say};
 use crate::stages::qif_fit::{ProbeStated, refit};
-use etalon_base::message::{Message, Place, Problems};
+use etalon_base::error;
+use etalon_base::message::{Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_documents::{FitDocument, to_json};
 use etalon_fit::{CircleMethod, Element, FitSettings, PackedPoints, Probe, Side, Source};
@@ -12,45 +13,47 @@ use etalon_formats::Format;
 use etalon_formats::dialect::Unit;
 use std::path::PathBuf;
 
-/// Fit a geometric element to the points of files
+/// Fit a geometric element to the points of files.
 ///
-/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format or --columns states
-/// another format. A QIF file states which points belong to which feature: each measured feature is fitted and compared with the
-/// values in the file.
+/// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format
+/// or --columns states another format. In a QIF file each measured feature is fitted to its points
+/// and compared with the values in the file.
 #[derive(Debug, clap::Args)]
 pub struct FitCommand {
-    /// line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus, enclosing-circle or enclosing-sphere;
-    /// without it every measured feature of QIF files
+    /// Element: line, line2d, plane, circle2d, circle3d, sphere, cylinder, cone, torus,
+    /// enclosing-circle or enclosing-sphere; may be omitted for QIF files, whose features are all
+    /// fitted.
     #[arg(value_name = "ELEMENT")]
     element: String,
-    /// Files with points
+    /// Files with points.
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Format of the files, by the name that a campaign gives it: inspec, geopak_gws, ply, polyworks_report ...
+    /// Format of the files by its name in campaigns: inspec, geopak_gws, ply, polyworks_report ...
     #[arg(long, value_name = "NAME", conflicts_with = "columns")]
     format: Option<String>,
     #[command(flatten)]
     text: TextFormat,
-    /// One fit for each label instead of one over all points
+    /// Fit each label separately instead of all points together.
     #[arg(long)]
     by_label: bool,
-    /// Hold the radius of a circle, sphere or cylinder
+    /// Hold the radius of a circle, sphere or cylinder.
     #[arg(long, value_name = "MM")]
     radius_mm: Option<f64>,
-    /// The points are centres of a probe of this radius: the element is moved to the surface
+    /// Radius of the probe whose centres are the points; the element is offset to the surface.
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     probe_radius_mm: Option<f64>,
-    /// Where the probe was: inside or outside; for a plane or line the direction to the probe, e.g. 0,0,1
+    /// Side of the probe: inside or outside; for a plane or line the direction to the probe, e.g.
+    /// 0,0,1.
     #[arg(long, value_name = "SIDE", allow_hyphen_values = true)]
     probe_side: Option<String>,
-    /// Fit a circle in space by the full orthogonal distance instead of plane, projection, circle
+    /// Fit a circle in space by orthogonal distances instead of plane, projection and circle.
     #[arg(long)]
     orthogonal: bool,
-    /// Fit a line2d, plane, circle2d, circle3d, sphere, cylinder or cone by minimum zone (Chebyshev) instead of least
-    /// squares: the form of ISO 1101
+    /// Fit a line2d, plane, circle2d, circle3d, sphere, cylinder or cone by minimum zone
+    /// (Chebyshev) instead of least squares: the form of ISO 1101.
     #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
-    /// Print JSON: an object; a list of them with --by-label and for QIF
+    /// Print JSON: an object, or a list of objects with --by-label and for QIF.
     #[arg(long)]
     json: bool,
 }
@@ -84,26 +87,21 @@ impl FitCommand {
         let texts = paths.iter().map(|path| Ok((path.display().to_string(), etalon_formats::text_in(path, &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
-            let message = Message::error(format!("`{}` has no file to be fitted to", self.element));
-            return Err(message.hint(format!("name the file: etalon fit {} FILE", self.element)).into());
+            return Err(error!("fit-file-missing", element = self.element).into());
         }
         match texts.iter().find(|(_, text)| self.all_features() && !etalon_formats::qif::is_xml(text)) {
-            Some((file, _)) => {
-                let message = Message::error("the element is not stated, and the file is not QIF");
-                let hint = format!("state it: etalon fit ELEMENT {file}");
-                Err(message.at(Place::file(file)).hint(hint).into())
-            }
+            Some((file, _)) => Err(error!("fit-element-missing", file).at(Place::file(file)).into()),
             None => Ok(texts),
         }
     }
 
-    /// Whether a file is given in place of the element.
+    /// `true` if a file is given in place of the element.
     fn all_features(&self) -> bool {
         let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
         !known && std::path::Path::new(&self.element).is_file()
     }
 
-    /// One fit over all points, or one for each label.
+    /// Fits all points together, or each label separately.
     fn groups(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         let points = self.read(texts)?;
         let mut groups: Vec<(String, Vec<Vector>)> = Vec::new();
@@ -120,11 +118,11 @@ impl FitCommand {
         groups.iter().map(|(label, points)| self.fit(label, Source::from(points))).collect()
     }
 
-    /// The measured features of QIF files; one that cannot be fitted is reported and left out.
+    /// Fits the measured features of QIF files; features that cannot be fitted are reported and
+    /// omitted.
     fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
         if self.radius_mm.is_some() || self.text.stated() {
-            let message = Message::error("a QIF file has neither columns nor one radius for all its features");
-            return Err(message.hint("leave out --columns, --delimiter and --radius-mm").into());
+            return Err(error!("qif-with-columns").into());
         }
         let wanted = (!self.all_features()).then(|| self.element.parse::<Element>()).transpose()?;
         let unit = self.text.stated_unit()?;
@@ -150,20 +148,18 @@ impl FitCommand {
             seen.dedup();
             let there = if seen.is_empty() { "none of any kind".to_owned() } else { seen.join(", ") };
             let kind = wanted.map_or("any element", Element::name);
-            let what = format!("no measured feature was fitted as {kind}");
-            let message = Message::error(what).expected("features with points that determine them");
-            return Err(message.hint(format!("features with points in the file: {there}")).into());
+            return Err(error!("no-feature-fitted", kind, seen = there).into());
         }
         Ok(documents)
     }
 
-    /// What the options state, with a probe.
+    /// Settings of the options, with a probe.
     fn settings(&self, probe: Option<Probe>) -> FitSettings<'static> {
         let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
         FitSettings { radius_mm: self.radius_mm, circle, probe, ..FitSettings::default() }
     }
 
-    /// The side of the probe, where it is stated.
+    /// Stated side of the probe, if any.
     fn side(&self) -> Result<Option<Side>, Problems> {
         let Some(text) = self.probe_side.as_deref() else { return Ok(None) };
         let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
@@ -171,30 +167,21 @@ impl FitCommand {
             ("inside", _) => Ok(Some(Side::Inside)),
             ("outside", _) => Ok(Some(Side::Outside)),
             (_, Some(&[x, y, z])) => Ok(Some(Side::Towards([x, y, z]))),
-            _ => Err(Message::error(format!("--probe-side: `{text}` is not a side"))
-                .expected("inside, outside, or three numbers x,y,z towards the probe")
-                .hint("inside for a bore, outside for a shaft, 0,0,1 for a probe above a plane")
-                .into()),
+            _ => Err(error!("probe-side-unknown", text).into()),
         }
     }
 
-    /// The probe that the options state.
+    /// Stated probe, if any.
     fn probe(&self) -> Result<Option<Probe>, Problems> {
         match (self.probe_radius_mm, self.side()?) {
             (None, None) => Ok(None),
             (Some(radius_mm), Some(side)) => Ok(Some(Probe { radius_mm, side })),
-            (Some(_), None) => Err(Message::error("the side of the probe is not stated")
-                .expected("--probe-side inside, outside or x,y,z")
-                .hint("inside for a bore, outside for a shaft, the direction to the probe for a plane or line")
-                .into()),
-            (None, Some(_)) => Err(Message::error("--probe-side without a probe")
-                .expected("--probe-radius-mm")
-                .hint("state the qualified radius of the probe, or leave both out for contact points")
-                .into()),
+            (Some(_), None) => Err(error!("probe-side-missing").into()),
+            (None, Some(_)) => Err(error!("probe-radius-missing").into()),
         }
     }
 
-    /// Labels and points of all files, in millimetres.
+    /// Labels and points of all files (mm).
     fn read(&self, texts: &[(String, String)]) -> Result<Vec<(String, Vector)>, Problems> {
         let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = Vec::new();
@@ -206,7 +193,7 @@ impl FitCommand {
         Ok(all)
     }
 
-    /// The points of all files, if all are plain tables and no label matters.
+    /// Points of all files, if all are plain tables and no label matters.
     fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
         if self.by_label || self.all_features() || self.text.stated_unit()?.is_none() {
             return Ok(None);
@@ -222,7 +209,7 @@ impl FitCommand {
         Ok((!all.is_empty()).then_some(all))
     }
 
-    /// The format that the options state.
+    /// Stated format.
     fn format(&self) -> Result<Format, Problems> {
         self.format.as_deref().map_or_else(|| self.text.format(), |name| word("--format", name))
     }
@@ -231,13 +218,11 @@ impl FitCommand {
         let all = || (0..points.len()).map(|i| points.at(i)).collect::<Vec<Vector>>();
         let label = (!label.is_empty()).then(|| label.to_owned());
         if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
-            let message = Message::error(format!("{} is not compensated for a probe", self.element));
-            return Err(message.hint("leave out --probe-radius-mm and --probe-side").into());
+            return Err(error!("enclosing-with-probe", element = self.element).into());
         }
         match self.element.as_str() {
             "enclosing-circle" | "enclosing-sphere" if self.minimum_zone => {
-                let message = Message::error(format!("there is no minimum zone of an {}", self.element));
-                Err(message.hint("leave --minimum-zone out, or fit a circle2d or sphere").into())
+                Err(error!("enclosing-minimum-zone", element = self.element).into())
             }
             "enclosing-circle" => {
                 let plane: Vec<[f64; 2]> = all().iter().map(|p| [p[0], p[1]]).collect();

@@ -4,7 +4,7 @@ use etalon_base::pose::Vector;
 use etalon_documents::{FitDocument, FitStated, ZoneProof};
 use std::fmt::Write;
 
-/// A fit as some lines.
+/// Lines that describe a fit.
 pub(super) fn as_text(document: &FitDocument) -> String {
     let mut text = String::new();
     let vector = |v: &Vector| format!("{:.6} {:.6} {:.6}", v[0], v[1], v[2]);
@@ -54,7 +54,7 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     text
 }
 
-/// Stated against fitted.
+/// Lines that compare stated and fitted values.
 fn stated_lines(stated: &FitStated, mut line: impl FnMut(&str, Option<String>, &str, Option<f64>)) {
     let vector = |v: &Vector| format!("{:.6} {:.6} {:.6}", v[0], v[1], v[2]);
     let off = |value: Option<f64>, unit: &str| {
@@ -77,7 +77,7 @@ fn stated_lines(stated: &FitStated, mut line: impl FnMut(&str, Option<String>, &
     line("  apex angle", apex, "", None);
 }
 
-/// An uncertainty with three digits, as a power of ten only where it is very small.
+/// An uncertainty with three digits, as a power of ten only if very small.
 fn small(u: f64) -> String {
     let decimals = 2 - u.log10().floor().clamp(-4.0, 2.0) as i32;
     if u >= 1e-4 && u.is_finite() { format!("{u:.*}", decimals.max(0) as usize) } else { format!("{u:.2e}") }

@@ -1,4 +1,4 @@
-//! `etalon identify`
+//! Command `etalon identify`.
 
 use super::given::Given;
 use super::table_file::TableFile;
@@ -6,13 +6,15 @@ use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
 use crate::stages::evaluate::Sets;
 use crate::stages::exclusions::{Exclusion, excluded_rows};
-use crate::stages::identification::{Input, Solved};
+use crate::stages::identification::Input;
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::remedies::remedied;
 use crate::stages::repeats::stale;
+use crate::stages::solved::Solved;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, count};
+use etalon_base::message::{Message, Place, Problems};
+use etalon_base::{error, warning};
 use etalon_campaign::{Exclude, RobotFile, read_robot};
 use etalon_documents::to_json;
 use etalon_documents::{Effect, ParametersDocument, parameters_document};
@@ -23,54 +25,62 @@ use etalon_robots::Robot;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Standard uncertainties of a coordinate; beyond them the unit is another.
+/// Plausible standard uncertainties of a coordinate; other values indicate another unit.
 const PLAUSIBLE_UM: std::ops::RangeInclusive<f64> = 0.02..=1e5;
 
-/// Identify the parameters of a robot from a table of observations, without a campaign
+/// Identify the parameters of a robot from a table of observations, without a campaign.
 #[derive(Debug, clap::Args)]
 pub struct IdentifyCommand {
-    /// Robot file
+    /// Robot file.
     #[arg(long)]
     robot: PathBuf,
-    /// Observations: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] and one column per joint with its unit; with the column
-    /// `kind` also poses, distances, contacts, surfaces and values of joints (docs/observations.md)
+    /// Observations: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] and one column per joint with its
+    /// unit. The column `kind` adds poses, distances, contacts, surfaces and joint values
+    /// (docs/observations.md).
     #[arg(long)]
     observations: PathBuf,
-    /// Standard uncertainty (k = 1) of one measured coordinate in micrometres; without it, it is taken from the residuals
+    /// Standard uncertainty (k = 1) of a measured coordinate in micrometres; by default estimated
+    /// from the residuals.
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) of a coordinate in micrometres that is common to all rows with the same
-    /// coordinates: a ball measured once and touched in several working modes. The other is then that of the contact
+    /// Standard uncertainty (k = 1) in micrometres common to all rows with equal coordinates: a
+    /// ball that is measured once and touched in several working modes. The other uncertainty is
+    /// then that of the contact.
     #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
     common_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, where the table has no `urot_deg`
+    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
+    /// table has no `urot_deg`.
     #[arg(long, value_name = "DEG")]
     rotation_uncertainty_deg: Option<f64>,
-    /// Order of the three angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (about the axes of the body, one after the other), "fixed xyz" ..
+    /// Order of the angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (successively about
+    /// the axes of the body), "fixed xyz" ...
     #[arg(long, value_name = "ORDER")]
     orientation: Option<String>,
-    /// Compare poses as in eq. 3.26 instead of targets (planar robots)
+    /// Minimise residuals of poses (thesis, eq. 3.26) instead of targets; planar robots only.
     #[arg(long)]
     pose_residuals: bool,
-    /// Leave the readings of poses out, with the reason, which the result repeats: "13, home: ball loose"; may be repeated
+    /// Omit the readings of poses with a reason, which the result repeats: "13, home: ball loose";
+    /// may be repeated.
     #[arg(long, value_name = "POSES: REASON")]
     exclude: Vec<String>,
-    /// Leave rows of data out, counted from 1, likewise: "17-19: beam broken"
+    /// Omit data rows, counted from 1, with a reason: "17-19: beam broken"; may be repeated.
     #[arg(long, value_name = "ROWS: REASON")]
     exclude_rows: Vec<String>,
     #[command(flatten)]
     format: TableFormat,
-    /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
+    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated.
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
-    /// Nominal values with their tolerances as readings beside the measurements, or plain least squares
+    /// Use of nominal values: as observations with their tolerances, or as starting values of plain
+    /// least squares.
     #[arg(long, value_enum, default_value_t)]
     prior: PriorOption,
-    /// Effects to identify: `all`, a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, or all that the robot file
-    /// states without the gains of turning joints of arms
+    /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
+    /// coupling, bending; by default all effects in the robot file except gains of revolute joints
+    /// of arms.
     #[arg(long, value_parser = effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
-    /// Print parameters.json instead of a table
+    /// Print parameters.json instead of a table.
     #[arg(long)]
     json: bool,
 }
@@ -140,7 +150,7 @@ impl IdentifyCommand {
         Ok(parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs))
     }
 
-    /// The rules of `--exclude`.
+    /// Rules of `--exclude`.
     fn exclusions(&self) -> Result<Vec<Exclusion>, Problems> {
         let rule = |text: &String| {
             let (poses, reason) = Exclusion::of_option("--exclude", text)?;
@@ -150,7 +160,7 @@ impl IdentifyCommand {
         self.exclude.iter().map(rule).collect()
     }
 
-    /// Takes the rows of `--exclude-rows` out of the table, and names them with their reasons.
+    /// Removes the rows of `--exclude-rows` from the table, and reports them with their reasons.
     fn leave_rows_out(&self, observed: &mut TableFile) -> Result<Vec<Message>, Problems> {
         let mut left_out = vec![false; observed.table.height()];
         let mut messages = Vec::new();
@@ -158,15 +168,14 @@ impl IdentifyCommand {
             let (rows, reason) = Exclusion::of_option("--exclude-rows", text)?;
             let excluded = excluded_rows(&rows, &reason, 1..=left_out.len() as i64)?;
             excluded.iter().for_each(|row| left_out[*row as usize - 1] = true);
-            let what = format!("excluded: {}, rows {rows}: {reason}", count(excluded.len(), "row"));
-            messages.push(Message::warning(what));
+            messages.push(warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason));
         }
         observed.leave_out(&left_out)?;
         Ok(messages)
     }
 }
 
-/// The effects that an option names.
+/// Parses the effects of an option.
 pub(super) fn effects(text: &str) -> Result<Effects, String> {
     let one = |name: &str| <Effect as clap::ValueEnum>::from_str(name.trim(), false);
     match text {
@@ -176,13 +185,13 @@ pub(super) fn effects(text: &str) -> Result<Effects, String> {
     }
 }
 
-/// Weight of nominal values.
+/// Use of nominal values.
 #[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
 pub(super) enum PriorOption {
-    /// Readings with the standard uncertainty t/√3 of their tolerance t
+    /// Observations with the standard uncertainty t/√3 of their tolerance t.
     #[default]
     Tolerances,
-    /// Starting values alone
+    /// Starting values only.
     None,
 }
 
@@ -195,16 +204,15 @@ impl From<PriorOption> for Prior {
     }
 }
 
-/// An error where what an option states is not the standard uncertainty of a coordinate in micrometres.
+/// Rejects values that cannot be the standard uncertainty of a coordinate in micrometres.
 pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<(), Problems> {
     if stated_um.is_none_or(|u| PLAUSIBLE_UM.contains(&u)) {
         return Ok(());
     }
-    let message = Message::error(format!("{option} is not an uncertainty of a coordinate in micrometres"));
-    Err(message.hint("expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um").into())
+    Err(error!("uncertainty-implausible", option).into())
 }
 
-/// A warning about columns that nothing reads.
+/// Warning about unused columns.
 pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
     let joints = observed.table.get_column_names().into_iter().map(|name| name.as_str());
     let joints = joints.filter(|name| {

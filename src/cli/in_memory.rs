@@ -4,14 +4,14 @@
 //! printed and nothing is written.
 
 use crate::run::documents::parse_parameters;
-use crate::run::walk::everything;
+use crate::run::walk::{Checked, checked};
 use anyhow::Result;
 use clap::Args;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AxisDocument, CheckDocument, ImportDocument, Iso9283Document, Iso9283StreamDocument, ParametersDocument,
-    PlanDocument, VerificationDocument,
+    AxisDocument, CheckDocument, Iso9283Document, Iso9283StreamDocument, ParametersDocument, PlanDocument,
+    VerificationDocument,
 };
 use etalon_robots::{Kinematics, Robot};
 use std::path::Path;
@@ -104,22 +104,24 @@ pub fn iso230(table: &Table) -> Result<AxisDocument> {
 
 /// Finds everything that is wrong with a campaign, as `etalon check`.
 pub fn check(campaign: &Path) -> CheckDocument {
-    let (imported, problems) = find(campaign);
+    let (checked, problems) = find(campaign);
+    let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();
+    let joints = joints.unwrap_or_default();
     let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
     let messages = Problems(problems.0.into_iter().chain(messages).collect()).grouped();
-    CheckDocument::new(campaign.display().to_string(), &messages.0, sources)
+    CheckDocument::new(campaign.display().to_string(), &messages.0, sources, joints)
 }
 
 /// What the campaign's files hold, and everything that is wrong.
-pub(super) fn find(path: &Path) -> (Option<ImportDocument>, Problems) {
+pub(super) fn find(path: &Path) -> (Option<Checked>, Problems) {
     let (campaign, mut problems) = match Campaign::recover(path) {
         Ok(found) => found,
         Err(problems) => return (None, problems),
     };
     let Some(campaign) = campaign else { return (None, problems) };
-    let (inputs, more) = everything(&campaign);
-    problems.0.extend(more.0);
-    (Some(inputs), problems)
+    let mut checked = checked(&campaign);
+    problems.0.append(&mut checked.problems.0);
+    (Some(checked), problems)
 }
 
 fn needed<'t, 'a>(table: Option<&'t Table<'a>>) -> std::result::Result<&'t Table<'a>, Problems> {

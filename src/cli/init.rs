@@ -1,8 +1,11 @@
-//! `etalon init`
+//! Command `etalon init`.
+
+mod from;
 
 use super::{Verdict, next_step, print_written, shell_word};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_campaign::{parse, read_urdf};
 use etalon_robots::{Joint, LongestChain, Quantity};
 use schemars::JsonSchema;
@@ -10,20 +13,26 @@ use serde::Deserialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Write a commented campaign to start from
+/// Write a commented campaign to start from.
 #[derive(Debug, clap::Args)]
 pub struct Init {
-    /// New folder of the campaign
+    /// New folder of the campaign.
     folder: PathBuf,
-    /// Add a truth, from which `etalon simulate` writes the exports and logs
+    /// Add a truth, from which `etalon simulate` writes the exports and logs.
     #[arg(long)]
     synthetic: bool,
-    /// Describe the robot by this URDF, which is copied beside robot.toml: its chain with the most moving joints
+    /// Describe the robot by this URDF, which is copied beside robot.toml: its chain with the most
+    /// moving joints.
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
-    /// Take the published geometry of this robot (ur5e, irb120 ...), or an example of a model (five-bar, xy-theta, hexapod, delta ...)
+    /// Use the published geometry of this robot (ur5e, irb120 ...), or an example of a model
+    /// (five-bar, xy-theta, hexapod, delta ...).
     #[arg(long, value_name = "NAME", conflicts_with_all = ["synthetic", "urdf"])]
     robot: Option<String>,
+    /// Propose the whole campaign from these files: exports, logs, tables with both, observations. They are copied into the folder; `etalon
+    /// check` asks for what they do not state. With --robot or --urdf
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "synthetic")]
+    from: Vec<PathBuf>,
     /// Print the names of the files written as JSON
     #[arg(long)]
     json: bool,
@@ -35,12 +44,17 @@ const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
 const ROBOTS: &str = include_str!("init/robots.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
 
-/// In the template, a comment.
+/// Line of the template, a comment, that states synthetic data.
 const SYNTHETIC: &str = "# synthetic = \"how the data were made\"";
 const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nobody measured them\"";
 
 impl Init {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
+        if !self.from.is_empty() {
+            let files = from::campaign(&self.from, self.robot_files()?)?;
+            print_written(files::write_new(&self.folder, &files)?, self.json)?;
+            return Ok(Verdict::Met);
+        }
         if let Some(path) = &self.urdf {
             return self.describe(path);
         }
@@ -79,27 +93,41 @@ impl Init {
         Ok(Verdict::Met)
     }
 
+    /// The robot of a campaign from files.
+    fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
+        if let Some(path) = &self.urdf {
+            let (name, robot, text, joints) = described(path)?;
+            let files = vec![("robot.toml".to_owned(), robot), (name, text)];
+            let controllers = "[\"json\", \"urdf\"]";
+            return Ok(from::RobotFiles { files, joints, targets: Vec::new(), controllers });
+        }
+        let Some(name) = &self.robot else {
+            return Err(Problems::from(error!("from-needs-robot")).into());
+        };
+        let robot = known_robot(name)?;
+        let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
+        let (joints, targets) = (robot.joints(), robot.targets.clone());
+        Ok(from::RobotFiles { files, joints, targets, controllers: "[\"json\"]" })
+    }
+
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path) -> anyhow::Result<Verdict> {
-        let (chain, text) = read_urdf(path)?;
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let (name, robot, text, joints) = described(path)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
-        let robot = urdf_text(&name, &chain);
-        let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
-        let column = |joint: &Joint| {
-            let key = format!("{}_{}", joint.name, unit(joint.quantity));
-            format!("{} = {}\n", quoted(&key), quoted(&joint.name))
+        let column = |key: &String| {
+            let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
+            format!("{} = {}\n", quoted(key), quoted(joint))
         };
-        let columns: String = chain.joints.iter().map(column).collect();
+        let columns: String = joints.iter().map(column).collect();
         let texts = [
             ("campaign.toml", campaign("[\"json\", \"urdf\"]", &columns, &SMRS)),
-            ("robot.toml", robot.into_bytes()),
-            (name.as_str(), text.into_bytes()),
+            ("robot.toml", robot),
+            (name.as_str(), text),
         ];
         self.write(&texts)
     }
 
-    /// A campaign of a robot of the table.
+    /// Creates a campaign for a robot of the built-in table.
     fn known(&self, name: &str) -> anyhow::Result<Verdict> {
         let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
@@ -123,15 +151,6 @@ pub fn known_text(name: &str) -> Result<String, Problems> {
     Ok(known_robot(name)?.text())
 }
 
-fn known_robot(name: &str) -> Result<KnownRobot, Problems> {
-    let Known { robots } = parse("robots.toml", ROBOTS)?;
-    robots.into_iter().find(|robot| robot.name == name).ok_or_else(|| {
-        let message = Message::error(format!("the geometry of `{name}` is not in the table of robots"));
-        let message = message.expected(known_names().unwrap_or_default().join(", "));
-        message.hint("describe it by its URDF: --urdf FILE").into()
-    })
-}
-
 /// The robot.toml of a chain of a URDF file.
 pub fn urdf_text(file: &str, chain: &LongestChain) -> String {
     let quoted = |text: &str| toml::Value::from(text).to_string();
@@ -150,28 +169,50 @@ fn schema_file(name: &str) -> String {
     format!("schemas/{name}.schema.json")
 }
 
+/// Name of a URDF file, the robot.toml of its chain with the most moving joints, its text, and the keys of the joints.
+fn described(path: &Path) -> anyhow::Result<(String, Vec<u8>, Vec<u8>, Vec<String>)> {
+    let (chain, text) = read_urdf(path)?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let robot = urdf_text(&name, &chain);
+    let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
+    let key = |joint: &Joint| format!("{}_{}", joint.name, unit(joint.quantity));
+    let joints = chain.joints.iter().map(key).collect();
+    Ok((name, robot.into_bytes(), text.into_bytes(), joints))
+}
+
+/// The robot of this name in the table.
+fn known_robot(name: &str) -> Result<KnownRobot, Problems> {
+    let Known { mut robots } = parse("robots.toml", ROBOTS)?;
+    let Some(at) = robots.iter().position(|robot| robot.name == name) else {
+        let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
+        return Err(error!("robot-not-in-table", name, names).into());
+    };
+    Ok(robots.swap_remove(at))
+}
+
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
 
-/// The campaign of a robot whose joints are in these columns.
+/// Campaign of a robot with these joint columns.
 fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
     let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", &format!("controllers = {controllers}"));
     text.replace("COLUMNS\n", &format!("{columns}\n")).replace("TARGETS", &format!("{targets:?}")).into_bytes()
 }
 
-/// Robots whose geometry is known.
+/// Robots with known geometry.
 #[derive(Deserialize, JsonSchema)]
 struct Known {
     #[serde(rename = "robot")]
     robots: Vec<KnownRobot>,
 }
 
-/// A robot, by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), screw axes, or the text of its robot.toml.
+/// A robot described by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), by
+/// screw axes, or by the text of its robot.toml.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct KnownRobot {
     name: String,
     title: String,
-    /// Where the geometry is from.
+    /// Source of the geometry.
     source: String,
     note: Option<String>,
     #[serde(default)]
@@ -204,7 +245,7 @@ impl KnownRobot {
         if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
     }
 
-    /// Its robot.toml.
+    /// Text of robot.toml.
     fn text(&self) -> String {
         let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
         text.extend(self.note.iter().map(|note| format!("# {note}\n")));

@@ -1,35 +1,37 @@
-//! `etalon iso230`
+//! Command `etalon iso230`.
 
 use super::{Verdict, print};
 use crate::stages::table_file::TableFile;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::{AxisDocument, AxisPositioning, to_json};
 use etalon_formats::table;
 use etalon_standards::iso230::{Approach, AxisPosition};
 use std::path::PathBuf;
 
-/// Accuracy and repeatability of positioning of a linear axis (ISO 230-2:2014), and its compensation table
+/// Evaluate positioning accuracy and repeatability of a linear axis (ISO 230-2:2014), or write its
+/// compensation table.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Table:
   position_mm (programmed), measured_mm, direction (+1 or -1: from which side the position was approached);
   each position at least twice in either direction (five times by ISO 230-2)")]
 pub struct Iso230 {
-    /// Table of measured positions (CSV)
+    /// Table of measured positions (CSV).
     #[arg(value_name = "TABLE")]
     table: PathBuf,
-    /// Print this compensation table instead
+    /// Print this compensation table instead.
     #[arg(long, value_name = "CONTROLLER", conflicts_with = "json")]
     compensation: Option<Controller>,
-    /// Name of the axis in this table
+    /// Name of the axis in the compensation table.
     #[arg(long, value_name = "NAME", default_value = "X1", value_parser = axis_name)]
     axis: String,
-    /// Print JSON
+    /// Print JSON.
     #[arg(long)]
     json: bool,
 }
 
-/// Letters and digits: no name ends a line of a table.
+/// Checks that a name consists of letters and digits, so that it cannot end a line of a table.
 fn axis_name(name: &str) -> std::result::Result<String, String> {
     let word = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     word.then(|| name.to_owned()).ok_or_else(|| "an axis is named by letters and digits".to_owned())
@@ -37,11 +39,11 @@ fn axis_name(name: &str) -> std::result::Result<String, String> {
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Controller {
-    /// COMP_FILE of LinuxCNC, with COMP_FILE_TYPE = 0
+    /// LinuxCNC: COMP_FILE with COMP_FILE_TYPE = 0.
     Linuxcnc,
-    /// kw.ssfk of a Beckhoff CNC; its sign is not confirmed on a control
+    /// Beckhoff CNC: kw.ssfk; its sign is not confirmed on a control.
     Beckhoff,
-    /// $AA_ENC_COMP of a SINUMERIK; not tried on a control
+    /// SINUMERIK: $AA_ENC_COMP; not tried on a control.
     Sinumerik,
 }
 
@@ -77,29 +79,26 @@ pub(super) fn evaluate(file: &TableFile) -> Result<(AxisDocument, Vec<Deviation>
     Ok((document, deviations))
 }
 
-/// Positions in ascending order, each with its runs of either direction.
+/// Positions in ascending order, each with its runs in both directions.
 fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
     table::require(&file.table, &["position_mm", "measured_mm", "direction"].map(str::to_owned))?;
     let column = |name: &str| table::numbers(&file.table, name);
     let (programmed, measured, direction) = (column("position_mm")?, column("measured_mm")?, column("direction")?);
     if programmed.iter().chain(&measured).any(|v| !v.is_finite()) || direction.iter().any(|d| d.abs() != 1.0) {
-        let message = Message::error("a row has no position, no measured value or no direction");
-        return Err(message.expected("numbers, and +1 or -1 as `direction`").into());
+        return Err(error!("iso230-row-incomplete").into());
     }
     let mut all = programmed.clone();
     all.sort_by(f64::total_cmp);
     all.dedup();
     if all.is_empty() {
-        return Err(Message::error("the table has no rows").into());
+        return Err(error!("iso230-no-rows").into());
     }
     let position = |at: f64| {
         let runs = |side: f64| {
             let rows = (0..programmed.len()).filter(|&i| programmed[i] == at && direction[i] == side);
             let approach = Approach::new(&rows.map(|i| measured[i] - at).collect::<Vec<_>>());
-            approach.ok_or_else(|| {
-                let message = Message::error(format!("position {at} mm has fewer than two runs in direction {side:+}"));
-                message.expected("runs from either side, five by ISO 230-2")
-            })
+            let direction = format!("{side:+}");
+            approach.ok_or_else(|| error!("iso230-few-runs", position = at, direction))
         };
         Ok(AxisPosition::new(at, runs(1.0)?, runs(-1.0)?))
     };

@@ -1,14 +1,16 @@
-//! `etalon iso9283`
+//! Command `etalon iso9283`.
 
 mod plan;
 mod stream;
 
 use super::given::Table;
 use super::table_file::TableFile;
+use super::text_format::TableFormat;
 use super::{Verdict, answer, check_positive, remark};
 use crate::stages::iso9283::pose::PoseTables;
 use crate::stages::iso9283::{limits, load};
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
+use etalon_base::{error, warning};
 use etalon_campaign::Limits;
 use etalon_documents::{Characteristics, DecisionRule, Iso9283Document, Iso9283StreamDocument, to_json};
 use etalon_report::Faces;
@@ -17,10 +19,11 @@ use plan::PlanOptions;
 use std::path::{Path, PathBuf};
 use stream::StreamOptions;
 
-/// Evaluate accuracy, repeatability and other characteristics by ISO 9283
+/// Evaluate accuracy, repeatability and other characteristics by ISO 9283.
 ///
-/// `pose` evaluates attained poses, `path` a recorded motion, `compliance` a table of loads; `plan` lays out a test. Tables are CSV, as the
-/// help of each describes. Without one of these words a table of attained poses is evaluated, with --commanded.
+/// `pose` evaluates attained poses, `path` a recorded motion, `compliance` a table of loads; `plan`
+/// lays out a test. Tables are CSV, as described in the help of each subcommand. Without a
+/// subcommand a table of attained poses is evaluated, with --commanded.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Iso9283 {
@@ -30,122 +33,132 @@ pub struct Iso9283 {
     by_options: ByOptions,
 }
 
-/// What is tested.
+/// Kind of a test.
 #[derive(Debug, clap::Subcommand)]
 enum Test {
-    /// Accuracy and repeatability of poses
+    /// Accuracy and repeatability of poses.
     ///
-    /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], rows in the order of recording; planar robots
-    /// leave out z_mm. A column `approach` names directions of approach (without it, the previous pose), a column `robot` several
-    /// robots, a column `reading` several readings of one attained pose.
+    /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], with rows in the order
+    /// of recording; planar robots omit z_mm. A column `approach` names directions of approach (by
+    /// default the previous pose), a column `robot` several robots, a column `reading` several
+    /// readings of one attained pose.
     Pose {
-        /// Attained poses
+        /// Attained poses.
         poses: PathBuf,
-        /// Commanded poses: the same columns without cycle. Without them there is repeatability alone
+        /// Commanded poses: the same columns without cycle. Without them only repeatability is
+        /// evaluated.
         #[arg(long, value_name = "FILE")]
         commanded: Option<PathBuf>,
         #[command(flatten)]
         options: PoseOptions,
+        #[command(flatten)]
+        format: TableFormat,
         /// Seed of the bootstrap intervals
         #[arg(long, default_value_t = 1)]
         seed: u64,
-        /// Print JSON: a list with one object per pose; one object for all else
+        /// Print JSON: a list with one object per pose, or one object for all other tests.
         #[arg(long)]
         json: bool,
     },
-    /// Recorded motion: standstills, stabilisation, and with --path the characteristics of a path
+    /// Recorded motion: standstills, stabilisation, and with --path the characteristics of a path.
     Path {
-        /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text whose --columns and --unit are stated
+        /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text with
+        /// stated --columns and --unit.
         stream: PathBuf,
-        /// Commanded poses, at which the motion stands
+        /// Commanded poses at the standstills.
         #[arg(long, value_name = "FILE")]
         commanded: Option<PathBuf>,
         #[command(flatten)]
         options: StreamOptions,
-        /// Seed of the bootstrap intervals
+        /// Seed of the bootstrap intervals.
         #[arg(long, default_value_t = 1)]
         seed: u64,
-        /// Print JSON
+        /// Print JSON.
         #[arg(long)]
         json: bool,
     },
-    /// Static compliance
+    /// Static compliance.
     Compliance {
-        /// Loads: direction,cycle,force_n,x_mm,y_mm[,z_mm]; direction +x to -z, in each cycle a row of force 0
+        /// Loads: direction,cycle,force_n,x_mm,y_mm[,z_mm]; direction +x to -z, with a row of force
+        /// 0 in each cycle.
         table: PathBuf,
-        /// Print JSON
+        /// Print JSON.
         #[arg(long)]
         json: bool,
     },
-    /// Lay out a test: cube, test plane, poses, paths, cycles
+    /// Lay out a test: cube, test plane, poses, paths, cycles.
     Plan {
         #[command(flatten)]
         options: PlanOptions,
-        /// Print JSON
+        /// Print JSON.
         #[arg(long)]
         json: bool,
     },
 }
 
-/// The same by options alone.
+/// Tests selected by options instead of subcommands.
 #[derive(Debug, clap::Args)]
 #[command(group(clap::ArgGroup::new("what").required(true).args(["poses", "stream", "compliance", "plan"])))]
 struct ByOptions {
-    /// Attained poses, as `pose` evaluates them
+    /// Attained poses, as for `pose`.
     #[arg(conflicts_with = "workspace_mm")]
     poses: Option<PathBuf>,
-    /// Commanded poses: the same columns without cycle
+    /// Commanded poses: the same columns without cycle.
     #[arg(long, value_name = "FILE")]
     commanded: Option<PathBuf>,
     #[command(flatten)]
     pose: PoseOptions,
-    /// Seed of the bootstrap intervals
+    /// Seed of the bootstrap intervals.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Print JSON: a list with one object per pose; one object for all else
+    /// Print JSON: a list with one object per pose, or one object for all other tests.
     #[arg(long)]
     json: bool,
-    /// Static compliance, as `compliance` evaluates it
+    /// Static compliance, as for `compliance`.
     #[arg(long, value_name = "FILE")]
     compliance: Option<PathBuf>,
-    /// Recorded motion, as `path` evaluates it
+    /// Recorded motion, as for `path`.
     #[arg(long, value_name = "FILE")]
     stream: Option<PathBuf>,
     #[command(flatten)]
     motion: StreamOptions,
-    /// Lay out a test, as `plan` does
+    /// Lay out a test, as for `plan`.
     #[arg(long, requires = "workspace_mm")]
     plan: bool,
     #[command(flatten)]
     layout: PlanOptions,
 }
 
-/// What a test of poses is evaluated with.
+/// Options of a test of poses.
 #[derive(Debug, clap::Args)]
 struct PoseOptions {
-    /// Expanded uncertainty of a measured coordinate in micrometres (k = 2), for the intervals and, with that of a position, the 25 % rule
+    /// Expanded uncertainty (k = 2) of a measured coordinate in micrometres, for the intervals and,
+    /// as that of a position, for the 25 % rule.
     #[arg(long, value_name = "UM")]
     expanded_uncertainty_um: Option<f64>,
-    /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1 unless conforming
+    /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1
+    /// unless conforming.
     #[arg(long, value_name = "MM", requires_all = ["poses", "commanded"])]
     ap_limit_mm: Option<f64>,
-    /// Limit of RP, decided in the same way
+    /// Limit of RP, decided like that of AP.
     #[arg(long, value_name = "MM", requires = "poses")]
     rp_limit_mm: Option<f64>,
-    /// How uncertainty counts when limits are judged
+    /// Decision rule for limits.
     #[arg(long, value_enum, default_value_t, value_name = "RULE", requires = "poses")]
     decision_rule: DecisionRule,
-    /// Reference targets, which do not move: cycle,target,x_mm,y_mm[,z_mm], measured from time to time. Positions, and angles
-    /// whose order is stated, are compensated to the first time
+    /// Stationary reference targets: cycle,target,x_mm,y_mm[,z_mm], measured from time to time.
+    /// Positions, and angles of stated order, are compensated for drift.
     #[arg(long, value_name = "FILE", requires = "poses")]
     reference: Option<PathBuf>,
-    /// Cycles of one set of a drift test, e.g. 10
+    /// Number of cycles in one set of a drift test, e.g. 10.
     #[arg(long, value_name = "CYCLES")]
     drift_set: Option<usize>,
-    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference used to compensate angles
+    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference
+    /// used to compensate angles.
     #[arg(long, value_name = "TEXT")]
     rotation_order: Option<String>,
-    /// Distances, approaches, drift, exchangeability and coplanarity as well; with --json one object instead of a list
+    /// Evaluate distances, approaches, drift, exchangeability and coplanarity too; with --json one
+    /// object instead of a list.
     #[arg(long)]
     all: bool,
 }
@@ -154,8 +167,9 @@ impl Iso9283 {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let by_options = self.by_options;
         match self.test {
-            Some(Test::Pose { poses, commanded, options, seed, json }) => {
-                options.run(&poses, commanded.as_deref(), seed, json)
+            Some(Test::Pose { poses, commanded, options, format, seed, json }) => {
+                let read = |path: &Path| format.read_poses(path);
+                options.run((&poses, commanded.as_deref()), &read, seed, json)
             }
             Some(Test::Path { stream, commanded, options, seed, json }) => {
                 options.run(&stream, commanded.as_deref(), seed, json)
@@ -174,17 +188,23 @@ impl ByOptions {
             _ if self.plan => self.layout.run(self.json),
             (_, Some(table), _) => compliance(table, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
-            (.., Some(poses)) => self.pose.run(poses, commanded, self.seed, self.json),
-            _ => Err(Problems::from(Message::error("nothing to evaluate is stated")).into()),
+            (.., Some(poses)) => self.pose.run((poses, commanded), &TableFile::read, self.seed, self.json),
+            _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
         }
     }
 }
 
 impl PoseOptions {
     /// Characteristics of poses.
-    fn run(&self, poses: &Path, commanded: Option<&Path>, seed: u64, json: bool) -> anyhow::Result<Verdict> {
+    fn run(
+        &self,
+        (poses, commanded): (&Path, Option<&Path>),
+        read: &dyn Fn(&Path) -> Result<TableFile, Problems>,
+        seed: u64,
+        json: bool,
+    ) -> anyhow::Result<Verdict> {
         self.check()?;
-        let tables = PoseTables::read(poses, commanded, self.reference.as_deref())?;
+        let tables = PoseTables::read([Some(poses), commanded, self.reference.as_deref()], read)?;
         let document = self.evaluate(&tables, commanded.is_some(), seed)?;
         remark(&document.messages);
         let all = self.all || self.drift_set.is_some();
@@ -201,7 +221,7 @@ impl PoseOptions {
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         if self.drift_set.is_some_and(|size| size < 2) {
-            return Err(Message::error("--drift-set must be at least 2").into());
+            return Err(error!("drift-set-too-small").into());
         }
         Ok(())
     }
@@ -228,10 +248,7 @@ impl PoseOptions {
         // a pose without such a value is undecided
         document.limits = limits(&stated, &document.poses).unwrap_or_default();
         if !commanded {
-            let what = "no commanded poses are stated: AP is not determined, and null; RP needs none";
-            document
-                .messages
-                .push(Message::warning(what).hint("state them with --commanded for AP, distances and drift"));
+            document.messages.push(warning!("commanded-missing"));
         }
         Ok(document)
     }
@@ -264,7 +281,7 @@ impl Iso9283 {
     }
 }
 
-/// Static compliance from a table of loads.
+/// Evaluates static compliance from a table of loads.
 fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
     let table = TableFile::read(path)?;
     let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;

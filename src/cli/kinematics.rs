@@ -1,4 +1,4 @@
-//! `etalon kinematics`
+//! Command `etalon kinematics`.
 
 use super::{Verdict, print_with, remark};
 use crate::run::documents::read_parameters;
@@ -6,8 +6,9 @@ use crate::stages::given::robot_values;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
 use etalon_base::cell;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Pose;
+use etalon_base::{error, warning};
 use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
 use etalon_formats::table::{self, ASSEMBLY, QUATERNION, XYZ};
@@ -15,10 +16,10 @@ use etalon_formats::tables::joints::{joint_column, stated_modes};
 use etalon_robots::{Kinematics, Robot, Role};
 use std::path::{Path, PathBuf};
 
-/// How far a quaternion may be from length one: it has a few decimals.
+/// Tolerance of a quaternion's length, as it is stated with a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 
-/// Poses of the tool from joint values, or joint values from poses
+/// Compute poses of the tool from joint values, or joint values from poses.
 ///
 /// Poses are those of flange, tool link, platform or tool in the robot's base frame.
 #[derive(Debug, clap::Args)]
@@ -28,36 +29,36 @@ const LENGTH_ONE: f64 = 1e-3;
 
 Exit code 1 where a pose is out of reach: the others are in the answer.")]
 pub struct KinematicsCommand {
-    /// Which way
+    /// Direction of the computation.
     #[arg(value_enum)]
     direction: Direction,
-    /// Table of joint values or poses (CSV)
+    /// Table of joint values or poses (CSV).
     table: PathBuf,
-    /// robot.toml
+    /// Robot file.
     #[arg(long, value_name = "FILE")]
     robot: PathBuf,
-    /// Identified parameters; nominal ones without
+    /// Identified parameters; nominal by default.
     #[arg(long, value_name = "FILE")]
     parameters: Option<PathBuf>,
-    /// One solution a pose: the nearest to the joints of its row, or of the row before
+    /// One solution per pose: the nearest to the joints of its row, or of the previous row.
     #[arg(long)]
     nearest: bool,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Direction {
-    /// Joint values to poses
+    /// Joint values to poses.
     Direct,
-    /// Poses to joint values
+    /// Poses to joint values.
     Inverse,
 }
 
 impl KinematicsCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        // the model needs a target; its place is not that of the tool
+        // the model needs a target, whose position is not that of the tool
         let mut robot = read_robot(&self.robot)?.build(&["tool".to_owned()])?;
         if let Some(path) = &self.parameters {
             let values = identified(robot.as_ref(), &read_parameters(path)?, path)?;
@@ -77,7 +78,7 @@ impl KinematicsCommand {
             Direction::Inverse => self.inverse(arm, &file, &mut document),
         }
         .map_err(|problems| file.place(problems))?;
-        let said = |u: &UnreachablePose| Message::warning(format!("pose {}: {}", u.pose, u.reason));
+        let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason);
         remark(&document.unreachable.iter().map(said).collect::<Vec<_>>());
         let verdict = Verdict::of(document.unreachable.is_empty());
         let inverse = self.direction == Direction::Inverse;
@@ -88,8 +89,7 @@ impl KinematicsCommand {
     fn inverse(&self, arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
         let nominal = arm.nominal();
         if !self.nearest && arm.joints().len() > 6 {
-            let message = Message::error(format!("{} joints reach a pose in infinitely many ways", arm.joints().len()));
-            return Err(message.hint("ask for one: --nearest").into());
+            return Err(error!("infinite-solutions", joints = arm.joints().len()).into());
         }
         let starts = starts(arm, file)?;
         let mut last = vec![0.0; arm.joints().len()];
@@ -115,9 +115,9 @@ impl KinematicsCommand {
     }
 }
 
-/// Its kinematics, of a robot that has them.
+/// Kinematics of a robot; an error if the robot has no inverse kinematics of a whole pose.
 pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
-    let none = || Message::error(format!("`{}` has no kinematics of a whole pose", robot.model())).into();
+    let none = || error!("no-whole-pose", model = robot.model()).into();
     robot.kinematics().ok_or_else(none)
 }
 
@@ -127,13 +127,14 @@ pub(super) fn joint_names(arm: &dyn Kinematics) -> Vec<String> {
     arm.joints().iter().map(|joint| joint.column()).chain(modes).collect()
 }
 
-/// The parameters of a run: those of the robot, and its base where it was identified. Targets have their nominal places.
+/// Parameters of a run: those of the robot, and of its base if identified. Targets have their
+/// nominal positions.
 pub(super) fn identified(robot: &dyn Robot, document: &ParametersDocument, path: &Path) -> Result<Vec<f64>> {
     let values = robot_values(robot, document, &[Role::Robot, Role::Base]);
     values.map_err(|problems| problems.at(&Place::file(path.display().to_string())))
 }
 
-/// Joint values of a table, row by row, in rad and mm, with the assembly mode behind them.
+/// Joint values of a table (rad or mm), row by row, followed by the assembly mode.
 pub(super) fn joint_values(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         arm.joints().iter().map(|joint| joint_column(joint, &file.table)).collect::<Result<_>>()?;
@@ -155,25 +156,25 @@ pub(super) fn joint_values(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec
     Ok(rows)
 }
 
-/// Every value must be a number.
+/// Checks that all values are finite.
 fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
     let lines = table::integers(&file.table, "line")?;
     let odd = rows.iter().zip(lines).filter(|(row, _)| row.iter().any(|v| !v.is_finite()));
     let message = |(_, line): (&Vec<f64>, i64)| {
         let place = Place { line: Some(line as usize), ..Place::default() };
-        Message::error("a value is missing or not a number").at(place)
+        error!("table-value-missing").at(place)
     };
     Problems(odd.map(message).collect()).check().map(|_| ())
 }
 
-/// Where solutions are looked for: the joints of the table, where it has them.
+/// Starting points of the search for solutions: the joints of the table, if any.
 pub(super) fn starts(arm: &dyn Kinematics, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
     let has =
         arm.joints().iter().any(|joint| file.table.get_column_names().iter().any(|name| joint.factor(name).is_some()));
     has.then(|| joint_values(arm, file)).transpose()
 }
 
-/// The poses of a table.
+/// Poses of a table.
 pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>> {
     let planar = arm.dimension() == 2;
     let has = |name: &str| file.table.column(name).is_ok();
@@ -199,8 +200,7 @@ pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>>
         let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
         if (length - 1.0).abs() > LENGTH_ONE {
             let place = Place { line: Some(line as usize), ..Place::default() };
-            let message = Message::error(format!("the quaternion has the length {length:.4}")).at(place);
-            problems.0.push(message.expected("1: qw, qx, qy, qz of a rotation"));
+            problems.0.push(error!("table-quaternion-length", length).at(place));
         }
         Pose { translation_mm: [row[0], row[1], row[2]], ..Pose::from_quaternion(q) }
     };
@@ -233,7 +233,7 @@ fn entry(arm: &dyn Kinematics, pose: etalon_base::pose_name::PoseName, joints: &
     KinematicsEntry { pose, joints, xyz_mm: at.translation_mm, quaternion: at.quaternion() }
 }
 
-/// The answer as a table: poses, or joint values.
+/// Answer as a table: poses, or joint values.
 fn csv(document: &KinematicsDocument, inverse: bool) -> String {
     let mut out = "pose".to_owned();
     let columns: Vec<&str> = match inverse {
@@ -254,7 +254,7 @@ fn csv(document: &KinematicsDocument, inverse: bool) -> String {
     out
 }
 
-/// A text as a cell of a CSV table, where it is no formula.
+/// Escapes a text for a cell of a CSV table.
 pub(super) fn cell(text: &str) -> String {
     let text = cell::cell(text);
     if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }

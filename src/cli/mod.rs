@@ -1,7 +1,7 @@
-//! The command line: one file per command.
+//! Command line, with one file per command.
 //!
-//! stdout is for data, stderr for talk. Exit codes: 0 done; 1 done, but a limit that the campaign states is not met, or the
-//! result cannot be a robot; 2 could not run.
+//! Data go to stdout, messages to stderr. Exit codes: 0 done; 1 done, but a limit of the campaign
+//! is not met, or the result cannot be the robot's; 2 could not run.
 
 mod axis_table;
 mod batch;
@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod compensate;
 mod completions;
+mod explain;
 mod export;
 mod fit;
 mod fit_text;
@@ -37,6 +38,7 @@ mod verify;
 
 use crate::stages::table_file;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
 use etalon_report::Faces;
@@ -47,7 +49,8 @@ use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-/// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and a report out.
+/// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and
+/// a report out.
 #[derive(Debug, Parser)]
 #[command(version, about, arg_required_else_help = true, max_term_width = 100)]
 #[command(after_help = "Examples:
@@ -85,6 +88,7 @@ enum Command {
     Report(report::ReportCommand),
     Compare(compare::Compare),
     Export(export::ExportCommand),
+    Explain(explain::Explain),
     Simulate(simulate::Simulate),
     Study(study::StudyCommand),
     Schema(schema::Schema),
@@ -92,11 +96,11 @@ enum Command {
     Man(man::Man),
 }
 
-/// Whether everything that was asked for is met.
+/// Outcome of a command.
 enum Verdict {
     Met,
     LimitNotMet,
-    /// Errors, which are in the answer on stdout.
+    /// Errors that are in the answer on stdout.
     NotRun,
 }
 
@@ -148,6 +152,7 @@ fn run(command: Command) -> u8 {
         Command::Report(command) => command.run(),
         Command::Compare(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Explain(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Study(command) => command.run(),
         Command::Schema(command) => command.run(),
@@ -168,7 +173,7 @@ fn run(command: Command) -> u8 {
     }
 }
 
-/// Prints why arguments do not read, or the help that they ask for. Names among them cannot steer a
+/// Prints errors of the arguments, or the requested help. Names in the arguments cannot control the
 /// terminal.
 fn refuse(error: &clap::Error) -> u8 {
     let text = error.render().to_string();
@@ -179,7 +184,7 @@ fn refuse(error: &clap::Error) -> u8 {
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// Data for stdout; a reader who has closed it wants no more, which is not an error.
+/// Prints data to stdout; a reader who has closed it is not an error.
 fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     let write = || {
         let mut out = std::io::stdout().lock();
@@ -191,12 +196,12 @@ fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
     }
 }
 
-/// Text for stdout, whose names cannot steer a terminal.
+/// Prints text to stdout; names in it cannot control the terminal.
 fn print_text(text: &str) -> anyhow::Result<()> {
     print(printable_lines(text))
 }
 
-/// Data for stdout, and the verdict whatever becomes of them.
+/// Prints to stdout; the exit code is the verdict's even if printing fails.
 fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdict> {
     match (print(data), verdict) {
         (Err(error), Verdict::Met) => Err(error),
@@ -208,20 +213,20 @@ fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdic
     }
 }
 
-/// What a report shows on a terminal, or JSON where that is asked for.
+/// Prints a report on the terminal, or the given JSON.
 fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
     print_with(json.unwrap_or_else(|| faces.terminal().into_bytes()), Verdict::of(faces.is_met()))
 }
 
-/// Checks that the number of an option, where it is stated, is positive.
+/// Checks that the number of an option, if stated, is positive.
 fn check_positive(option: &str, stated: Option<f64>) -> Result<(), Problems> {
     match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
         true => Ok(()),
-        false => Err(Message::error(format!("{option} must be positive")).into()),
+        false => Err(error!("option-not-positive", option).into()),
     }
 }
 
-/// A table of poses, each with values by the names of their columns.
+/// Table of poses with values by column name.
 fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &'a BTreeMap<String, f64>)>) -> String {
     let row = |(pose, values): (P, &BTreeMap<String, f64>)| {
         let cells: Vec<String> = columns.iter().filter_map(|name| Some(values.get(*name)?.to_string())).collect();
@@ -230,14 +235,14 @@ fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &
     format!("pose,{}\n", columns.join(",")) + &rows.map(row).collect::<String>()
 }
 
-/// Remarks for stderr, those of which somebody has to act first, rows of one kind joined.
+/// Prints messages to stderr: those that need action first, with similar rows merged.
 fn remark(messages: &[Message]) {
     let mut grouped = Problems(messages.to_vec()).grouped().0;
     grouped.sort_by_key(|message| message.rank);
     grouped.iter().for_each(|message| say(format_args!("{message}\n")));
 }
 
-/// The files that were written, as lines or as JSON.
+/// Prints the names of written files, as lines or as JSON.
 fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     if json {
         return print(etalon_documents::to_json(&WrittenDocument::new(files))?);
@@ -245,7 +250,7 @@ fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
     print_text(&files.iter().map(|file| format!("{}\n", printable(file))).collect::<String>())
 }
 
-/// Talk for stderr, whose names cannot steer a terminal; a closed stderr is not an error.
+/// Prints text to stderr; names in it cannot control the terminal. A closed stderr is not an error.
 fn say(text: impl Display) {
     let text = printable_lines(&text.to_string());
     progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));

@@ -1,4 +1,4 @@
-//! `etalon plan`
+//! Command `etalon plan`.
 
 use super::given::Given;
 use super::report::Reports;
@@ -26,12 +26,13 @@ use etalon_robots::{Parameter, Robot};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Identifications of a simulated calibration, whose mean is evaluated (section 4.6).
+/// Number of identifications of a simulated calibration whose mean is evaluated (thesis, section
+/// 4.6).
 const STUDY_RUNS: u64 = 5;
-/// Such means, of whose errors the median is reported: one alone scatters by a third.
+/// Number of such means, the median of whose errors is reported; a single mean scatters by a third.
 const STUDY_DRAWS: u64 = 20;
 
-/// A criterion, as a value of the command line.
+/// A criterion as a value on the command line.
 #[derive(Clone, Copy, Debug)]
 struct Index(Criterion);
 
@@ -54,71 +55,76 @@ impl clap::ValueEnum for Index {
     }
 }
 
-/// Choose the poses to measure among candidates, and prove how far they are from the best
+/// Choose the poses to measure among candidates, and prove their distance from the optimum.
 #[derive(Debug, clap::Args)]
 pub struct PlanCommand {
-    /// Robot file
+    /// Robot file.
     #[arg(long)]
     robot: PathBuf,
-    /// Candidates: CSV with pose and one column per joint with its unit [and target, assembly]; or pose,x_mm,y_mm for
-    /// robots that find their own working modes. Rows of one pose are measured together
+    /// Candidates: CSV with pose and one column per joint with its unit [and target, assembly]; or
+    /// pose,x_mm,y_mm for robots that find their own working modes. Rows of one pose are measured
+    /// together.
     #[arg(long)]
     candidates: PathBuf,
-    /// How many poses to choose
+    /// Number of poses to choose.
     #[arg(long, value_name = "N")]
     positions: usize,
-    /// What to maximise: an observability index, or D-, A-, E- or I-optimality
+    /// Criterion to maximise: an observability index, or D-, A-, E- or I-optimality.
     #[arg(long, value_enum, default_value = "O1", ignore_case = true)]
     index: Index,
-    /// Choose configuration by configuration instead of pose by pose
+    /// Choose configuration by configuration instead of pose by pose.
     #[arg(long)]
     single: bool,
-    /// All rows of a pose come together (the default)
+    /// Choose all rows of a pose together (the default).
     #[arg(long, conflicts_with = "single")]
     grouped: bool,
-    /// Poses from which the one-by-one choice starts; by default two that are far apart
+    /// Poses from which the one-by-one choice starts; by default two distant poses.
     #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
     start: Vec<PoseName>,
-    /// Poses to compare the plan with
+    /// Poses with which the plan is compared.
     #[arg(long, value_name = "POSES", value_delimiter = ',', value_parser = pose)]
     compare: Vec<PoseName>,
-    /// Random starts of the exchange
+    /// Number of random starts of the exchange.
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = option_at_most::<100_000>)]
     starts: usize,
-    /// Largest number of nodes of branch and bound
+    /// Maximum number of nodes of branch and bound.
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = option_at_most::<10_000_000>)]
     nodes: usize,
-    /// Seed of the random starts
+    /// Seed of the random starts.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties
+    /// Standard uncertainty (k = 1) of one coordinate in micrometres, for predicted uncertainties.
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
-    /// Hold a parameter at its nominal value; `*` replaces any text; may be repeated
+    /// Hold a parameter at its nominal value; `*` stands for any text; may be repeated.
     #[arg(long, value_name = "NAME")]
     hold: Vec<String>,
-    /// Effects to identify: `all`, a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, or all that the robot file
-    /// states without the gains of turning joints of arms
+    /// Effects to identify: `all`, or a list of zeros, geometry, gains, harmonics, backlash,
+    /// coupling, bending; by default all effects in the robot file except gains of revolute joints
+    /// of arms.
     #[arg(long, value_parser = super::identify::effects, value_name = "EFFECTS", default_value = "usual")]
     effects: Effects,
-    /// Nominal values with their tolerances as readings beside the poses, or plain least squares
+    /// Use of nominal values: as observations with their tolerances, or as starting values of plain
+    /// least squares.
     #[arg(long, value_enum, default_value_t)]
     prior: super::identify::PriorOption,
-    /// Write the chosen configurations to a CSV file
+    /// Write the chosen configurations to a CSV file.
     #[arg(long, value_name = "FILE")]
     poses: Option<PathBuf>,
-    /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header)
+    /// Write the chosen configurations as targets of a controller: `.json` or `.h` (C header).
     #[arg(long, value_name = "FILE")]
     targets: Option<PathBuf>,
     #[command(flatten)]
     reports: Reports,
-    /// Simulate a calibration with the chosen poses, of a robot with the [parameters] of this TOML file
+    /// Simulate a calibration with the chosen poses, for a robot with the [parameters] of this TOML
+    /// file.
     #[arg(long, value_name = "FILE", requires = "standard_uncertainty_um")]
     truth: Option<PathBuf>,
-    /// Positions at which the errors of that simulation are evaluated, in the form of the candidates; by default the candidates
+    /// Positions at which the errors of the simulation are evaluated, in the form of the
+    /// candidates; by default the candidates.
     #[arg(long, value_name = "FILE", requires = "truth")]
     workspace: Option<PathBuf>,
-    /// Print plan.json instead of a table
+    /// Print plan.json instead of a table.
     #[arg(long)]
     json: bool,
 }
@@ -164,13 +170,7 @@ impl PlanCommand {
         inputs: BTreeMap<String, String>,
     ) -> anyhow::Result<PlanDocument> {
         let Candidates { observations, beyond } = candidates;
-        let settings = Settings {
-            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            hold: self.hold.clone(),
-            prior: self.prior.into(),
-            effects: self.effects.clone(),
-            ..Settings::default()
-        };
+        let settings = self.settings();
         let request = Request {
             positions: self.positions,
             criterion: self.index.0,
@@ -182,35 +182,45 @@ impl PlanCommand {
         };
         let planned = plan(robot, &observations, &settings, &request, &progress)
             .map_err(|error| Problems(beyond.iter().cloned().chain(remedied(error).0).collect()))?;
-        let study =
-            self.study(robot, [&observations, everywhere.as_ref().unwrap_or(&observations)], &planned, &settings)?;
+        let everywhere = everywhere.as_ref().unwrap_or(&observations);
+        let study = self.study(robot, [&observations, everywhere], &planned)?;
         let mut document = self.document(robot, &observations, &planned, (study, inputs))?;
         document.messages.splice(0..0, beyond);
         Ok(document)
     }
 
-    /// Every file that is read.
+    /// Input files.
     fn inputs(&self) -> impl Iterator<Item = &PathBuf> + Clone {
         [&self.robot, &self.candidates].into_iter().chain(&self.truth).chain(&self.workspace)
     }
 
-    /// A simulated calibration, where a truth is stated.
+    /// Settings of the planned identification.
+    fn settings(&self) -> Settings {
+        Settings {
+            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
+            hold: self.hold.clone(),
+            prior: self.prior.into(),
+            effects: self.effects.clone(),
+            ..Settings::default()
+        }
+    }
+
+    /// Simulates a calibration if a truth is stated.
     fn study(
         &self,
         robot: &dyn Robot,
         [observations, everywhere]: [&[Observation]; 2],
         planned: &Plan,
-        settings: &Settings,
     ) -> anyhow::Result<Option<StudyDocument>> {
         let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
         let truth = true_values(robot, &read_true_parameters(path)?)?;
-        let setting = Setting { truth, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
-        let studies = study(robot, planned, observations, everywhere, settings, &setting).map_err(remedied)?;
+        let setting = Setting { truth, everywhere, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
+        let studies = study(robot, planned, observations, &self.settings(), &setting).map_err(remedied)?;
         Ok(study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
     }
 }
 
-/// The robot with the targets that a table of candidates names, and its configurations.
+/// Reads a table of candidates: its robot with the named targets, and its configurations.
 pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
     candidates_of(robot_file, &TableFile::read(path)?)
 }
@@ -291,7 +301,7 @@ impl PlanCommand {
     }
 }
 
-/// Where the candidates are.
+/// Positions of the candidates.
 fn places(robot: &dyn Robot, observations: &[Observation], planned: &Plan) -> Vec<CandidatePlace> {
     let nominal = robot.nominal();
     let place = |(c, members): (usize, &Vec<usize>)| {
@@ -306,7 +316,7 @@ fn places(robot: &dyn Robot, observations: &[Observation], planned: &Plan) -> Ve
     planned.members.iter().enumerate().map(place).collect()
 }
 
-/// Studies for increasing numbers of positions as one document; the last has all of them.
+/// Document of studies for increasing numbers of positions; the last has all positions.
 fn study_document(
     robot: &dyn Robot,
     studies: &[SizeStudy],
@@ -372,7 +382,7 @@ fn joint_values(robot: &dyn Robot, o: &Observation) -> BTreeMap<String, f64> {
     joints.chain(mode).collect()
 }
 
-/// The chosen configurations as a table: candidates again, or targets of a controller.
+/// Chosen configurations as a table, usable as candidates or as targets of a controller.
 fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
     let joints: Vec<String> = robot.joints().iter().map(|j| j.column()).collect();
     let modes = robot.has_assembly_modes().then_some(ASSEMBLY);
@@ -380,7 +390,7 @@ fn csv(robot: &dyn Robot, document: &PlanDocument) -> String {
     pose_table(&columns, document.chosen.iter().flat_map(|p| p.configurations.iter().map(|c| (&p.pose, c))))
 }
 
-/// A pose of an option.
+/// Parses a pose of an option.
 fn pose(name: &str) -> std::result::Result<PoseName, String> {
     PoseName::new(name).map_err(|message| message.what)
 }

@@ -1,30 +1,32 @@
-//! `etalon recommend`
+//! Command `etalon recommend`.
 
 use super::report::Reports;
 use super::{Verdict, answer, progress, remark};
 use crate::run::validation::recommend;
 use crate::run::walk::presentation;
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_report::Faces;
 use std::path::PathBuf;
 
-/// Which identified parameters deserve to be loaded into the controller
+/// Recommend identified parameters to be loaded into the controller.
 ///
-/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tried on poses that are left out of the identification, and parameters by their
-/// change over its uncertainty. Those that are recommended are identified again with all others at their nominal values.
+/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tested on poses that are left
+/// out of the identification, and parameters by their change over its uncertainty. The recommended
+/// parameters are identified again with all others at nominal.
 #[derive(Debug, clap::Args)]
 pub struct Recommend {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Write the recommended parameters as a new parameters.json, for `etalon export`
+    /// Write the recommended parameters as a new parameters.json, for `etalon export`.
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
     #[command(flatten)]
     reports: Reports,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -32,8 +34,7 @@ pub struct Recommend {
 impl Recommend {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         if let Some(path) = self.write.as_deref().filter(|path| path.exists()) {
-            let message = Message::error(format!("`{}` is there already: nothing is written over it", path.display()));
-            return Err(Problems::from(message.hint("name another file, or remove it")).into());
+            return Err(Problems::from(error!("file-exists", file = path.display().to_string())).into());
         }
         self.reports.check(&self.write)?;
         let campaign = Campaign::read(&self.campaign)?;

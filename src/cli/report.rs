@@ -1,32 +1,34 @@
-//! `etalon report`
+//! Command `etalon report`.
 
 use super::{Verdict, print_written};
 use crate::run::documents::{self, Documents};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_controllers::CERTIFICATE;
 use etalon_documents::{Language, Presentation};
 use etalon_report::Faces;
 use etalon_report::branding;
 use std::path::{Path, PathBuf};
 
-/// Write the report again from the documents of an output folder
+/// Write the report again from the documents of an output folder.
 ///
-/// Language, logo and templates are those of the campaign, unless they are stated here.
+/// Language, logo and templates are those of the campaign, unless stated here.
 #[derive(Debug, clap::Args)]
 pub struct ReportCommand {
-    /// Folder that `etalon run` wrote, or its campaign
+    /// Folder that `etalon run` wrote, or its campaign.
     #[arg(required_unless_present = "write_templates")]
     folder: Option<PathBuf>,
     #[command(flatten)]
     dressed: Dressed,
-    /// Write the certificate instead: one page for the customer, certificate.html and certificate.pdf
+    /// Write the certificate instead: one page for the customer, certificate.html and
+    /// certificate.pdf.
     #[arg(long, conflicts_with = "write_templates")]
     certificate: bool,
-    /// Write the built-in templates to this folder instead
+    /// Write the built-in templates to this folder instead.
     #[arg(long, value_name = "FOLDER", conflicts_with = "folder")]
     write_templates: Option<PathBuf>,
-    /// Print the names of the files written as JSON
+    /// Print the names of the files written as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -34,19 +36,19 @@ pub struct ReportCommand {
 /// Language, logo and templates of a report.
 #[derive(Debug, clap::Args)]
 pub(super) struct Dressed {
-    /// Language of the report
+    /// Language of the report.
     #[arg(long, value_enum)]
     language: Option<Language>,
-    /// Logo of the laboratory, SVG or PNG
+    /// Logo of the laboratory (SVG or PNG).
     #[arg(long, value_name = "FILE")]
     logo: Option<PathBuf>,
-    /// Templates that replace the built-in ones of the same name
+    /// Folder of templates that replace the built-in ones of the same name.
     #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,
 }
 
 impl Dressed {
-    /// The options, and for the rest the statements of `campaign`.
+    /// Presentation by the options, with defaults from `campaign`.
     pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
         let logo = self.logo.as_deref().map(branding::logo).transpose()?;
         let templates = self.templates.as_deref().map(branding::templates).transpose()?;
@@ -61,7 +63,7 @@ impl Dressed {
 /// Reports of an answer.
 #[derive(Debug, clap::Args)]
 pub(super) struct Reports {
-    /// Write a report, by the ending of its name: .html, .pdf or .xlsx; may be repeated
+    /// Write a report in the format of the file extension: .html, .pdf or .xlsx; may be repeated.
     #[arg(long = "report", value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
@@ -69,33 +71,33 @@ pub(super) struct Reports {
 }
 
 impl Reports {
-    /// The files and their kinds; endings of no kind are refused, and files of `inputs`, before anything is computed.
+    /// Checks files and their kinds before anything is computed: unknown extensions and input files
+    /// are rejected.
     pub fn check<'a>(&'a self, inputs: impl IntoIterator<Item = &'a PathBuf, IntoIter: Clone>) -> Result<()> {
         let wrong = self.files.iter().filter_map(|path| kind(path).err());
         Problems(wrong.flat_map(|more| more.0).collect()).check()?;
         files::refuse_overwriting(&self.files, inputs.into_iter())
     }
 
-    /// The presentation that they have, for what is not stated here that of `campaign`.
+    /// Presentation by the options, with defaults from `campaign`.
     pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
         self.dressed.over(campaign)
     }
 
-    /// Writes them.
+    /// Writes the reports.
     pub fn write(&self, faces: &Faces) -> Result<()> {
         self.files.iter().try_for_each(|path| files::write(path, &faces.file(&kind(path)?)?))
     }
 }
 
-/// The kind of report that the ending of its file names.
+/// Kind of a report by its file extension.
 fn kind(path: &Path) -> Result<String> {
     let ending = path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).unwrap_or_default();
     if etalon_report::kinds().any(|kind| kind == ending) {
         return Ok(ending);
     }
     let kinds: Vec<String> = etalon_report::kinds().map(|kind| format!(".{kind}")).collect();
-    let message = Message::error(format!("`{}` does not end like a report", path.display()));
-    Err(message.expected(format!("a file that ends in {}", kinds.join(", "))).into())
+    Err(error!("not-a-report", file = path.display().to_string(), endings = kinds).into())
 }
 
 impl ReportCommand {
@@ -106,7 +108,7 @@ impl ReportCommand {
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
             (Some(folder), None) => write_report(folder, &self.dressed, self.certificate)?,
-            (None, None) => return Err(Problems::from(Message::error("no folder is stated")).into()),
+            (None, None) => return Err(Problems::from(error!("report-folder-missing")).into()),
         };
         print_written(written, self.json)?;
         Ok(Verdict::Met)

@@ -1,22 +1,24 @@
-//! `etalon run`
+//! Command `etalon run`.
 
 use super::{Verdict, next_step, print_with, remark, say, shell_word};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
-use etalon_base::message::{Message, printable};
+use etalon_base::message::printable;
+use etalon_base::warning;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use std::path::PathBuf;
 
-/// Run a campaign from its exports to the report
+/// Run a campaign from its exports to the report.
 #[derive(Debug, clap::Args)]
 pub struct Run {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Print accuracy.json (of a test by ISO 9283 alone iso9283.json, or the document in its place) instead of a summary
+    /// Print accuracy.json (for a test by ISO 9283 alone iso9283.json, or the document in its
+    /// place) instead of a summary.
     #[arg(long)]
     json: bool,
-    /// Skip a campaign whose data hang on an environment variable that is not set
+    /// Skip a campaign if an environment variable for its data is unset.
     #[arg(long)]
     skip_missing: bool,
 }
@@ -35,10 +37,7 @@ impl Run {
                 let earlier = campaign.output().and_then(|folder| Documents::open(&folder)).ok();
                 let report = earlier.map(|earlier| earlier.path("report.html"));
                 if let Some(report) = report.filter(|report| report.is_file()) {
-                    let place = report.display();
-                    let what = format!("nothing is written: `{place}` and the files beside it are of an earlier run");
-                    let hint = "do not load its controller files as if they were of this one";
-                    remark(&[Message::warning(what).hint(hint)]);
+                    remark(&[warning!("earlier-run-left", report = report.display().to_string())]);
                 }
                 Err(problems.into())
             }

@@ -1,9 +1,10 @@
-//! `etalon schema`
+//! Command `etalon schema`.
 
 use super::{Verdict, print};
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 
-/// Print the JSON Schema of an input file or of a JSON document
+/// Print the JSON Schema of an input file or of a JSON document.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Input files, for editors and other programs that write campaigns:
   campaign.toml, robot.toml
@@ -13,12 +14,12 @@ Documents of the output folder, by the name of the file without `.json`:
   iso9283, iso9283-compliance, iso9283-streams, manifest, parameters
 
 Answers to `--json` of commands:
-  batch, check, compare, compensation, fit, formats, iso230, iso9283-plan, iso9283-stream, kinematics,
+  batch, check, compare, compensation, explanation, fit, formats, iso230, iso9283-plan, iso9283-stream, kinematics,
   plan, recommendation, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
 pub struct Schema {
-    /// Name of the file or document, e.g. campaign.toml or parameters
+    /// Name of the file or document, e.g. campaign.toml or parameters.
     name: String,
-    /// Accepted like that of other commands: a schema is always JSON
+    /// Accepted as for other commands; a schema is always JSON.
     #[arg(long)]
     json: bool,
 }
@@ -27,7 +28,7 @@ impl Schema {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let all = [etalon_campaign::schemas(), etalon_documents::schema::all()].concat();
         let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
-            let message = Message::error(format!("there is no schema `{}`", self.name));
+            let message = error!("schema-unknown", name = self.name);
             Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))
         })?;
         print(text)?;

@@ -1,22 +1,23 @@
-//! `etalon simulate`
+//! Command `etalon simulate`.
 
 use super::{Verdict, print_written, say};
 use crate::simulate::Truth;
 use etalon_campaign::Campaign;
 use std::path::PathBuf;
 
-/// Write the exports, logs and observations of a campaign for a robot with known parameters and stated noise
+/// Write the exports, logs and observations of a campaign for a robot with known parameters and
+/// stated noise.
 #[derive(Debug, clap::Args)]
 pub struct Simulate {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// The true parameters and what is measured; by default truth.toml beside the campaign
+    /// True parameters and measurements; by default truth.toml beside the campaign.
     #[arg(long, value_name = "FILE")]
     truth: Option<PathBuf>,
-    /// Seed of the noise instead of the one in the truth
+    /// Seed of the noise, instead of the seed in the truth.
     #[arg(long)]
     seed: Option<u64>,
-    /// Print the names of the files written as JSON
+    /// Print the names of the files written as JSON.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! `etalon study`
+//! Command `etalon study`.
 
 use super::{Verdict, print, say};
 use crate::simulate::study::StudyFile;
@@ -8,12 +8,12 @@ use etalon_documents::{Provenance, Spread, StudiesDocument, to_json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Compare sets of poses and instruments before anything is measured, by simulated calibrations
+/// Compare sets of poses and instruments before measuring, by simulated calibrations.
 #[derive(Debug, clap::Args)]
 pub struct StudyCommand {
-    /// What is studied: robot, truth, noise, sets of poses, workspace
+    /// Study file: robot, truth, noise, sets of poses, workspace.
     study: PathBuf,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -49,7 +49,7 @@ impl StudyCommand {
     }
 }
 
-/// The answer for a terminal: errors of all sets, then their parameters.
+/// Answer for a terminal: errors of all sets, then their parameters.
 fn text(document: &StudiesDocument) -> String {
     let mut out = format!(
         "Error: {}.\nMean of {} calibrations, {} draws: median [95 % of the draws].\n\n",

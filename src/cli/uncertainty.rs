@@ -1,4 +1,4 @@
-//! `etalon uncertainty`
+//! Command `etalon uncertainty`.
 
 use super::{Verdict, answer, progress, remark};
 use crate::run::validation::uncertainty;
@@ -8,25 +8,27 @@ use etalon_documents::to_json;
 use etalon_report::Faces;
 use std::path::PathBuf;
 
-/// Distributions of a campaign's results by Monte Carlo and bootstrap
+/// Compute distributions of a campaign's results by Monte Carlo and bootstrap.
 ///
-/// Everything that the campaign states of its readings is drawn anew (JCGM 101): points of frames, targets, scale, temperature, homing; each draw goes
-/// through frames and identification. Poses and cycles are drawn from the measured ones besides. Both are compared with the linear
-/// uncertainties that `etalon run` states. Nothing is written.
+/// Everything that the campaign states about its readings is drawn randomly (JCGM 101): points of
+/// frames, targets, scale, temperature, homing. Each draw passes through frames and identification.
+/// The bootstrap resamples the measured poses and cycles. Both are compared with the linear
+/// uncertainties of `etalon run`. Nothing is written.
 #[derive(Debug, clap::Args)]
 pub struct Uncertainty {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Most draws; fewer where two digits of every standard uncertainty are reached
+    /// Maximum number of draws; fewer are used once two digits of all standard uncertainties are
+    /// stable.
     #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
     draws: u32,
-    /// Resamples of poses and cycles; 0 for none
+    /// Number of resamples of poses and cycles; 0 for none.
     #[arg(long, default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     resamples: u32,
-    /// Seed of the draws: the same seed gives the same numbers, on any number of threads
+    /// Seed of the draws; equal seeds give equal numbers on any number of threads.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }

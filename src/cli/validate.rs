@@ -1,4 +1,4 @@
-//! `etalon validate`
+//! Command `etalon validate`.
 
 use super::report::Reports;
 use super::{Verdict, answer, remark};
@@ -11,24 +11,25 @@ use etalon_documents::{GivenFrames, to_json};
 use etalon_report::Faces;
 use std::path::PathBuf;
 
-/// Judge given parameters on the data of a campaign
+/// Judge given parameters on the data of a campaign.
 ///
-/// Parameters that were identified with one instrument are compared with what another has measured, or those of last year with
-/// measurements of today. Nothing of the robot is identified, and nothing but reports is written; limits of the campaign are judged.
+/// Parameters that were identified with one instrument are compared with measurements of another,
+/// or last year's parameters with measurements of today. No parameter of the robot is identified,
+/// and only reports are written; limits of the campaign are judged.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Exit code 1 where a limit of the campaign is not met.")]
 pub struct Validate {
-    /// Folder of the campaign, or its campaign.toml
+    /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Identified parameters; nominal ones without
+    /// Identified parameters; nominal by default.
     #[arg(long, value_name = "FILE")]
     parameters: Option<PathBuf>,
-    /// Where base and targets come from
+    /// Origin of base and targets.
     #[arg(long, value_enum, default_value_t = GivenFrames::Refit)]
     frames: GivenFrames,
     #[command(flatten)]
     reports: Reports,
-    /// Print accuracy.json
+    /// Print accuracy.json.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! `etalon verify`
+//! Command `etalon verify`.
 
 use super::given::Given;
 use super::identify::{check_uncertainty, unread};
@@ -11,7 +11,8 @@ use crate::run::documents::read_parameters;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::positions;
-use crate::stages::verification::{plan, verify};
+use crate::stages::verification::{EarlierCalibration, plan, verify};
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, read_robot};
@@ -21,10 +22,11 @@ use etalon_report::Faces;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Check whether identified parameters still hold, from some few measured poses
+/// Check whether identified parameters still apply, from a few measured poses.
 ///
-/// Nothing is identified. The positions of the targets are compared with those that the parameters predict; the difference is judged by the
-/// uncertainty of the measurement, of the parameters and of what the model left unexplained in the calibration.
+/// Nothing is identified. The positions of the targets are compared with the positions that the
+/// parameters predict. The difference is judged by the uncertainty of the measurement, of the
+/// parameters, and of the model in the calibration.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "The answer is that the parameters are valid, that the base has moved, that the zero of a joint has moved, or that it
@@ -34,30 +36,32 @@ A robot that has not changed is called changed in 5 % of all cases.
 Exit code 1 where the parameters are no longer valid."
 )]
 pub struct Verify {
-    /// Observations of the targets of the calibration: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in the same world frame, and one column
-    /// per joint with its unit
+    /// Observations of the calibration's targets: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in
+    /// the same world frame, and one column per joint with its unit.
     #[arg(required_unless_present = "candidates")]
     observations: Option<PathBuf>,
-    /// Poses of which some are chosen that detect the least changes, in place of observations: a table as `etalon plan` reads it
+    /// Candidates, instead of observations, from which the poses that detect the smallest changes
+    /// are chosen: a table as for `etalon plan`.
     #[arg(long, value_name = "FILE", conflicts_with = "observations")]
     candidates: Option<PathBuf>,
-    /// How many of the candidates to choose
+    /// Number of candidates to choose.
     #[arg(long, value_name = "N", default_value_t = 8, requires = "candidates")]
     positions: usize,
-    /// Robot file
+    /// Robot file.
     #[arg(long, value_name = "FILE")]
     robot: PathBuf,
-    /// Identified parameters
+    /// Identified parameters.
     #[arg(long, value_name = "FILE")]
     parameters: PathBuf,
-    /// Standard uncertainty (k = 1) of one measured coordinate in micrometres, where it is not that of the calibration
+    /// Standard uncertainty (k = 1) of one measured coordinate in micrometres, if it differs from
+    /// the calibration.
     #[arg(long, value_name = "UM")]
     standard_uncertainty_um: Option<f64>,
     #[command(flatten)]
     format: TableFormat,
     #[command(flatten)]
     reports: Reports,
-    /// Print the answer as JSON
+    /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -107,21 +111,23 @@ impl Verify {
         joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
         let measured = positions::observations(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut found = verify(robot.as_mut(), document, measured, stated_mm, inputs)?;
+        let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+        let mut found = verify(calibration, measured, inputs)?;
         found.messages.splice(0..0, messages);
         Ok(found)
     }
 }
 
 impl Verify {
-    /// Which of the candidates to measure.
+    /// Chooses candidates to measure.
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
         let (mut robot, Candidates { observations, beyond }) = candidates_of(robot_file, candidates)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let mut found = plan(robot.as_mut(), document, observations, self.positions, stated_mm, inputs, &mut progress)?;
+        let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+        let mut found = plan(calibration, observations, self.positions, inputs, &mut progress)?;
         found.messages.extend(beyond);
         if !self.json {
             remark(&found.messages);
@@ -132,16 +138,12 @@ impl Verify {
     }
 }
 
-/// Other kinds of observations are refused: they would be left out.
+/// Rejects other kinds of observations, because they would be ignored.
 fn only_points(observed: &TableFile) -> Result<(), Problems> {
     // the uncertainty of a row is that of its position
     let mut others = kinds::columns().into_iter().filter(|name| *name != "u_mm");
     match others.find(|name| observed.table.column(name).is_ok()) {
-        Some(name) => {
-            let message =
-                Message::error(format!("the observations have a column `{name}`: only positions are compared"));
-            Err(observed.place(message.hint("leave rows of other kinds, and their columns, out").into()))
-        }
+        Some(name) => Err(observed.place(error!("verify-other-column", column = name).into())),
         None => Ok(()),
     }
 }

@@ -1,24 +1,26 @@
-//! Characteristics of poses by ISO 9283 over campaigns.
+//! ISO 9283 pose characteristics over campaigns.
 
 use super::significance::{Estimate, Recovered, degrees_of_scale, ratio_of_scales, recovered};
 use super::trend::{changed, of_estimates, pairs};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{phrase, warning};
 use etalon_documents::*;
 use etalon_standards::iso9283::statistics::sample::spread;
 use std::collections::BTreeSet;
 
-/// AP, mean position and RP of every pose that all campaigns have; homings too.
+/// AP, mean position and RP of all poses that occur in every campaign, including homings.
 pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
     let mut missing = Vec::new();
     let later: BTreeSet<PoseName> = all.iter().flat_map(|d| &d.poses).map(|p| p.pose).collect();
-    missing.extend(later.into_iter().filter(|pose| first.poses.iter().all(|p| p.pose != *pose)).map(|p| p.to_string()));
+    missing.extend(later.into_iter().filter(|pose| first.poses.iter().all(|p| p.pose != *pose)).map(|p| p.argument()));
     for pose in &first.poses {
         let same: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.poses.iter().find(|p| p.pose == pose.pose)).collect();
         if same.len() < all.len() {
-            missing.push(pose.pose.to_string());
+            missing.push(pose.pose.argument());
             continue;
         }
         let name = format!("pose {}", pose.pose);
@@ -30,11 +32,10 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
     if homings.len() == all.len() {
         trends.extend(repeatability("homing", &homings));
     } else if !homings.is_empty() {
-        missing.push("homing".to_owned());
+        missing.push(phrase!("homing").argument());
     }
     if !missing.is_empty() {
-        let message = Message::warning(format!("not in every campaign: pose {}", missing.join(", ")));
-        messages.push(message.hint("pose numbers must mean the same in all of them"));
+        messages.push(warning!("poses-not-in-all", poses = missing));
     }
     trends.sort_by_key(|t| t.family);
     trends
@@ -56,7 +57,8 @@ fn accuracy(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     })
 }
 
-/// The mean of each coordinate: of the visits where all documents have them, else from the commanded position.
+/// Mean of each coordinate: from the visits if all documents have them, otherwise from the
+/// commanded position.
 fn positions(name: &str, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -> Vec<CompareTrend> {
     let visited = |(d, p): (&&Iso9283Document, &&Iso9283Pose)| {
         let of_pose = d.visits.iter().filter(|v| v.pose == p.pose).map(|v| v.attained_mm);
@@ -101,7 +103,7 @@ fn repeatability(name: &str, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
     let values = all.iter().map(known).collect::<Option<Vec<_>>>()?;
     let change = |(from, to): (usize, usize)| {
         let scale = |(rp, i, n): (f64, Iso9283Interval, f64)| {
-            // radii about the sample's own mean are short by √(1 - 1/n)
+            // radii about the sample mean are too small by the factor √(1 − 1/n)
             Some((rp * (n / (n - 1.0)).sqrt(), degrees_of_scale(i.low_mm, i.high_mm)?))
         };
         let found = ratio_of_scales(scale(values[from])?, scale(values[to])?)?;

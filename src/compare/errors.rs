@@ -4,7 +4,8 @@ use super::significance::Estimate;
 use super::trend::of_estimates;
 use etalon_documents::*;
 
-/// Mean errors of position and orientation, before and after, of every set of poses that all campaigns have.
+/// Mean errors of position and orientation, before and after calibration, of all sets of poses that
+/// occur in every campaign.
 pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
@@ -29,7 +30,8 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
     trends
 }
 
-/// Mean size with the uncertainty that its scatter leaves. Errors of one pose have their cause in common: a pose counts once.
+/// Mean size with its uncertainty from the scatter. Errors at one pose have common causes, so that
+/// a pose counts once.
 fn mean(poses: usize, s: &Statistics) -> Option<Estimate> {
     let n = poses as f64;
     let variance = (s.rms.powi(2) - s.mean.powi(2)).max(0.0) * n / (n - 1.0);

@@ -1,6 +1,7 @@
-//! Several campaigns of one robot side by side: what changed, and what is chance.
+//! Comparison of several campaigns of one robot: significant changes and chance.
 //!
-//! Documents come in ([`Compared`]), one document goes out. [`significance`] is the mathematics.
+//! The input consists of documents ([`Compared`]), the output is a single document. The mathematics
+//! is in [`significance`].
 
 mod characteristics;
 mod errors;
@@ -10,40 +11,44 @@ pub mod significance;
 mod trend;
 
 use etalon_base::message::{Message, Problems, Result, one_line};
+use etalon_base::{error, warning};
 use etalon_documents::*;
 use std::collections::{BTreeMap, BTreeSet};
 use trend::judge;
 
-/// What one campaign's output folder holds.
+/// Contents of a campaign's output folder.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// The folder as the user named it.
+    /// Folder, as the user named it.
     pub folder: String,
-    /// What the campaign states about itself.
+    /// Statements of the campaign about itself.
     pub campaign: CampaignSummary,
-    /// Parameters with the errors before and after, where it identifies.
+    /// Parameters with the errors before and after calibration, if identified.
     pub identified: Option<(ParametersDocument, AccuracyDocument)>,
-    /// Characteristics of poses, where it tests them.
+    /// Characteristics of poses, if tested.
     pub iso9283: Option<Iso9283Document>,
-    /// Recorded motions, where it has any.
+    /// Recorded motions, if any.
     pub streams: Option<Iso9283StreamsDocument>,
     /// SHA-256 of the documents, by name.
     pub inputs: BTreeMap<String, String>,
 }
 
-/// Compares at least two campaigns, the eldest first.
+/// Compares at least two campaigns, the oldest first.
 pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     refuse(all)?;
     let mut messages = Vec::new();
     let mut trends = Vec::new();
     let mut together = Vec::new();
+    let mut between_series = Vec::new();
     let identified: Vec<_> = all.iter().filter_map(|c| c.identified.as_ref()).collect();
     let tested: Vec<_> = all.iter().filter_map(|c| c.iso9283.as_ref()).collect();
     if identified.len() == all.len() {
         trends.extend(parameters::trends(&identified, &mut messages));
         trends.extend(errors::trends(&identified));
         let names: Vec<&str> = all.iter().map(|c| c.folder.as_str()).collect();
-        messages.extend(parameters::without_evidence(&identified, &mut trends, &names));
+        let (of_pairs, message) = parameters::without_evidence(&identified, &mut trends, &names);
+        messages.extend(message);
+        between_series = of_pairs;
         together = parameters::together(&identified, &trends);
     }
     if tested.len() == all.len() {
@@ -57,10 +62,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     messages.extend(left_out(all, "iso9283.json", |c| c.iso9283.is_some()));
     messages.extend(left_out(all, "iso9283-streams.json", |c| c.streams.is_some()));
     if trends.is_empty() {
-        let message = Message::error("the campaigns have nothing in common that could be compared");
-        let message =
-            message.expected("parameters.json, iso9283.json or iso9283-streams.json in the folder of every campaign");
-        return Err(message.hint("run the campaigns with this version: `etalon run CAMPAIGN`").into());
+        return Err(error!("nothing-to-compare").into());
     }
     judge(&mut trends, |names, pair| Some(parameters::change(&identified, names, pair)?.correlation()));
     messages.extend(disorder(all));
@@ -68,10 +70,11 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     Ok(CompareDocument {
         schema: "etalon/compare/1".to_owned(),
         robot: identified.first().map(|i| i.0.robot.clone()),
-        conventions: conventions(all, &trends),
+        conventions: conventions(all, &trends, !between_series.is_empty()),
         campaigns: all.iter().map(campaign).collect(),
         trends,
         together,
+        between_series,
         messages,
         provenance: Provenance {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -81,15 +84,15 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
     })
 }
 
-/// What cannot be compared; all of it is said at once.
+/// Rejects campaigns that cannot be compared, with all reasons at once.
 fn refuse(all: &[Compared]) -> Result<()> {
     if all.len() < 2 {
-        return Err(Message::error("a comparison needs two campaigns or more").expected("two folders or more").into());
+        return Err(error!("one-campaign").into());
     }
     let mut problems = Problems::default();
     let mut folders = BTreeSet::new();
     for c in all.iter().filter(|c| !folders.insert(&c.folder)) {
-        problems.0.push(Message::error(format!("`{}` is named twice", c.folder)));
+        problems.0.push(error!("campaign-twice", folder = c.folder));
     }
     let first = &all[0];
     for c in &all[1..] {
@@ -97,31 +100,36 @@ fn refuse(all: &[Compared]) -> Result<()> {
         if let (Some(this), Some(that)) = (named(first), named(c))
             && this != that
         {
-            let what = format!("different robots: `{}` measured `{this}`, `{}` `{that}`", first.folder, c.folder);
-            let hint =
-                "compare campaigns of one robot; if it is the same, give it one `name` in robot.toml and run again";
-            problems.0.push(Message::error(what).hint(hint));
+            problems.0.push(error!(
+                "robots-differ",
+                first = first.folder,
+                first_robot = this,
+                second = c.folder,
+                second_robot = that,
+            ));
         }
         let (Some((this, _)), Some((that, _))) = (&first.identified, &c.identified) else { continue };
         if this.robot != that.robot {
-            let what = format!(
-                "different models of robots: `{}` identified `{}`, `{}` `{}`",
-                first.folder, this.robot, c.folder, that.robot
-            );
-            problems.0.push(Message::error(what).hint("identify both with one model, and compare then"));
+            problems.0.push(error!(
+                "models-differ",
+                first = first.folder,
+                first_model = this.robot,
+                second = c.folder,
+                second_model = that.robot,
+            ));
             continue;
         }
         let names = |d: &ParametersDocument| d.parameters.iter().map(|p| p.name.clone()).collect::<BTreeSet<_>>();
         let other: Vec<String> = names(this).symmetric_difference(&names(that)).cloned().collect();
         if !other.is_empty() {
-            let what = format!("`{}` and `{}` have different parameters: {}", first.folder, c.folder, other.join(", "));
-            problems.0.push(Message::error(what).hint("the same robot file, targets and model make them comparable"));
+            let message = error!("parameters-differ", first = first.folder, second = c.folder, parameters = other);
+            problems.0.push(message);
         }
     }
     problems.check().map(|_| ())
 }
 
-/// A warning where dates that are written year-month-day fall.
+/// Warning if dates in the form year-month-day are not ascending.
 fn disorder(all: &[Compared]) -> Option<Message> {
     let figures = |part: &str, count: usize| part.len() == count && part.bytes().all(|b| b.is_ascii_digit());
     let stated = |d: &String| {
@@ -131,11 +139,7 @@ fn disorder(all: &[Compared]) -> Option<Message> {
     let date = |c: &Compared| c.campaign.date.clone().filter(stated);
     let falls = |pair: &&[Compared]| matches!((date(&pair[0]), date(&pair[1])), (Some(a), Some(b)) if a > b);
     let pair = all.windows(2).find(falls)?;
-    let what = format!("`{}` is named before `{}`, but has the later date", pair[0].folder, pair[1].folder);
-    Some(
-        Message::warning(what)
-            .hint("name the earliest first: changes are from the one named before to the one named after"),
-    )
+    Some(warning!("campaigns-out-of-order", first = pair[0].folder, second = pair[1].folder))
 }
 
 fn left_out(all: &[Compared], name: &str, there: fn(&Compared) -> bool) -> Option<Message> {
@@ -144,8 +148,7 @@ fn left_out(all: &[Compared], name: &str, there: fn(&Compared) -> bool) -> Optio
         return None;
     }
     let folders: Vec<String> = without.iter().map(|c| format!("`{}`", c.folder)).collect();
-    let message = Message::warning(format!("{name} is left out: it is not in {}", folders.join(", ")));
-    Some(message.hint("compare campaigns that all have it"))
+    Some(warning!("document-not-in-all", document = name, folders))
 }
 
 fn campaign(c: &Compared) -> ComparedCampaign {
@@ -166,7 +169,7 @@ fn campaign(c: &Compared) -> ComparedCampaign {
     }
 }
 
-fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
+fn conventions(all: &[Compared], trends: &[CompareTrend], between: bool) -> Vec<String> {
     let there = |family| trends.iter().any(|t| t.family == family);
     let mut said = vec![
         "a change is significant where its probability by chance, corrected for the number of quantities of its family in one pair of \
@@ -183,6 +186,13 @@ fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
         );
         said.push(
             "parameters of base and targets change with every set-up: a change there need not be the robot's"
+                .to_owned(),
+        );
+    }
+    if between {
+        said.push(
+            "where the model misfits: intervals of changes of parameters are enlarged by the Birge ratio of all robot parameters of both \
+             campaigns, at least 1, because parameters take up what the model leaves out at the poses that were measured"
                 .to_owned(),
         );
     }
@@ -228,7 +238,7 @@ fn conventions(all: &[Compared], trends: &[CompareTrend]) -> Vec<String> {
     said
 }
 
-/// What a shared instrument, or different ones, do to a change.
+/// Effect of a shared instrument, or of different instruments, on changes.
 fn shared_instrument(all: &[Compared]) -> String {
     let names: BTreeSet<Option<&str>> = all.iter().map(|c| c.campaign.instrument.as_deref()).collect();
     match (names.len(), names.first()) {

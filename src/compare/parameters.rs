@@ -3,6 +3,7 @@
 use super::significance::{Estimate, LEVEL};
 use super::trend::{of_estimates, pairs};
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_documents::*;
 use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
@@ -10,7 +11,8 @@ use std::collections::BTreeSet;
 
 type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
 
-/// Degrees of freedom of one parameter's standard uncertainty: infinite where stated uncertainties make it.
+/// Degrees of freedom of a parameter's standard uncertainty; infinite if it follows from stated
+/// uncertainties.
 fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
     match residuals.uncertainties_from {
         UncertaintyFrom::Instrument | UncertaintyFrom::Nothing => f64::INFINITY,
@@ -18,13 +20,13 @@ fn degrees_of(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
     }
 }
 
-/// Degrees of freedom of the covariance: those of the parameter that has fewest.
+/// Degrees of freedom of the covariance: the smallest of all parameters.
 pub(super) fn degrees((parameters, _): Identified) -> f64 {
     let identified = parameters.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
     identified.map(|p| degrees_of(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
 }
 
-/// Every parameter; those that nobody identified are left out.
+/// All parameters except those that no campaign identified.
 pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
@@ -53,49 +55,72 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         trends.push(of_estimates((family, p.name.clone(), &p.unit), &estimates));
     }
     if !held.is_empty() {
-        let what = format!("not every campaign identified {}", held.join(", "));
-        messages.push(Message::warning(what).hint("others that act alike may have taken up what these were held from"));
+        messages.push(warning!("parameters-not-in-all", parameters = held));
     }
     if !redrawn.is_empty() {
         let names: Vec<String> = redrawn.into_iter().collect();
-        let what = format!("nominal values differ between the robot files: {}", names.join(", "));
-        messages.push(Message::warning(what).hint("what is held at its nominal value acts on the others"));
+        messages.push(warning!("nominal-values-differ", parameters = names));
     }
     trends.sort_by_key(|t| t.family);
     trends
 }
 
-/// Whether residuals exceed what the instrument explains: parameters then take up what the model leaves out, at the poses that were
-/// measured.
+/// `true` if residuals exceed the instrument's uncertainty. Parameters then absorb unmodelled
+/// errors at the measured poses.
 fn misfits((parameters, _): &Identified) -> bool {
-    use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
-    let residuals = &parameters.residuals;
-    residuals.stated_standard_uncertainty_mm.is_some()
-        && matches!(residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion)
+    parameters.misfits()
 }
 
-/// Takes the probabilities of changes of parameters and mean errors from or to a campaign in which the model misfits: by chance is then
-/// not by noise, but by where the poses lie. `names` are those of the campaigns.
-pub(super) fn without_evidence(all: &[Identified], trends: &mut [CompareTrend], names: &[&str]) -> Option<Message> {
+/// Removes the probabilities of changes of parameters and mean errors between campaigns if the
+/// model misfits in either campaign, because the changes then depend on the choice of poses rather
+/// than on noise. Intervals of parameters are enlarged by the difference between both series;
+/// intervals of mean errors, which contain the scatter of poses only, are removed. `names` are the
+/// names of the campaigns.
+pub(super) fn without_evidence(
+    all: &[Identified],
+    trends: &mut [CompareTrend],
+    names: &[&str],
+) -> (Vec<CompareBetween>, Option<Message>) {
     let wrong: Vec<usize> = (0..all.len()).filter(|&i| misfits(&all[i])).collect();
-    let touches = |change: &&mut CompareChange| wrong.contains(&(change.from - 1)) || wrong.contains(&(change.to - 1));
-    for change in trends.iter_mut().flat_map(|trend| &mut trend.changes).filter(touches) {
-        change.p = None;
+    if wrong.is_empty() {
+        return (Vec::new(), None);
+    }
+    let touched = |&(from, to): &(usize, usize)| wrong.contains(&from) || wrong.contains(&to);
+    let between: Vec<CompareBetween> =
+        pairs(all.len()).into_iter().filter(touched).map(|pair| between(all, trends, pair)).collect();
+    for trend in trends.iter_mut() {
+        let parameter = matches!(trend.family, CompareFamily::Robot | CompareFamily::SetUp);
+        for change in &mut trend.changes {
+            let Some(of_pair) = between.iter().find(|b| (b.from, b.to) == (change.from, change.to)) else { continue };
+            change.p = None;
+            let enlarged = |end: Option<f64>| {
+                let enlarged = end.map(|end| change.change + of_pair.birge_ratio * (end - change.change));
+                enlarged.filter(|_| parameter)
+            };
+            (change.low, change.high) = (enlarged(change.low), enlarged(change.high));
+        }
     }
     let named: Vec<String> = wrong.iter().map(|&i| format!("`{}`", names[i])).collect();
-    (!wrong.is_empty()).then(|| {
-        let what = format!(
-            "the model misfits: residuals of {} exceed what the instrument explains; differences of parameters and mean errors \
-             are no evidence of a change, and have no p value",
-            named.join(", ")
-        );
-        Message::warning(what)
-            .hint("identify with a model that describes the robot, and measure the same poses each time")
-    })
+    let largest = between.iter().map(|b| b.birge_ratio).fold(1.0, f64::max);
+    let message = warning!("model-misfits", campaigns = named, birge = format!("{largest:.1}"));
+    (between, Some(message))
 }
 
-/// Whether the robot's parameters changed, all together: Δᵀ (C₁ + C₂)⁻¹ Δ, which sees changes along directions that single
-/// uncertainties, blown up by correlation, hide.
+/// Birge ratio of all changes of the robot's parameters to their uncertainties, at least 1 (Birge
+/// 1932, Phys. Rev. 40, 207; for correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)); 1 if covariances are
+/// unknown.
+fn between(all: &[Identified], trends: &[CompareTrend], (from, to): (usize, usize)) -> CompareBetween {
+    let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
+    let names: Vec<&str> = robot.map(|t| t.name.as_str()).collect();
+    let change = change(all, &names, (from, to));
+    let squares =
+        |c: &Change| Some(c.sizes.dot(&Cholesky::new(c.correlation())?.solve(&c.sizes)) / c.sizes.len() as f64);
+    let ratio = change.as_ref().and_then(squares).filter(|f| f.is_finite()).map_or(1.0, |f| f.max(1.0).sqrt());
+    CompareBetween { from: from + 1, to: to + 1, parameters: change.map_or(0, |c| c.sizes.len()), birge_ratio: ratio }
+}
+
+/// Joint test of all robot parameters, Δᵀ (C₁ + C₂)⁻¹ Δ. It detects changes in directions that are
+/// hidden by the large uncertainties of strongly correlated parameters.
 pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
     let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
     let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.as_str()).collect();
@@ -103,7 +128,8 @@ pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<Compa
     pairs(all.len()).into_iter().filter(fits).filter_map(|pair| pair_together(all, &names, pair)).collect()
 }
 
-/// Changes of parameters between two campaigns over their standard uncertainties, and covariances in these units.
+/// Changes of parameters between two campaigns, relative to their standard uncertainties, and
+/// covariances in these units.
 pub(super) struct Change {
     sizes: DVector<f64>,
     earlier: DMatrix<f64>,
@@ -117,7 +143,8 @@ impl Change {
     }
 }
 
-/// Of those of `names` that both campaigns identified; `None` where one has no covariance.
+/// Changes of the parameters in `names` that both campaigns identified; `None` if a covariance is
+/// missing.
 pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usize)) -> Option<Change> {
     let identified = |c: Identified| c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>();
     let (a, b) = (identified(all[from]), identified(all[to]));
@@ -133,7 +160,7 @@ pub(super) fn change(all: &[Identified], names: &[&str], (from, to): (usize, usi
         Some(DMatrix::from_row_slice(m, m, &rows?))
     };
     let (first, second) = (block(all[from], &|i| i.0)?, block(all[to], &|i| i.1)?);
-    // mm and degrees apart by powers of ten: in units of their uncertainties
+    // mm and degrees differ by powers of ten: in units of their uncertainties
     let u: Vec<f64> = (0..m).map(|i| (first[(i, i)] + second[(i, i)]).sqrt()).collect();
     if m == 0 || !u.iter().all(|u| *u > 0.0 && u.is_finite()) {
         return None;
@@ -148,7 +175,8 @@ fn pair_together(all: &[Identified], names: &[&str], (from, to): (usize, usize))
     let m = change.sizes.len();
     let inverse = Cholesky::new(change.correlation())?.inverse();
     let f = change.sizes.dot(&(&inverse * &change.sizes)) / m as f64;
-    // which share of the sum is of either campaign decides whose degrees of freedom count (Welch and Satterthwaite)
+    // shares of the two campaigns in the sum, as weights of their degrees of freedom (Welch and
+    // Satterthwaite)
     let share = (&inverse * &change.earlier).trace() / m as f64;
     let degrees = 1.0 / (share.powi(2) / degrees(all[from]) + (1.0 - share).powi(2) / degrees(all[to]));
     let degrees = Some(degrees).filter(|d| d.is_finite());

@@ -2,15 +2,16 @@
 
 use super::significance::{Difference, Recovered, recovered};
 use super::trend::{changed, pairs};
-use etalon_base::message::{Message, count, one_line};
+use etalon_base::message::{Message, one_line};
+use etalon_base::warning;
 use etalon_documents::*;
 
-/// Paths are one where length, begin and end agree to this share of the length.
+/// Tolerance of equal paths in length, start and end, relative to the length.
 const SAME: f64 = 1e-3;
-/// The number of passes with which intervals of AT and RT were tested.
+/// Number of passes for which intervals of AT and RT were tested.
 const TESTED_PASSES: usize = 10;
 
-/// AT and RT of every stream that all campaigns have along one path.
+/// AT and RT of all streams that occur in every campaign along the same path.
 pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let (mut accuracies, mut repeatabilities) = (Vec::new(), Vec::new());
@@ -21,28 +22,16 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
         let name = one_line(&stream.name);
         let paths: Vec<Iso9283Path> = all.iter().filter_map(of).collect();
         if paths.len() < all.len() {
-            let message = Message::warning(format!("not every campaign drove the path of stream `{name}`"));
-            messages.push(message.hint("streams are matched by their names"));
+            messages.push(warning!("stream-not-in-all", stream = name));
             continue;
         }
         if !paths.iter().all(|p| is_same(&paths[0], p)) {
-            let message =
-                Message::warning(format!("the commanded points of stream `{name}` differ: AT and RT are left out"));
-            messages.push(
-                message.hint(
-                    "streams of one name must drive one path in one frame, with the same path_points and near_mm",
-                ),
-            );
+            messages.push(warning!("stream-commands-differ", stream = name));
             continue;
         }
         let fewest = paths.iter().map(|p| p.passes).min().unwrap_or(0);
         if fewest < TESTED_PASSES {
-            let what = format!(
-                "AT and RT of stream `{name}` rest on {}: the test of a change was validated with {TESTED_PASSES}, which is \
-                 more",
-                count(fewest, "pass")
-            );
-            messages.push(Message::warning(what).hint("drive the path ten times, as ISO 9283 asks"));
+            messages.push(warning!("stream-few-passes", stream = name, passes = fewest, validated = TESTED_PASSES));
         }
         accuracies.push(accuracy(&name, &paths));
         repeatabilities.extend(repeatability(&name, &paths));
@@ -51,30 +40,25 @@ pub(super) fn trends(all: &[&Iso9283StreamsDocument], messages: &mut Vec<Message
     accuracies
 }
 
-/// How far a verdict on AT and RT can be relied on, where they are called changed.
+/// Caveat on the reliability of a verdict, if AT or RT are judged to have changed.
 pub(super) fn doubt(trends: &[CompareTrend]) -> Option<Message> {
     let of_path =
         |t: &&CompareTrend| [CompareFamily::PathAccuracy, CompareFamily::PathRepeatability].contains(&t.family);
     let changed = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let names: Vec<&str> = trends.iter().filter(of_path).filter(changed).map(|t| t.name.as_str()).collect();
-    let what = format!(
-        "called changed: {}. In simulated tests intervals of AT hold the truth in 93 to 95 %, those of RT in 90 to 98 %: this is \
-         a hint, not a proof",
-        names.join("; ")
-    );
-    (!names.is_empty()).then(|| Message::warning(what).hint("repeat the test before you act on it"))
+    (!names.is_empty()).then(|| warning!("path-change-uncertain", names))
 }
 
 fn is_same(a: &Iso9283Path, b: &Iso9283Path) -> bool {
     let near = |x: f64, y: f64| (x - y).abs() <= SAME * a.length_mm.max(b.length_mm);
     let at = |p: Option<&Iso9283PathPoint>| p.map(|p| p.commanded_mm.clone()).unwrap_or_default();
     let meet = |a: Vec<f64>, b: Vec<f64>| a.len() == b.len() && a.iter().zip(&b).all(|(x, y)| near(*x, *y));
-    // AT and RT are the largest values over the command points: these must be the same as well
+    // AT and RT are maxima over the command points, whose number must agree as well
     let ends = meet(at(a.points.first()), at(b.points.first())) && meet(at(a.points.last()), at(b.points.last()));
     near(a.length_mm, b.length_mm) && ends && a.points.len() == b.points.len()
 }
 
-/// AT by the difference of values whose intervals are known, as AP.
+/// Compares AT by the difference of values with known intervals, like AP.
 fn accuracy(name: &str, all: &[Iso9283Path]) -> CompareTrend {
     let value = |p: &Iso9283Path| with_interval(p.at_mm, p.at_interval);
     let known = |p: &Iso9283Path| p.at_interval.map(|i| (p.at_mm, i.low_mm, i.high_mm));
@@ -91,8 +75,9 @@ fn accuracy(name: &str, all: &[Iso9283Path]) -> CompareTrend {
     }
 }
 
-/// RT by the ratio of what infinitely many passes would give: RT itself, the largest of many values that scatter, is too
-/// large by what the number of passes decides, and may lie above its interval.
+/// Compares RT by the ratio of the RT of infinitely many passes. RT itself, the maximum of many
+/// scattered values, is biased upwards depending on the number of passes, and may lie above its
+/// interval.
 fn repeatability(name: &str, all: &[Iso9283Path]) -> Option<CompareTrend> {
     let values: Vec<f64> = all.iter().map(|p| p.rt_mm).collect::<Option<_>>()?;
     let value = |(rt, p): (&f64, &Iso9283Path)| with_interval(*rt, p.rt_interval);

@@ -1,32 +1,32 @@
-//! When a change is more than chance.
+//! Significance of changes.
 
 use etalon_base::noise::Noise;
 pub use etalon_identify::holm;
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor, Normal, StudentsT};
 
-/// Probability with which something unchanged may be called changed.
+/// Significance level of a change.
 pub const LEVEL: f64 = 0.05;
-/// Of the draws of [`step_down`].
+/// Seed of the draws of [`step_down`].
 const SEED: u64 = 93;
-/// Degrees of freedom from which Student's t and Gauss agree to five digits.
+/// Degrees of freedom above which Student's t and the normal distribution agree to five digits.
 const MANY: f64 = 1e5;
 
-/// A value with its standard uncertainty, and what that rests on: infinity where it is stated and not estimated.
+/// A value with its standard uncertainty and degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The value.
+    /// Value.
     pub value: f64,
-    /// Its standard uncertainty (k = 1).
+    /// Standard uncertainty (k = 1).
     pub standard_uncertainty: f64,
-    /// Degrees of freedom of that.
+    /// Degrees of freedom; infinite if the uncertainty is stated rather than estimated.
     pub degrees: f64,
 }
 
-/// A change with its 95 % interval, and the probability of one at least as large by chance.
+/// A change with its 95 % interval, and the probability of a change at least as large by chance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
-    /// Later minus earlier; of scales later over earlier.
+    /// Later minus earlier value; for scales, later over earlier value.
     pub change: f64,
     /// Lower end of the interval.
     pub low: f64,
@@ -37,18 +37,19 @@ pub struct Difference {
 }
 
 impl Estimate {
-    /// Its 95 % interval by Student's t.
+    /// 95 % interval by Student's t.
     pub fn interval(&self) -> (f64, f64) {
         let half = student(self.degrees).1 * self.standard_uncertainty;
         (self.value - half, self.value + half)
     }
 
-    /// Later minus earlier over √(u1² + u2²), by Student's t with Welch and Satterthwaite's degrees of freedom (GUM G.4).
+    /// Later minus earlier over √(u1² + u2²), by Student's t with Welch and Satterthwaite's degrees
+    /// of freedom (GUM G.4).
     pub fn change_to(&self, later: &Self) -> Difference {
         let change = later.value - self.value;
         let (a, b) = (self.standard_uncertainty.powi(2), later.standard_uncertainty.powi(2));
         let degrees = (a + b).powi(2) / (a * a / self.degrees + b * b / later.degrees);
-        // 0/0 where nothing scatters; x/0 where uncertainties are stated
+        // 0/0 without scatter; x/0 if uncertainties are stated
         let (tail, factor) = student(if degrees.is_nan() { f64::INFINITY } else { degrees });
         let u = (a + b).sqrt();
         Difference { change, low: change - factor * u, high: change + factor * u, p: chance(change, u, &tail) }
@@ -65,7 +66,7 @@ fn chance(change: f64, u: f64, tail: &dyn Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// The two-sided tail beyond t, and the t that 95 % are within.
+/// Two-sided tail probability beyond t, and the t of a 95 % interval.
 fn student(degrees: f64) -> (Box<dyn Fn(f64) -> f64>, f64) {
     match StudentsT::new(0.0, 1.0, degrees) {
         Ok(t) if degrees < MANY => (Box::new(move |x| 2.0 * t.sf(x)), t.inverse_cdf(1.0 - LEVEL / 2.0)),
@@ -76,11 +77,12 @@ fn student(degrees: f64) -> (Box<dyn Fn(f64) -> f64>, f64) {
     }
 }
 
-/// A value with an interval of 95 % that need not be symmetrical: value, low, high.
+/// Value, and lower and upper end of its 95 % interval, which may be asymmetrical.
 pub type Recovered = (f64, f64, f64);
 
-/// Later minus earlier of two values of which only intervals are known: variances are recovered from them on the side that
-/// counts (MOVER, Zou & Donner 2008); the probability takes the interval's end for 1.96 standard uncertainties.
+/// Difference of two values with known intervals. Variances are recovered from the intervals on the
+/// relevant side (MOVER, Zou & Donner 2008); for the probability the end of the interval counts as
+/// 1.96 standard uncertainties.
 pub fn recovered(earlier: Recovered, later: Recovered) -> Difference {
     let change = later.0 - earlier.0;
     let below = (later.0 - later.1).hypot(earlier.2 - earlier.0);
@@ -90,7 +92,8 @@ pub fn recovered(earlier: Recovered, later: Recovered) -> Difference {
     Difference { change, low: change - below, high: change + above, p: chance(change, towards_nothing / factor, &tail) }
 }
 
-/// Degrees of freedom that an interval of a scale rests on, from chi-square: high over low determines them.
+/// Degrees of freedom of an interval of a scale by chi-square; the ratio of its ends determines
+/// them.
 pub fn degrees_of_scale(low: f64, high: f64) -> Option<f64> {
     let ratio = |degrees: f64| {
         let chi = ChiSquared::new(degrees).ok()?;
@@ -105,7 +108,7 @@ pub fn degrees_of_scale(low: f64, high: f64) -> Option<f64> {
     Some((few * many).sqrt())
 }
 
-/// Later over earlier of two scales (standard deviations, RP) by the F test of their squares.
+/// Ratio of two scales (standard deviations, RP) by the F test of their squares.
 pub fn ratio_of_scales((earlier, degrees): (f64, f64), (later, more): (f64, f64)) -> Option<Difference> {
     let f = FisherSnedecor::new(more, degrees).ok()?;
     let change = later / earlier;
@@ -115,12 +118,14 @@ pub fn ratio_of_scales((earlier, degrees): (f64, f64), (later, more): (f64, f64)
     Some(Difference { change, low: end(1.0 - LEVEL / 2.0), high: end(LEVEL / 2.0), p })
 }
 
-/// Draws of a family: a probability of 5 % comes out with a standard deviation of 0.2 %.
+/// Number of draws for a family; a probability of 5 % has a standard deviation of 0.2 %.
 const DRAWS: usize = 10_000;
 
-/// [`holm`] for normal estimates whose correlation is known: the same steps, each with the probability that the largest of what is left
-/// is as large by chance (step-down of the largest, Westfall & Young 1993, 2.8) instead of the sum of probabilities, which is too large
-/// where estimates are correlated. From draws of a named seed; `None` where the correlation is not positive definite, or of one.
+/// Step-down correction like [`holm`] for normal estimates with known correlation. Each step uses
+/// the probability that the largest remaining statistic is as large by chance (Westfall & Young
+/// 1993, 2.8). Holm uses the sum of probabilities instead, which is too large for correlated
+/// estimates. The draws have a fixed seed; `None` for a single estimate, and if the correlation is
+/// not positive definite.
 pub fn step_down(p: &[f64], correlation: DMatrix<f64>) -> Option<Vec<f64>> {
     let several = p.len() > 1 && correlation.nrows() == p.len();
     let lower = correlation.cholesky().filter(|_| several)?.unpack();
@@ -138,7 +143,7 @@ pub fn step_down(p: &[f64], correlation: DMatrix<f64>) -> Option<Vec<f64>> {
             counts[i] += usize::from(largest >= sizes[i]);
         }
     }
-    // never more than Holm's, which is exact where draws are too few
+    // never more than Holm's correction, which is exact where draws are too few
     let mut corrected = holm(p);
     let mut last = 0.0f64;
     for &i in order.iter().rev() {
@@ -156,7 +161,7 @@ mod tests {
         assert!((found - expected).abs() < tolerance, "{found} instead of {expected}");
     }
 
-    /// Holm's own rule, by hand: 0.01 · 3, then 0.02 · 2, then 0.04 · 1 that may not fall below.
+    /// Holm's rule by hand: 0.01 · 3, then 0.02 · 2, then 0.04 · 1, which must not decrease.
     #[test]
     fn holm_multiplies_by_what_is_left_and_never_falls() {
         let corrected = holm(&[0.04, 0.01, 0.02]);
@@ -165,7 +170,8 @@ mod tests {
         assert_eq!(holm(&[]), Vec::<f64>::new());
     }
 
-    /// Of independent estimates 1 − (1 − p)^m of the smallest, of one and the same estimate p itself; and Holm's where p is tiny.
+    /// For independent estimates 1 − (1 − p)^m for the smallest p; for identical estimates p
+    /// itself; Holm's correction for tiny p.
     #[test]
     fn the_largest_of_correlated_estimates_counts_as_often_as_it_is_by_chance() {
         let independent = step_down(&[0.9, 0.02, 0.5], DMatrix::identity(3, 3)).unwrap();
@@ -179,7 +185,8 @@ mod tests {
         assert!(step_down(&[0.1, 0.1], DMatrix::from_element(2, 2, -1.0)).is_none());
     }
 
-    /// Tables: t(0.975; 10) = 2.228, z(0.975) = 1.960, F(0.95; 3, 10) = 3.708, F(0.975; 10, 10) = 3.717.
+    /// Tables: t(0.975; 10) = 2.228, z(0.975) = 1.960, F(0.95; 3, 10) = 3.708, F(0.975; 10, 10) =
+    /// 3.717.
     #[test]
     fn a_change_by_hand() {
         let known = |value, u| Estimate { value, standard_uncertainty: u, degrees: f64::INFINITY };
@@ -210,7 +217,8 @@ mod tests {
         assert!(degrees_of_scale(0.0, 1.0).is_none() && degrees_of_scale(1.0, 1.0).is_none());
     }
 
-    /// Symmetrical intervals give the root of the sum of squares, one-sided ones the side that counts.
+    /// Symmetrical intervals give the root of the sum of squares; for asymmetrical ones the
+    /// relevant side counts.
     #[test]
     fn intervals_of_a_difference_are_recovered() {
         let d = recovered((1.0, 0.7, 1.3), (2.0, 1.6, 2.4));

@@ -1,11 +1,11 @@
-//! Quantities over campaigns, whatever they are.
+//! Quantities over campaigns, of any kind.
 
 use super::significance::{Difference, Estimate, LEVEL, holm, step_down};
 use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 
-/// Pairs of campaigns that are compared, counted from 0: each with the first, and with the one before.
+/// Compared pairs of campaigns, from 0: each with the first and with the previous one.
 pub(super) fn pairs(count: usize) -> Vec<(usize, usize)> {
     let with_first = (1..count).map(|to| (0, to));
     let mut all: Vec<(usize, usize)> = with_first.chain((2..count).map(|to| (to - 1, to))).collect();
@@ -39,7 +39,7 @@ fn estimated(e: &Estimate) -> CompareValue {
     }
 }
 
-/// A change as the document has it, not yet judged; `difference` where what was found is a ratio.
+/// Document form of a change before it is judged; `difference` is given if `found` is a ratio.
 pub(super) fn changed((from, to): (usize, usize), found: &Difference, difference: Option<f64>) -> CompareChange {
     let known = |v: f64| Some(v).filter(|v| v.is_finite());
     CompareChange {
@@ -58,8 +58,9 @@ pub(super) fn changed((from, to): (usize, usize), found: &Difference, difference
 /// A change with the name of its quantity.
 type Named<'a> = (&'a str, &'a mut CompareChange);
 
-/// Says which changes are significant: each family of each pair of campaigns by itself. `correlation` is that of the changes of
-/// quantities with these names between two campaigns, where it is known.
+/// Judges the significance of changes, for each family and each pair of campaigns separately.
+/// `correlation` returns the correlation of the changes of the named quantities between two
+/// campaigns, if known.
 pub(super) fn judge(
     trends: &mut [CompareTrend],
     correlation: impl Fn(&[&str], (usize, usize)) -> Option<DMatrix<f64>>,

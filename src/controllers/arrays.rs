@@ -1,21 +1,25 @@
-//! Parameters as arrays: NumPy's `.npz`, and MATLAB's `.mat` (level 5, not compressed), which Octave and SciPy read too.
+//! Parameters as arrays: NumPy's `.npz`, and MATLAB's `.mat` (level 5, uncompressed), which Octave
+//! and SciPy read too.
 //!
-//! Both hold `about` (the lines that begin a file), `name`, `unit`, `value` and `nominal` of all parameters, `standard_uncertainty` of those
-//! whose places are in `identified`, and `covariance` of those in `covariance_of`. Places count from 0 in NumPy and from 1 in MATLAB.
+//! Both formats contain `about` (the header lines of a file), `name`, `unit`, `value` and `nominal`
+//! of all parameters, `standard_uncertainty` of the parameters whose indices are in `identified`,
+//! and `covariance` of the parameters in `covariance_of`. Indices start at 0 in NumPy and at 1 in
+//! MATLAB.
 
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// `.npz`, an archive of `.npy`.
+/// NumPy's `.npz`, an archive of `.npy`.
 pub(super) struct Npz;
 
-/// `.mat` of level 5.
+/// MATLAB's `.mat` of level 5.
 pub(super) struct Mat;
 
-/// An array and its name.
+/// An array with its name.
 struct Array {
     name: &'static str,
     content: Content,
@@ -24,9 +28,9 @@ struct Array {
 enum Content {
     Texts(Vec<String>),
     Numbers(Vec<f64>),
-    /// Places of parameters, from 0.
+    /// Indices of parameters, from 0.
     Places(Vec<usize>),
-    /// Square, row by row, and symmetric.
+    /// Symmetric matrix, row by row.
     Matrix(Vec<Vec<f64>>),
 }
 
@@ -66,11 +70,11 @@ impl Exporter for Npz {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-        // without a time: the same parameters are the same bytes
+        // without a time, so that equal parameters give equal bytes
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .last_modified_time(zip::DateTime::default());
-        let failed = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the arrays: {e}"));
+        let failed = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "NPZ", reason = e.to_string());
         for array in arrays(given)? {
             archive.start_file(format!("{}.npy", array.name), options).map_err(|e| failed(&e))?;
             archive.write_all(&npy(&array.content)).map_err(|e| failed(&e))?;
@@ -79,7 +83,7 @@ impl Exporter for Npz {
     }
 }
 
-/// An array as NumPy's format 1.0 has it.
+/// Encodes an array in NumPy's format 1.0.
 fn npy(content: &Content) -> Vec<u8> {
     let (kind, shape, data) = match content {
         Content::Texts(texts) => {
@@ -101,7 +105,7 @@ fn npy(content: &Content) -> Vec<u8> {
         }
     };
     let mut header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
-    // data begin at a multiple of 64
+    // data start at a multiple of 64 bytes
     let padding = 63 - (10 + header.len()) % 64;
     header.extend(std::iter::repeat_n(' ', padding));
     header.push('\n');
@@ -112,14 +116,14 @@ fn npy(content: &Content) -> Vec<u8> {
     out
 }
 
-/// Types of data of a MAT-file of level 5.
+/// Data types of a MAT-file of level 5.
 const INT8: u32 = 1;
 const INT32: u32 = 5;
 const UINT32: u32 = 6;
 const DOUBLE: u32 = 9;
 const MATRIX: u32 = 14;
 const UTF16: u32 = 17;
-/// Classes of its arrays.
+/// Array classes of a MAT-file of level 5.
 const CELLS: u32 = 1;
 const CHARACTERS: u32 = 4;
 const DOUBLES: u32 = 6;
@@ -169,7 +173,7 @@ fn matrix(class: u32, size: [usize; 2], name: &str, data: &[u8]) -> Vec<u8> {
     element(MATRIX, &inside)
 }
 
-/// A tag and its data, which end at a multiple of eight bytes.
+/// A tag and its data, padded to a multiple of eight bytes.
 fn element(kind: u32, data: &[u8]) -> Vec<u8> {
     let mut out = bytes_of(&[kind, data.len() as u32], u32::to_le_bytes);
     out.extend(data);

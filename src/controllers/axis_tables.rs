@@ -1,26 +1,30 @@
-//! Compensation tables of an axis or a plane from deviations, measured (mean of each direction) or computed. Positions and deviations of
-//! a linear axis are in mm, those of a rotary one in deg.
+//! Compensation tables of an axis or a plane from deviations, either measured (mean of each
+//! direction) or computed. Positions and deviations are in mm for a linear axis, in deg for a
+//! rotary axis.
 
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_documents::AxisPosition;
 use std::fmt::Write;
 
-/// Most rows of LinuxCNC's `COMP_FILE`.
+/// Maximum number of rows of LinuxCNC's `COMP_FILE`.
 const MOST_ROWS: usize = 256;
-/// Unit of Beckhoff's tables, mm or deg.
+/// Unit of Beckhoff's tables (mm or deg).
 const UNIT: f64 = 1e-4;
-/// Entries of a plane that a Beckhoff control has room for where `max_points` is not stated (P-COMP-00061).
+/// Default number of entries of a plane in a Beckhoff control, if `max_points` is not stated
+/// (P-COMP-00061).
 const PLANE_ENTRIES: usize = 10_201;
 
-/// Attained minus programmed position at a programmed position, in positive and in negative direction, mm or deg.
+/// Attained minus programmed position at a programmed position, in positive and in negative
+/// direction (mm or deg).
 #[derive(Clone, Copy, Debug)]
 pub struct Deviation {
     /// Programmed position.
     pub position: f64,
-    /// In positive direction.
+    /// Deviation in positive direction.
     pub forward: f64,
-    /// In negative direction.
+    /// Deviation in negative direction.
     pub backward: f64,
 }
 
@@ -36,13 +40,15 @@ impl Deviation {
     }
 }
 
-/// Largest change of a deviation for each unit of distance: that of the worst ratio of a transmission.
+/// Largest plausible change of a deviation per distance: that of the worst transmission ratio.
 const STEEPEST: f64 = 0.05;
 
-/// Refuses deviations that cannot be those of an axis.
+/// Rejects implausible deviations of an axis.
 ///
 /// # Errors
-/// Deviations that change by more than 5 % of the distance of two positions, as those in um or of measured positions in m do.
+///
+/// Fails if deviations change by more than 5 % of the distance between two positions, which happens
+/// with deviations in µm or with measured positions in m.
 pub fn plausible(positions: &[Deviation]) -> Result<()> {
     let change = |pair: &[Deviation]| {
         let [a, b] = [&pair[0], &pair[1]];
@@ -51,29 +57,26 @@ pub fn plausible(positions: &[Deviation]) -> Result<()> {
     let steep = |pair: &&[Deviation]| change(pair) > STEEPEST * (pair[1].position - pair[0].position).abs();
     let Some(pair) = positions.windows(2).find(steep) else { return Ok(()) };
     let [from, to] = [pair[0].position, pair[1].position];
-    let message = Message::error(format!("the deviation changes by {} from {from} to {to}", change(pair)));
-    Err(message
-        .expected("5 % of the distance at most")
-        .hint("positions and deviations are in the same unit, mm or deg")
-        .into())
+    Err(error!("deviation-steep", change = change(pair), from, to).into())
 }
 
-/// What a control does with the value of a table, where its maker does not publish it: it was seen on the machine.
+/// Use of a table's value in a control, if its manufacturer does not publish it and it was observed
+/// on the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Sign {
-    /// Adds it to the position that it commands
+    /// The control adds the value to the commanded position.
     Add,
-    /// Subtracts it
+    /// The control subtracts the value from the commanded position.
     Subtract,
 }
 
 impl Sign {
-    /// The value of a table that makes up for a deviation, in the same unit.
+    /// Table value that compensates for a deviation, in the same unit.
     fn value(self, deviation: f64) -> f64 {
         if self == Self::Add { -deviation } else { deviation }
     }
 
-    /// What the header of a table says about it.
+    /// Remark in the header of a table.
     fn remark(self) -> String {
         let does = if self == Self::Add { "adds" } else { "subtracts" };
         format!(
@@ -84,22 +87,25 @@ impl Sign {
     }
 }
 
-/// LinuxCNC, `COMP_FILE` with `COMP_FILE_TYPE = 0`: programmed position, and the actual ones in positive and in negative direction. The file
-/// holds no comment: reading ends at the first line that is not three numbers.
+/// LinuxCNC, `COMP_FILE` with `COMP_FILE_TYPE = 0`: programmed position, and attained positions in
+/// positive and in negative direction. The file contains no comments, because reading ends at the
+/// first line without three numbers.
 ///
 /// # Errors
-/// More than 256 positions.
+///
+/// Fails with more than 256 positions.
 pub fn linuxcnc(positions: &[Deviation]) -> Result<String> {
     if positions.len() > MOST_ROWS {
-        let message = Message::error(format!("{} positions are too many for LinuxCNC", positions.len()));
-        return Err(message.expected("256 at most").into());
+        let positions = positions.len();
+        return Err(error!("axis-table-too-long", positions, controller = "LinuxCNC", most = MOST_ROWS).into());
     }
     let row = |p: &Deviation| format!("{:?} {:?} {:?}\n", p.position, p.position + p.forward, p.position + p.backward);
     Ok(positions.iter().map(row).collect())
 }
 
-/// Beckhoff CNC, list of an axis (`kw.ssfk`, bilateral) at positions of its own, in 0.1 um or 0.0001 deg: measured minus programmed
-/// position, as the example of its documentation has it (TF5200, axis compensation).
+/// Beckhoff CNC, list of an axis (`kw.ssfk`, bilateral) at arbitrary positions, in 0.1 µm or 0.0001
+/// deg: measured minus programmed position, as in the example of the documentation (TF5200, axis
+/// compensation).
 pub fn beckhoff(positions: &[Deviation], axis: &str, header: &[String]) -> String {
     let mut out = commented("#", header) + &format!("kopf.log_achs_name {axis}\nkw.ssfk.interval 0\n");
     let start = positions.first().map_or(0.0, |p| units(p.position));
@@ -115,11 +121,13 @@ pub fn beckhoff(positions: &[Deviation], axis: &str, header: &[String]) -> Strin
     out + "End\n"
 }
 
-/// SINUMERIK, measuring system error compensation of an axis (`$AA_ENC_COMP`), mm or deg: mean bidirectional deviations, because a positive value
-/// moves the axis in negative direction (Function Manual Extended Functions, K3, 4.4.2). One table serves both directions.
+/// SINUMERIK, measuring system error compensation of an axis (`$AA_ENC_COMP`), in mm or deg: mean
+/// bidirectional deviations, because a positive value moves the axis in negative direction
+/// (Function Manual Extended Functions, K3, 4.4.2). A single table applies to both directions.
 ///
 /// # Errors
-/// Positions that have no constant distance.
+///
+/// Fails if the positions are not equidistant.
 pub fn sinumerik(positions: &[Deviation], axis: &str, header: &[String]) -> Result<String> {
     let [first, step, last] = even(positions)?;
     let mut out = format!("%_N_AX_EEC_INI\n{}CHANDATA(1)\n", commented(";", header));
@@ -132,20 +140,22 @@ pub fn sinumerik(positions: &[Deviation], axis: &str, header: &[String]) -> Resu
     Ok(out + &format!("$AA_ENC_COMP_IS_MODULO[0,{axis}]=0\nM17\n"))
 }
 
-/// Which axes a table is about, by their numbers in the control.
+/// Numbers of the axes of a table in the control.
 #[derive(Clone, Copy, Debug)]
 pub struct MachineAxes {
-    /// Those on whose positions it depends; the second of a plane.
+    /// Axes on whose positions the table depends; the second is used for planes only.
     pub base: [usize; 2],
-    /// The one that is corrected.
+    /// Corrected axis.
     pub corrected: usize,
 }
 
-/// SINUMERIK, sag and angularity error compensation of one axis by another or by itself (`$AN_CEC`), mm or deg, table `index` (Function
-/// Manual Extended Functions 03/2013, K3, 4.4.3, and 802D sl 11/2012, K3, 11.3.3: table example). It does not publish which sign the values have.
+/// SINUMERIK, sag and angularity error compensation of an axis by another axis or by itself
+/// (`$AN_CEC`), in mm or deg, table `index` (Function Manual Extended Functions 03/2013, K3, 4.4.3,
+/// and 802D sl 11/2012, K3, 11.3.3: table example). The sign of the values is not published.
 ///
 /// # Errors
-/// Positions that have no constant distance.
+///
+/// Fails if the positions are not equidistant.
 pub fn sinumerik_cec(
     positions: &[Deviation],
     axes: MachineAxes,
@@ -169,27 +179,29 @@ pub fn sinumerik_cec(
     Ok(out + "M17\n")
 }
 
-/// Deviations of an axis at the nodes of a grid over two others, or itself and another: rows along the first axis, mm.
+/// Deviations of an axis (mm) at the nodes of a grid over two other axes, or over itself and
+/// another; rows are along the first axis.
 #[derive(Clone, Debug)]
 pub struct Plane {
     /// Positions of the first node.
     pub start: [f64; 2],
     /// Distances of the nodes along both axes.
     pub step: [f64; 2],
-    /// One row for each position of the second axis.
+    /// One row per position of the second axis.
     pub rows: Vec<Vec<f64>>,
 }
 
-/// Beckhoff CNC, plane compensation of an axis (`kw.crosscomp2`) in 0.1 um: the first index of the table is that of the second master
-/// axis (TF5200, axis compensation parameters, P-COMP-00008 to 00016, and its example). It does not publish which sign the values have.
+/// Beckhoff CNC, plane compensation of an axis (`kw.crosscomp2`) in 0.1 µm. The first index of the
+/// table belongs to the second master axis (TF5200, axis compensation parameters, P-COMP-00008 to
+/// 00016, and example). The sign of the values is not published.
 ///
 /// # Errors
-/// A grid that is not of squares.
+///
+/// Fails if the cells of the grid are not squares.
 pub fn beckhoff_plane(plane: &Plane, axes: MachineAxes, name: &str, sign: Sign, header: &[String]) -> Result<String> {
     let ([x, y], Plane { start, step, rows }) = (axes.base, plane);
     if (step[0] - step[1]).abs() > UNIT {
-        let message = Message::error("the positions of both axes of a plane of a Beckhoff CNC have the same distance");
-        return Err(message.expected(format!("{} mm for both", step[0])).into());
+        return Err(error!("plane-steps-differ", step_mm = step[0]).into());
     }
     let columns = rows.first().map_or(0, Vec::len);
     let mut out = commented("#", header) + &format!("# {}\n", sign.remark());
@@ -214,7 +226,7 @@ pub fn beckhoff_plane(plane: &Plane, axes: MachineAxes, name: &str, sign: Sign, 
     Ok(out + "End\n")
 }
 
-/// In units of Beckhoff's tables, without a negative zero.
+/// Value in units of Beckhoff's tables, without negative zero.
 fn units(value: f64) -> f64 {
     (value / UNIT).round() + 0.0
 }
@@ -222,26 +234,25 @@ fn units(value: f64) -> f64 {
 /// First position, constant distance and last position.
 fn even(positions: &[Deviation]) -> Result<[f64; 3]> {
     let [first, .., last] = positions else {
-        return Err(Message::error("a table of a SINUMERIK has two positions at least").into());
+        return Err(error!("axis-table-too-short", positions = positions.len()).into());
     };
     let step = (last.position - first.position) / (positions.len() - 1) as f64;
     let off = |(i, p): (usize, &Deviation)| (p.position - first.position - i as f64 * step).abs() > UNIT;
     if positions.iter().enumerate().any(off) {
-        let message = Message::error("the positions of a table of a SINUMERIK have a constant distance");
-        return Err(message.hint("measure at equal distances, or use another table").into());
+        return Err(error!("axis-positions-uneven").into());
     }
     Ok([first.position, step, last.position])
 }
 
-/// Lines that begin a table which is not made of parameters: version, `about` its campaign, units and the hash of its `source`, in characters
-/// that end no comment.
+/// Header lines of a table that is not made from parameters: version, description of its campaign
+/// (`about`), units and hash of its `source`, in characters that cannot end a comment.
 pub fn header(about: impl IntoIterator<Item = String>, units: &str, source: &str, bytes: &[u8]) -> Vec<String> {
     let version = format!("Written by etalon {}", env!("CARGO_PKG_VERSION"));
     let ends = [format!("units: {units}"), format!("sha256 of {source}: {}", files::sha256(bytes))];
     std::iter::once(version).chain(about).chain(ends).map(|line| super::comment(&line)).collect()
 }
 
-/// Lines that a mark makes comments.
+/// Converts lines to comments with the given mark.
 fn commented(mark: &str, lines: &[String]) -> String {
     lines.iter().map(|line| format!("{mark} {line}\n")).collect()
 }

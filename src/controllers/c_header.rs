@@ -1,4 +1,4 @@
-//! Parameters as a C header, for controllers that are compiled: C99 and C++.
+//! Parameters as a C header (C99 and C++), for compiled controllers.
 
 use super::template::{identifier, render};
 use super::{Exporter, Given};
@@ -6,7 +6,7 @@ use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
 
-/// C header, one macro a parameter; angles in degrees and in radians.
+/// C header with one macro per parameter; angles are in degrees and in radians.
 pub(super) struct CHeader;
 
 impl Exporter for CHeader {
@@ -17,7 +17,7 @@ impl Exporter for CHeader {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let robot = identifier(&document.robot);
-        given.names("in C", |p| {
+        given.names("C", |p| {
             let unit = if p.unit == "1" { "RATIO".to_owned() } else { identifier(&p.unit) };
             format!("ETALON_{robot}_{}_{unit}", identifier(&p.name))
         })?;

@@ -1,11 +1,12 @@
-//! Parameters as a CSV table, for spreadsheets and small scripts. Readers of tables take no comments: what other files begin with are
-//! columns behind the others.
+//! Parameters as a CSV table for spreadsheets and small scripts. Readers of tables allow no
+//! comments, so that the header lines of other formats are additional columns.
 
 use super::{Exporter, Given, status_word};
 use etalon_base::cell::without_formula as text;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 
-/// CSV, one parameter a row.
+/// CSV with one parameter per row.
 pub(super) struct Csv;
 
 const HEADER: [&str; 10] = [
@@ -29,7 +30,7 @@ impl Exporter for Csv {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let fail = |e: &dyn std::fmt::Display| Message::error(format!("cannot write the parameters as CSV: {e}"));
+        let fail = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "CSV", reason = e.to_string());
         let warning = given.warning();
         let campaign = given.summary.map_or("", |summary| summary.name.as_str());
         let about = [&document.provenance.version, campaign, given.robot_name()].map(text);
@@ -45,7 +46,7 @@ impl Exporter for Csv {
     }
 }
 
-/// The shortest decimal that reads back bit for bit.
+/// Shortest decimal that reads back bit for bit.
 fn digits(value: f64) -> String {
     format!("{value:?}")
 }

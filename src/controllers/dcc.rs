@@ -1,25 +1,27 @@
-//! Draft of a digital calibration certificate: PTB's DCC 3.3.0 with D-SI 2.2.1 (`https://ptb.de/dcc/v3.3.0`).
+//! Draft of a digital calibration certificate: PTB's DCC 3.3.0 with D-SI 2.2.1
+//! (`https://ptb.de/dcc/v3.3.0`).
 //!
-//! It is neither signed nor that of an accredited laboratory, and says so. What the schema asks for and the campaign does not state is
-//! named as not stated.
+//! The draft is neither signed nor issued by an accredited laboratory, and says so. Elements that
+//! the schema requires and the campaign does not state are marked as not stated.
 
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
 use etalon_base::country::Country;
 use etalon_base::date::date;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::{CampaignSummary, Conditions, Issue, ParameterEntry};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-/// XML, parameters with their covariance.
+/// XML with parameters and their covariance.
 pub(super) struct Dcc;
 
-/// Its file.
+/// File name.
 pub const FILE: &str = "calibration_certificate_draft.xml";
 /// Coverage probability of the region of all identified parameters.
 const PROBABILITY: f64 = 0.95;
 
-/// The region that holds all parameters with a probability of 95 %.
+/// Description of the region that contains all parameters with a probability of 95 %.
 const REGION: &str = "The ellipsoidal region has a coverage probability of 95 % for all identified parameters together \
                       (JCGM 102:2011, 6.5.2); their standard uncertainties are the square roots of the diagonal.";
 
@@ -35,11 +37,11 @@ impl Exporter for Dcc {
             .with("xmlns:si", "https://ptb.de/si")
             .with("schemaVersion", "3.3.0");
         let header = given.header("D-SI units: mm, deg, 1")?;
-        root.document(&header).map_err(|e| Message::error(format!("cannot write the certificate: {e}")).into())
+        root.document(&header).map_err(|e| error!("cannot-encode", format = "DCC", reason = e.to_string()).into())
     }
 }
 
-/// What the campaign states, and what it does not.
+/// Statements of the campaign, with substitutes for missing ones.
 struct Stated<'a> {
     given: &'a Given<'a>,
     conditions: Conditions,
@@ -49,7 +51,7 @@ struct Stated<'a> {
 }
 
 const NOT_STATED: &str = "not stated";
-/// A code that ISO 3166-1 leaves to its users.
+/// Country code that ISO 3166-1 leaves to its users.
 const NO_COUNTRY: &str = "ZZ";
 
 impl<'a> Stated<'a> {
@@ -62,11 +64,7 @@ impl<'a> Stated<'a> {
             .filter(|word| word.len() == 10 && date(word).is_some())
             .map(str::to_owned)
             .collect();
-        let missing = || {
-            let message = Message::error("a calibration certificate needs the date of the measurements");
-            message.expected("`date = \"YYYY-MM-DD\"` in campaign.toml").hint("state it and run the campaign again")
-        };
-        let begin = dates.first().ok_or_else(missing)?.clone();
+        let begin = dates.first().ok_or_else(|| error!("certificate-date-missing"))?.clone();
         let end = dates.get(1).unwrap_or(&begin).clone();
         let hash = given.sha256()?;
         let identifier = format!("draft-{}", hash.get(..32).unwrap_or_default());
@@ -90,7 +88,7 @@ impl<'a> Stated<'a> {
         let (Conditions { robot_received, place, .. }, issue) = (&self.conditions, self.issue());
         let number =
             issue.number.as_ref().map(|number| identification("calibrationLaboratory", number, "Report number"));
-        // the laboratory is where nothing else is stated
+        // the laboratory is the default place
         let laboratory = self.conditions.laboratory.as_ref().filter(|_| place.is_none());
         let core = [
             Some(leaf("dcc:countryCodeISO3166_1", issue.country.as_ref().map_or(NO_COUNTRY, Country::code))),
@@ -182,7 +180,7 @@ impl<'a> Stated<'a> {
     }
 }
 
-/// The date that a text begins with.
+/// Date at the start of a text.
 fn day(stated: &str) -> Option<&str> {
     date(stated).and_then(|_| stated.get(..10))
 }
@@ -247,7 +245,7 @@ fn results(given: &Given, stated: &Stated) -> Element {
     element("dcc:measurementResults", [element("dcc:measurementResult", parts)])
 }
 
-/// Values with their covariance or standard uncertainties; `None` of no parameters.
+/// Values with their covariance or standard uncertainties; `None` without parameters.
 fn list(parameters: &[&ParameterEntry], covariance: Option<&Vec<Vec<f64>>>) -> Option<Element> {
     if parameters.is_empty() {
         return None;
@@ -283,8 +281,8 @@ fn list(parameters: &[&ParameterEntry], covariance: Option<&Vec<Vec<f64>>>) -> O
     Some(element("si:realListXMLList", parts))
 }
 
-/// The factor of the ellipsoid that holds `m` parameters with 95 %: √χ²(m) (JCGM 102:2011, 6.5.2), or √(m F(m, ν)) where uncertainties are
-/// estimated with ν degrees of freedom.
+/// Factor of the ellipsoid that contains `m` parameters with a probability of 95 %: √χ²(m) (JCGM
+/// 102:2011, 6.5.2), or √(m F(m, ν)) if uncertainties are estimated with ν degrees of freedom.
 fn factor(parameters: &[&ParameterEntry]) -> f64 {
     let m = parameters.len() as f64;
     let estimated = parameters.iter().filter_map(|p| p.degrees_of_freedom).reduce(f64::min);
@@ -295,7 +293,7 @@ fn factor(parameters: &[&ParameterEntry]) -> f64 {
     square.map_or(1.0, |square| square.sqrt().max(1.0))
 }
 
-/// A unit as D-SI spells it.
+/// Unit in the notation of D-SI.
 fn unit(unit: &str) -> &'static str {
     match unit {
         "mm" => r"\milli\metre",
@@ -304,7 +302,7 @@ fn unit(unit: &str) -> &'static str {
     }
 }
 
-/// The unit of a covariance.
+/// Unit of a covariance.
 fn product(one: &str, other: &str) -> String {
     match (unit(one), unit(other)) {
         (one, other) if one == other && one == r"\one" => one.to_owned(),

@@ -1,54 +1,57 @@
-//! Deltas in the words of controllers. Klipper and RepRapFirmware have towers that are upright and on one circle, each with its own
-//! direction, rod and end stop; LinuxCNC has three equal legs. What a format cannot hold is in its header.
+//! Deltas in the formats of controllers. In Klipper and RepRapFirmware, towers are vertical and on
+//! one circle, each with its own direction, rod and end stop; in LinuxCNC three legs are equal.
+//! Properties that a format cannot hold are in its header.
 //!
-//! Any three upright towers are on a circle about a centre of their own: the frame of the controller is there, turned as its towers are.
+//! Any three vertical towers are on a circle; the frame of the controller is at its centre, rotated
+//! to match the towers.
 
 use super::template::render;
 use super::{Exporter, Given, value};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use minijinja::context;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-/// `[printer] kinematics: delta` of Klipper.
+/// Klipper's `[printer] kinematics: delta`.
 pub(super) struct Klipper;
-/// `M665` and `M666` of RepRapFirmware.
+/// RepRapFirmware's `M665` and `M666`.
 pub(super) struct RepRapDelta;
-/// `lineardeltakins` and `rotarydeltakins` of LinuxCNC.
+/// LinuxCNC's `lineardeltakins` and `rotarydeltakins`.
 pub(super) struct DeltaHal;
 
-/// Directions of the towers of both firmwares, deg.
+/// Directions of the towers in both firmwares (deg).
 const TOWERS_DEG: [f64; 3] = [210.0, 330.0, 90.0];
-/// Shift that shows where a tower is, mm.
+/// Shift of the platform that shows the position of a tower (mm).
 const STEP_MM: f64 = 1.0;
 
-/// Upright towers in the frame of a controller.
+/// Vertical towers in the frame of a controller.
 #[derive(Serialize)]
 struct Towers {
-    /// Centre of the circle in the base, mm.
+    /// Centre of the circle in the base frame (mm).
     centre_mm: [f64; 2],
-    /// The frame of the controller is turned by this in the base, deg.
+    /// Rotation of the controller's frame in the base frame (deg).
     turned_deg: f64,
     radius_mm: f64,
-    /// What is added to [`TOWERS_DEG`].
+    /// Corrections of [`TOWERS_DEG`].
     corrections_deg: [f64; 3],
     angles_deg: [f64; 3],
     rods_mm: [f64; 3],
-    /// Height of the platform, in the middle, when a joint value is zero.
+    /// Height of the centred platform at joint value zero.
     heights_mm: [f64; 3],
-    /// What the format has no place for.
+    /// Properties that the format cannot hold.
     lost: Vec<String>,
 }
 
 impl Towers {
     fn new(given: &Given, format: &str) -> Result<Self> {
         let (robot, values) = given.robot()?;
-        let arm = robot.kinematics().filter(|_| robot.model() == "delta_linear").ok_or_else(|| {
-            let message = Message::error(format!("`{}` is not a delta with towers", robot.model()));
-            message.hint(format!("`{format}` has deltas with towers only"))
-        })?;
+        let arm = robot
+            .kinematics()
+            .filter(|_| robot.model() == "delta_linear")
+            .ok_or_else(|| super::other_robot(format, robot, phrase!("kind-delta-towers")))?;
         let numbered = |name: &str| -> Result<[f64; 3]> {
             Ok([
                 value(robot, &values, &format!("{name}_1"))?,
@@ -57,10 +60,11 @@ impl Towers {
             ])
         };
         let (rods_mm, offsets) = (numbered("rod")?, numbered("offset")?);
-        // squares of the level distances from towers to three places of the platform show where the towers are
+        // squared horizontal distances from the towers to three positions of the platform determine
+        // the towers
         let squares = |x: f64, y: f64| -> Result<[f64; 3]> {
             let ways = arm.all_joints(&values, &Pose { translation_mm: [x, y, 0.0], ..Pose::identity() });
-            let joints = ways.first().ok_or_else(|| Message::error("the platform does not reach the middle"))?;
+            let joints = ways.first().ok_or_else(|| error!("platform-out-of-reach"))?;
             Ok([0, 1, 2].map(|i| rods_mm[i].powi(2) - (joints[i] + offsets[i]).powi(2)))
         };
         let (middle, along, across) = (squares(0.0, 0.0)?, squares(STEP_MM, 0.0)?, squares(0.0, STEP_MM)?);
@@ -78,8 +82,7 @@ impl Towers {
         let turned_deg = off.iter().sum::<f64>() / 3.0;
         let corrections_deg = off.map(|v| v - turned_deg);
         if corrections_deg.iter().any(|v| v.abs() > 30.0) {
-            let message = Message::error("the towers are not 120 deg from each other, counterclockwise from above");
-            return Err(message.hint(format!("number them so, `{format}` has them in this order")).into());
+            return Err(error!("tower-order", format).into());
         }
         let heights_mm = [0, 1, 2].map(|i| offsets[i] - (rods_mm[i].powi(2) - radius_mm.powi(2)).sqrt());
         let tilts = robot.parameters().iter().zip(&values).filter(|(p, v)| is_tilt(p) && **v != 0.0);
@@ -89,7 +92,7 @@ impl Towers {
         Ok(Self { centre_mm, turned_deg, radius_mm, corrections_deg, angles_deg, rods_mm, heights_mm, lost })
     }
 
-    /// Lines that begin a file.
+    /// Header lines of a file.
     fn header(&self, given: &Given) -> Result<Vec<String>> {
         let ([x, y], turned) = (self.centre_mm, self.turned_deg);
         let mut lines = given.header("mm, deg")?;
@@ -103,17 +106,17 @@ impl Towers {
     }
 }
 
-/// `true` of the angle by which a tower leans.
+/// `true` for the tilt angle of a tower.
 fn is_tilt(p: &Parameter) -> bool {
     p.role == Role::Robot && p.quantity == Quantity::Angle
 }
 
-/// These values with upright towers.
+/// Values with vertical towers.
 fn upright(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
     robot.parameters().iter().zip(values).map(|(p, &value)| if is_tilt(p) { 0.0 } else { value }).collect()
 }
 
-/// An angle brought to (−180, 180] deg.
+/// Angle wrapped to (−180, 180] deg.
 fn wrap_deg(angle: f64) -> f64 {
     angle - (angle / 360.0).round() * 360.0
 }
@@ -131,7 +134,7 @@ impl Exporter for Klipper {
         "klipper_delta.cfg"
     }
 
-    /// Towers are upright: the only angles of a leg are the tilts of its tower.
+    /// Towers are vertical: the only angles of a leg are the tilts of its tower.
     fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
         !is_tilt(parameter)
     }
@@ -141,7 +144,7 @@ impl Exporter for Klipper {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let towers = Towers::new(given, "klipper")?;
+        let towers = Towers::new(given, "klipper-delta")?;
         let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
         render(include_str!("templates/klipper_delta.cfg.j2"), values).map(String::into_bytes)
     }
@@ -152,7 +155,7 @@ impl Exporter for RepRapDelta {
         "reprap_delta.g"
     }
 
-    /// Towers are upright: the only angles of a leg are the tilts of its tower.
+    /// Towers are vertical: the only angles of a leg are the tilts of its tower.
     fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
         !is_tilt(parameter)
     }
@@ -175,7 +178,7 @@ impl Exporter for DeltaHal {
         "deltakins.hal"
     }
 
-    /// Holds the parameters of three equal legs.
+    /// Only parameters of three equal legs are held.
     fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
         given.robot.is_some_and(|robot| has_pin(pins(robot.model()), stem(&parameter.name)))
     }
@@ -194,10 +197,9 @@ impl Exporter for DeltaHal {
         let (robot, values) = given.robot()?;
         let pins = pins(robot.model());
         if pins.is_empty() {
-            let message = Message::error(format!("`{}` is not a delta", robot.model()));
-            return Err(message.hint("`rotarydeltakins` and `lineardeltakins` of LinuxCNC compute deltas only").into());
+            return Err(super::other_robot("linuxcnc-delta", robot, phrase!("kind-delta")).into());
         }
-        // as their sources place the legs: rotarydeltakins-common.h, lineardeltakins-common.h
+        // arrangement of the legs in rotarydeltakins-common.h and lineardeltakins-common.h
         let (first, order) = if robot.model() == "delta" { ("-y", "clockwise") } else { ("y", "counterclockwise") };
         let lost = lost(robot, &values, pins);
         let pin = |(pin, names): &Pin| {
@@ -210,8 +212,8 @@ impl Exporter for DeltaHal {
     }
 }
 
-/// A pin of LinuxCNC and the names of its parameters: its value is the mean over
-/// the legs, or the difference of two such means.
+/// A pin of LinuxCNC with the names of its parameters; its value is the mean over the legs, or the
+/// difference of two such means.
 type Pin = (&'static str, &'static [&'static str]);
 
 /// Pins of a model; empty for models other than deltas.
@@ -239,7 +241,7 @@ fn has_pin(pins: &[Pin], stem: &str) -> bool {
     pins.iter().any(|(_, names)| names.contains(&stem))
 }
 
-/// Mean of a parameter of all legs.
+/// Mean of a parameter over all legs.
 fn mean(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
     let mut sum = 0.0;
     for leg in 1..=3 {
@@ -248,7 +250,7 @@ fn mean(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
     Ok(sum / 3.0)
 }
 
-/// By how much parameters differ from what the legs have in common.
+/// Deviations of the parameters from the common values of the legs.
 fn lost(robot: &dyn Robot, values: &[f64], pins: &[Pin]) -> Vec<String> {
     let legs = robot.parameters().iter().zip(values).filter(|(p, _)| p.role == Role::Robot);
     let off = legs.filter_map(|(p, &v)| {

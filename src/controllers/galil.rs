@@ -1,10 +1,13 @@
-//! Galil DMC: parameters as variables of a program, in units in which the controller's fixed point is fine enough.
+//! Galil DMC: parameters as variables of a program, in units for which the controller's fixed-point
+//! numbers are fine enough.
 //!
-//! A variable has four bytes before the point and two behind it (DMC-2x00 manual): lengths are in um, angles in 1E-6 deg, ratios in 1E-6.
-//! The inverse kinematics of a PreXYT hold what multiplies a length a thousand or a million times: a tangent in steps of 1/65536 would be
-//! off by 3 um at a lever of 400 mm.
+//! A variable has four bytes before the point and two after it (DMC-2x00 manual): lengths are in
+//! µm, angles in 1E-6 deg, ratios in 1E-6. The inverse kinematics of a PreXYT keeps factors of
+//! lengths multiplied by a thousand or a million: a tangent in steps of 1/65536 would have an error
+//! of 3 µm at a lever of 400 mm.
 
 use super::{Exporter, Given, value};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
 use std::fmt::Write;
@@ -12,13 +15,13 @@ use std::fmt::Write;
 /// DMC commands.
 pub(super) struct Galil;
 
-/// Steps of a variable for one.
+/// Steps of a variable per unit.
 const STEPS: f64 = 65_536.0;
 /// Largest variable.
 const LARGEST: f64 = 2_147_483_647.0;
-/// The rounding of a value may be this much of its standard uncertainty.
+/// Largest rounding of a value relative to its standard uncertainty.
 const SHARE: f64 = 0.1;
-/// Longest name of a variable.
+/// Maximum length of a variable's name.
 const LONGEST: usize = 8;
 
 impl Exporter for Galil {
@@ -31,7 +34,7 @@ impl Exporter for Galil {
         let mut out: String = header.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#CALPAR\n";
         let mut problems = Problems::default();
-        let names = problems.keep(given.names("on a Galil controller", |p| variable(&p.name)));
+        let names = problems.keep(given.names("Galil DMC", |p| variable(&p.name)));
         for (p, name) in given.parameters.parameters.iter().zip(names.unwrap_or_default()) {
             match fixed_point(p) {
                 Ok(Fixed { value, rounding }) => {
@@ -51,8 +54,9 @@ impl Exporter for Galil {
     }
 }
 
-/// Inverse kinematics of a PreXYT (thesis, eq. 3.12 to 3.14), by operations from left to right. `KWTAN` is tan θ by its series, to 1E-9 within
-/// 20 degrees; KWE1 to KWE3 are what inverse ratios are more than one, and KWBETA and KWGAMMA tangents, in 1E-6.
+/// Inverse kinematics of a PreXYT (thesis, eq. 3.12 to 3.14), in operations from left to right.
+/// `KWTAN` is tan θ by its series, accurate to 1E-9 within 20 degrees. KWE1 to KWE3 are the excess
+/// of inverse ratios over one, KWBETA and KWGAMMA are tangents; all are in 1E-6.
 const PREXYT: &str = "\
 #PREXYT
 REM JS#PREXYT: joint values KWR1, KWR2, KWR3 in um of the platform at KWX, KWY in um and
@@ -83,7 +87,8 @@ KWR3=KWR3-(KWR3/1000*KWTILT/1000)
 KWR3=KWR3/1000*KWE3/1000+KWR3
 EN
 ";
-/// Largest angle of a rail, ratio's difference from one and length, in units of the program: products stay within a variable.
+/// Largest tilt of a rail, deviation of a ratio from one, and length, in units of the program;
+/// products stay within the range of a variable.
 const MOST_TILT: f64 = 1e5;
 const MOST_RATIO: f64 = 5e5;
 const MOST_LENGTH: f64 = 2e6;
@@ -104,18 +109,17 @@ fn prexyt(given: &Given) -> Result<String> {
     ];
     let mut out = "REM constants of #PREXYT\n#PRXCON\n".to_owned();
     for (name, value, most) in constants {
-        // a value that is not a number is refused too
+        // NaN is rejected too
         if value.abs() <= most {
             let _ = writeln!(out, "{name}={value:.6}");
         } else {
-            let what = format!("{name} = {value:.6} is too large for the inverse kinematics on a Galil controller");
-            return Err(Message::error(what).expected(format!("{most} at most")).into());
+            return Err(error!("galil-constant-too-large", name, value, most).into());
         }
     }
     Ok(out + "EN\n" + PREXYT)
 }
 
-/// A value as the controller holds it, and what is lost.
+/// A value in the controller, and its rounding.
 struct Fixed {
     value: f64,
     rounding: f64,
@@ -130,22 +134,18 @@ fn fixed_point(p: &ParameterEntry) -> std::result::Result<Fixed, Message> {
     let value = (p.value * scale * STEPS).round() / STEPS;
     let rounding = (value - p.value * scale).abs();
     if value.abs() > LARGEST {
-        return Err(Message::error(format!("`{}` is too large for a variable of a Galil controller", p.name)));
+        return Err(error!("galil-value-too-large", parameter = p.name));
     }
     match p.standard_uncertainty {
         Some(u) if rounding > SHARE * u * scale => {
-            let (rounding, u) = (rounding / scale, u);
-            let what = format!(
-                "`{}` loses {rounding:.1e} {} on a Galil controller, its uncertainty is {u:.1e}",
-                p.name, p.unit
-            );
-            Err(Message::error(what).hint("use a format of floating-point numbers"))
+            let (rounding, unit) = (rounding / scale, &p.unit);
+            Err(error!("galil-rounding", parameter = p.name, rounding, unit, uncertainty = u))
         }
         _ => Ok(Fixed { value, rounding }),
     }
 }
 
-/// KV and the letters and digits of a name: no command has three letters and more.
+/// KV with the letters and digits of a name; no command has three or more letters.
 fn variable(name: &str) -> String {
     let safe = name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_uppercase());
     "KV".chars().chain(safe).take(LONGEST).collect()

@@ -1,8 +1,10 @@
-//! Kinematics of LinuxCNC's `genhexkins`: the joints of six legs at either end. Lengths at joint value zero go to the joints.
+//! Kinematics of LinuxCNC's `genhexkins`: both ends of the six legs. Lengths at joint value zero
+//! are offsets of the joints.
 
 use super::template::render;
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::phrase;
 use minijinja::context;
 use minijinja::value::Serde;
 use std::collections::BTreeMap;
@@ -18,8 +20,7 @@ impl Exporter for HexapodHal {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         if robot.model() != "hexapod" {
-            let message = Message::error(format!("`{}` is not a hexapod", robot.model()));
-            return Err(message.hint("`genhexkins` of LinuxCNC computes platforms on six legs only").into());
+            return Err(super::other_robot("linuxcnc-hexapod", robot, phrase!("kind-hexapod")).into());
         }
         let values: BTreeMap<&str, f64> = robot.parameters().iter().map(|p| p.name.as_str()).zip(values).collect();
         let values = context! { header => given.header("mm")?, values => Serde(values) };

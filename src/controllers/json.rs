@@ -1,7 +1,8 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::ParameterStatus;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -18,12 +19,12 @@ struct Controller<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     campaign: Option<&'a str>,
     name: &'a str,
-    /// Its model.
+    /// Model of the robot.
     robot: &'a str,
-    /// sha256 of parameters.json.
+    /// SHA-256 of parameters.json.
     parameters_sha256: String,
     parameters: BTreeMap<&'a str, Parameter<'a>>,
-    /// sha256 by name
+    /// SHA-256 by file name.
     inputs: &'a BTreeMap<String, String>,
 }
 
@@ -58,7 +59,7 @@ impl Exporter for Json {
             inputs: &document.provenance.inputs,
         };
         let mut bytes = serde_json::to_vec_pretty(&controller)
-            .map_err(|e| Message::error(format!("cannot write the parameters as JSON: {e}")))?;
+            .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
         bytes.push(b'\n');
         Ok(bytes)
     }

@@ -1,8 +1,9 @@
-//! Files that a controller loads: one format a file, each a pure function of what is [`Given`].
+//! Files for controllers: one format per file, each a pure function of [`Given`].
 //!
-//! All of them write numbers that read back bit for bit, and refuse what must not reach a machine: a value that is not
-//! a number, two parameters of one name, parameters of a solver that did not converge or that cannot be a robot.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! All formats write numbers that read back bit for bit, and reject data that must not reach a
+//! machine: non-finite values, duplicate parameters, and parameters of a solver that did not
+//! converge or that cannot be the robot's.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod arrays;
 pub mod axis_tables;
@@ -36,6 +37,8 @@ pub use targets::{places, targets};
 
 pub use dcc::FILE as CERTIFICATE;
 
+use etalon_base::catalogue::Phrase;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
@@ -52,7 +55,7 @@ pub trait Exporter {
     /// Name of the file in the output folder.
     fn file_name(&self) -> &'static str;
 
-    /// The bytes of the file, of parameters that may be written.
+    /// Bytes of the file for parameters that may be written.
     fn bytes(&self, given: &Given) -> Result<Vec<u8>>;
 
     /// `true` if the format holds this parameter of the robot.
@@ -60,8 +63,8 @@ pub trait Exporter {
         true
     }
 
-    /// Values (mm, rad, 1) of the robot that the file describes. Effects that the format does not hold are zero;
-    /// some formats tie parameters to each other.
+    /// Values (mm, rad or 1) of the robot that the file describes. Effects that the format does not
+    /// hold are zero; some formats tie parameters to each other.
     fn written(&self, given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let own = |(p, &value): (&Parameter, &f64)| match p.effect {
             Effect::Zeros | Effect::Geometry | Effect::Gains => value,
@@ -71,20 +74,25 @@ pub trait Exporter {
         robot.parameters().iter().zip(values).map(own).collect()
     }
 
-    /// The bytes of the file. It holds what was identified without the parameters that the format leaves out.
+    /// Bytes of the file, with the estimate conditioned on the parameters that the format leaves
+    /// out.
     ///
     /// # Errors
-    /// Parameters that must not reach a controller ([`Given::check`]), or that the format cannot hold. Unless forced:
-    /// a file with which the robot is less accurate than with nominal parameters.
+    ///
+    /// Fails if parameters must not reach a controller ([`Given::check`]), or if the format cannot
+    /// hold them. Unless forced, fails for a file with which the robot is less accurate than with
+    /// nominal parameters.
     fn write(&self, given: &Given) -> Result<Vec<u8>> {
         given.check()?;
         self.write_stated(given, &given.statement(self)?)
     }
 
-    /// The bytes of the file with this statement, of parameters that [`Given::check`] accepts.
+    /// Bytes of the file with this statement, for parameters that [`Given::check`] accepts.
     ///
     /// # Errors
-    /// Parameters that the format cannot hold; unless forced a file that is worse than nominal.
+    ///
+    /// Fails if the format cannot hold the parameters and, unless forced, for a file that is worse
+    /// than nominal.
     fn write_stated(&self, given: &Given, statement: &Statement) -> Result<Vec<u8>> {
         match statement.refusal(name_of(self)) {
             Some(refusal) if !given.force => Err(refusal.into()),
@@ -96,7 +104,7 @@ pub trait Exporter {
     }
 }
 
-/// What is exported.
+/// Parameters to export, with their context.
 ///
 /// # Examples
 ///
@@ -135,13 +143,13 @@ pub trait Exporter {
 pub struct Given<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
-    /// What the campaign states about itself.
+    /// Statements of the campaign about itself.
     pub summary: Option<&'a CampaignSummary>,
     /// Name of the robot.
     pub name: Option<&'a str>,
-    /// The robot with nominal parameters, for formats of its kind.
+    /// Robot with nominal parameters, for formats of its kind.
     pub robot: Option<&'a dyn Robot>,
-    /// The file that describes it, where there is one.
+    /// File that describes the robot, if any.
     pub description: Option<Description<'a>>,
     /// Errors before and after the identification, for the header.
     pub accuracy: Option<&'a AccuracyDocument>,
@@ -149,7 +157,7 @@ pub struct Given<'a> {
     pub controllers: Option<&'a ControllersDocument>,
     /// Hash of the calibration in the controller, for formats that state it.
     pub controller_hash: Option<&'a str>,
-    /// Write what failed its own checks too: the file then says so.
+    /// `true` to write parameters that failed their checks; the file then says so.
     pub force: bool,
     /// Statement of the file, and all identified parameters; set by [`Exporter::write_stated`].
     pub file: Option<(&'a Statement, &'a ParametersDocument)>,
@@ -158,14 +166,14 @@ pub struct Given<'a> {
 /// A file that describes a robot.
 #[derive(Clone, Copy, Debug)]
 pub struct Description<'a> {
-    /// Its name.
+    /// Name of the file.
     pub file: &'a str,
-    /// Its text.
+    /// Text of the file.
     pub text: &'a str,
 }
 
 impl<'a> Given<'a> {
-    /// Parameters alone.
+    /// Exports parameters only.
     pub fn parameters(parameters: &'a ParametersDocument) -> Self {
         Self {
             parameters,
@@ -181,72 +189,73 @@ impl<'a> Given<'a> {
         }
     }
 
-    /// What the identification failed of its own checks.
+    /// Failed checks of the identification.
     fn failed(&self) -> Vec<Message> {
         let mut failed = Vec::new();
         if !self.parameters.solver.termination.is_success() {
-            let what = format!("the parameters are not fit for a controller: {}", self.parameters.solver.termination);
-            failed.push(Message::error(what).hint("identify again before exporting"));
+            let termination = self.parameters.solver.termination.to_string();
+            failed.push(error!("parameters-not-converged", termination));
         }
         failed.extend(self.parameters.messages.iter().filter(|m| m.severity == Severity::Error).cloned());
         failed
     }
 
-    /// What a file says of parameters that failed their checks: nothing of others.
+    /// Warning in a file about failed checks; `None` if all passed.
     fn warning(&self) -> Option<String> {
-        let worse = self.file.and_then(|(statement, _)| statement.worse_than_nominal());
+        let worse = self.file.and_then(|(statement, _)| statement.worse_than_nominal()).map(|worse| worse.to_string());
         let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).chain(worse).collect();
         (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
     }
 
-    /// Refuses parameters that must not reach a controller.
+    /// Rejects parameters that must not reach a controller.
     ///
     /// # Errors
-    /// Numbers that are not finite, two parameters of one name; unless forced a solver that did not converge, or an error among the
-    /// messages of the identification.
+    ///
+    /// Reports non-finite numbers and duplicate parameters and, unless forced, a solver that did
+    /// not converge or an error among the messages of the identification.
     pub fn check(&self) -> Result<()> {
         let document = self.parameters;
         let mut problems = Problems(if self.force { Vec::new() } else { self.failed() });
         if document.covariance.iter().flatten().any(|v| !v.is_finite()) {
-            problems.0.push(Message::error("the covariance holds a number that is not finite"));
+            problems.0.push(error!("covariance-not-finite"));
         }
         let mut seen = BTreeSet::new();
         for p in &document.parameters {
             let numbers = [Some(p.value), Some(p.nominal), p.standard_uncertainty];
             if numbers.iter().flatten().any(|v| !v.is_finite()) {
-                let what = format!("parameter `{}` has a number that is not finite", p.name);
-                problems.0.push(Message::error(what).expected("finite value, nominal value and uncertainty"));
+                problems.0.push(error!("parameter-not-finite", parameter = p.name));
             }
             if !seen.insert(&p.name) {
-                problems.0.push(Message::error(format!("there are two parameters `{}`", p.name)));
+                problems.0.push(error!("parameter-twice", parameter = p.name));
             }
         }
         problems.check().map(|_| ())
     }
 
-    /// Name of the robot as its campaign has it; of parameters alone their model.
+    /// Name of the robot in its campaign; without a campaign its model.
     fn robot_name(&self) -> &'a str {
         let named = self.name.or_else(|| self.summary?.robot.as_deref());
         named.unwrap_or(&self.parameters.robot)
     }
 
-    /// sha256 of parameters.json.
+    /// SHA-256 of parameters.json.
     fn sha256(&self) -> Result<String> {
         Ok(files::sha256(&to_json(self.file.map_or(self.parameters, |(_, identified)| identified))?))
     }
 
-    /// The first 128 bits of that hash as a UUID is written: the same parameters have the same identifier.
+    /// First 128 bits of the hash as a UUID; equal parameters have equal identifiers.
     fn identifier(&self) -> Result<String> {
         let hash = self.sha256()?;
         let part = |from: usize, to: usize| hash.get(from..to).unwrap_or_default();
         Ok([part(0, 8), part(8, 12), part(12, 16), part(16, 20), part(20, 32)].join("-"))
     }
 
-    /// First lines of a file: version, campaign, robot, units, the hash of `parameters.json`, errors, parameters left
-    /// out. No character ends a comment.
+    /// Header lines of a file: version, campaign, robot, units, hash of `parameters.json`, errors,
+    /// and parameters left out. No character can end a comment.
     ///
     /// # Errors
-    /// Parameters that cannot be written as JSON.
+    ///
+    /// Fails if the parameters cannot be written as JSON.
     pub fn header(&self, units: &str) -> Result<Vec<String>> {
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
         lines.extend(self.warning());
@@ -258,19 +267,21 @@ impl<'a> Given<'a> {
         Ok(lines.iter().map(|line| comment(line)).collect())
     }
 
-    /// [`Self::header`] of a format that has joints and links alone: it names the effects that it cannot hold.
+    /// Like [`Self::header`], for formats with joints and links only: lists the effects that they
+    /// cannot hold.
     fn header_of_geometry(&self, units: &str) -> Result<Vec<String>> {
         let effects = [Effect::Bending, Effect::Coupling, Effect::Harmonics, Effect::Backlash];
         self.header_without(&effects, "not in this format", units)
     }
 
-    /// [`Self::header`] of code that computes from joint values alone: it names the backlash that it cannot follow.
+    /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
+    /// it cannot follow.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
         let why = "joints are taken in the middle of their backlash, not in this code";
         self.header_without(&[Effect::Backlash], why, units)
     }
 
-    /// [`Self::header`] and the robot's parameters of these effects, which are left out.
+    /// Like [`Self::header`], with the robot's parameters of these effects, which are left out.
     fn header_without(&self, effects: &[Effect], why: &str, units: &str) -> Result<Vec<String>> {
         let effect = |name: &str| self.robot.and_then(|robot| Some(robot.parameters()[robot.index(name)?].effect));
         let is_left_out = |p: &&ParameterEntry| p.value != 0.0 && effect(&p.name).is_some_and(|e| effects.contains(&e));
@@ -287,36 +298,32 @@ impl<'a> Given<'a> {
         Ok(lines)
     }
 
-    /// Names of the parameters in a format, by `name`.
+    /// Names of the parameters in a language, by `name`.
     ///
     /// # Errors
-    /// Parameters whose names are the same `there`.
-    fn names(&self, there: &str, name: impl Fn(&ParameterEntry) -> String) -> Result<Vec<String>> {
+    ///
+    /// Reports parameters whose names coincide in the language.
+    fn names(&self, language: &str, name: impl Fn(&ParameterEntry) -> String) -> Result<Vec<String>> {
         let (mut seen, mut problems) = (BTreeMap::new(), Problems::default());
         let names: Vec<String> = self.parameters.parameters.iter().map(name).collect();
         for (p, name) in self.parameters.parameters.iter().zip(&names) {
             if let Some(other) = seen.insert(name, &p.name) {
-                let what = format!("parameters `{other}` and `{}` are both `{name}` {there}", p.name);
-                problems.0.push(Message::error(what).hint("rename one of them, or use another format"));
+                problems.0.push(error!("parameter-names-collide", first = other, second = p.name, name, language));
             }
         }
         problems.check().map(|_| names)
     }
 
-    /// The parameter of this name as it was identified.
+    /// Identified parameter with this name.
     fn entry(&self, name: &str) -> Result<&'a ParameterEntry> {
-        self.parameters.parameters.iter().find(|entry| entry.name == name).ok_or_else(|| {
-            let message = Message::error(format!("the parameters have no `{name}`"));
-            message.hint("name the robot.toml that they were identified with").into()
-        })
+        let entry = self.parameters.parameters.iter().find(|entry| entry.name == name);
+        entry.ok_or_else(|| error!("parameter-missing", parameter = name).into())
     }
 
-    /// The robot, and its parameters as they were identified; base and targets that are not among
-    /// them are nominal.
+    /// Robot with its identified parameters; base and targets are nominal if they are not among
+    /// them.
     fn robot(&self) -> Result<(&'a dyn Robot, Vec<f64>)> {
-        let robot = self.robot.ok_or_else(|| {
-            Message::error("this format needs the robot itself").hint("name its robot.toml: --robot FILE")
-        })?;
+        let robot = self.robot.ok_or_else(|| error!("robot-missing"))?;
         let mut values = robot.nominal();
         for (value, p) in values.iter_mut().zip(robot.parameters()) {
             match self.entry(&p.name) {
@@ -329,7 +336,7 @@ impl<'a> Given<'a> {
     }
 }
 
-/// Formats of all robots come first: those that are written where none is named.
+/// All formats. Formats for all robots come first; these are the default formats.
 const EXPORTERS: [(&str, &dyn Exporter); 25] = [
     ("json", &json::Json),
     ("csv", &csv::Csv),
@@ -359,17 +366,17 @@ const EXPORTERS: [(&str, &dyn Exporter); 25] = [
 ];
 const USUAL: usize = 3;
 
-/// Names of the formats that are written where none is named.
+/// Names of the default formats.
 pub fn usual() -> impl Iterator<Item = &'static str> {
     EXPORTERS[..USUAL].iter().map(|(name, _)| *name)
 }
 
-/// The format of this name.
+/// Format with this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
     EXPORTERS.iter().find(|(known, _)| *known == name).map(|(_, exporter)| *exporter)
 }
 
-/// The name of a format.
+/// Name of a format.
 pub fn name_of<E: Exporter + ?Sized>(exporter: &E) -> &'static str {
     let known = EXPORTERS.iter().find(|(_, known)| known.file_name() == exporter.file_name());
     known.map_or_else(|| exporter.file_name(), |(name, _)| name)
@@ -380,12 +387,12 @@ fn is_geometry(parameter: &Parameter) -> bool {
     matches!(parameter.effect, Effect::Zeros | Effect::Geometry)
 }
 
-/// `true` if code that computes from joint values alone holds a parameter.
+/// `true` if code that computes from joint values only holds the parameter.
 fn is_in_code(parameter: &Parameter) -> bool {
     parameter.effect != Effect::Backlash
 }
 
-/// Names of the files of all formats.
+/// File names of all formats.
 pub fn file_names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|(_, exporter)| exporter.file_name())
 }
@@ -395,23 +402,30 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|(name, _)| *name)
 }
 
-/// Value of a parameter of a robot by its name.
+/// Rejection of a robot of another kind than the format describes.
+fn other_robot(format: &str, robot: &dyn Robot, kind: Phrase) -> Message {
+    error!("format-for-other-robots", format, model = robot.model(), kind)
+}
+
+/// Value of a parameter of a robot by name.
 fn value(robot: &dyn Robot, values: &[f64], name: &str) -> Result<f64> {
-    let index = robot.index(name).ok_or_else(|| Message::error(format!("the robot has no parameter `{name}`")))?;
+    let index = robot.index(name).ok_or_else(|| error!("robot-parameter-missing", parameter = name))?;
     Ok(values[index])
 }
 
-/// The status as the documents spell it.
+/// Status in the spelling of the documents.
 fn status_word(parameter: &ParameterEntry) -> &'static str {
     match parameter.status {
         ParameterStatus::Identified => "identified",
         ParameterStatus::Fixed => "fixed",
         ParameterStatus::NotIdentifiable => "not_identifiable",
+        ParameterStatus::PlacedByValidation => "placed_by_validation",
     }
 }
 
-/// Roll, pitch and yaw, in rad, of Rz(yaw) Ry(pitch) Rx(roll). Where the pitch is a right angle only their sum or difference means
-/// anything: the yaw is then that of the rounding, and the others fit it.
+/// Roll, pitch and yaw (rad) of Rz(yaw) Ry(pitch) Rx(roll). At a pitch of a right angle only the
+/// sum or difference of roll and yaw is determined: yaw is then arbitrary, and the other angles
+/// match it.
 fn roll_pitch_yaw(pose: &Pose) -> Vector {
     let r = &pose.rotation;
     let yaw = r[1][0].atan2(r[0][0]);

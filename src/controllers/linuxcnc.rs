@@ -1,12 +1,15 @@
-//! Kinematics of LinuxCNC's `genserkins`: modified Denavit-Hartenberg parameters (Craig) of six joints that turn.
+//! Kinematics of LinuxCNC's `genserkins`: modified Denavit-Hartenberg parameters (Craig) of six
+//! revolute joints.
 //!
-//! They follow from the axes alone, whatever convention they were identified in: `genserkins` has no Hayati angle, so that near-parallel
-//! axes have their exact, distant common normal. What is before the first joint and behind the last is a frame of its own.
+//! The parameters are computed from the axes, whatever the convention of the identification.
+//! `genserkins` has no Hayati angle, so that near-parallel axes use their exact, distant common
+//! normal. Links before the first joint and after the last are separate frames.
 
 use super::template::render;
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, phrase};
 use etalon_robots::{JointChain, Parameter};
 use minijinja::context;
 use minijinja::value::Serde;
@@ -16,12 +19,12 @@ use serde::Serialize;
 pub(super) struct LinuxCnc;
 
 const JOINTS: usize = 6;
-/// Sine of the angle below which two axes have no common normal of their own.
+/// Sine of the angle below which two axes have no unique common normal.
 const PARALLEL: f64 = 1e-10;
-/// A link shorter than this has no direction, mm.
+/// Minimum length (mm) of a link with a direction.
 const SHORT_MM: f64 = 1.0;
 
-/// A row of the table, joint offset and gain beside it.
+/// A row of the table, with joint offset and gain.
 #[derive(Serialize)]
 struct Row {
     alpha_rad: f64,
@@ -44,11 +47,8 @@ impl Exporter for LinuxCnc {
         let (robot, values) = given.robot()?;
         let chain = robot.joint_chain(&values);
         let chain = chain.filter(|c| c.joints.len() == JOINTS && c.joints.iter().all(|j| !j.prismatic));
-        let chain = chain.ok_or_else(|| {
-            let message = Message::error(format!("`{}` is not an arm of six joints that turn", robot.model()));
-            message.hint("`genserkins` of LinuxCNC computes such arms only")
-        })?;
-        let (base, rows) = table(&chain).ok_or_else(|| Message::error("two axes of the arm are one and the same"))?;
+        let chain = chain.ok_or_else(|| super::other_robot("linuxcnc", robot, phrase!("kind-six-axis-arm")))?;
+        let (base, rows) = table(&chain).ok_or_else(|| error!("axes-coincide"))?;
         let frame = |name, pose: &Pose| (name, pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
         let frames = [frame("first frame in the base", &base), frame("flange in the last frame", &chain.flange)];
         let header = given.header_of_geometry("mm, rad; offsets of joints in deg")?;
@@ -57,13 +57,13 @@ impl Exporter for LinuxCnc {
     }
 }
 
-/// The first frame in the base, and the parameters of each joint; `None` where two axes are the same line.
+/// First frame in the base, and parameters of each joint; `None` if two axes coincide.
 fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
     let mut frames: Vec<Pose> = Vec::new();
     for joint in &chain.joints {
         frames.push(frames.last().map_or(joint.origin, |last| last.then(&joint.origin)));
     }
-    // the first frame is the base's, brought to the first axis
+    // the first frame is that of the base, moved to the first axis
     let (point, z) = (frames[0].translation_mm, frames[0].axis(2));
     let along = dot(point, z);
     let origin = [0, 1, 2].map(|i| point[i] - along * z[i]);
@@ -72,7 +72,7 @@ fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
     let (mut rows, mut link, mut x, mut foot) = (Vec::new(), (0.0, 0.0), x, origin);
     for (i, here) in frames.iter().enumerate() {
         let z = here.axis(2);
-        // where the next common normal leaves this axis, and where it arrives at the next
+        // feet of the next common normal on this axis and on the next
         let (next_x, leaves, arrives) = match frames.get(i + 1) {
             Some(next) => normal(here, next, foot, x)?,
             None => (here.axis(0), here.translation_mm, here.translation_mm),
@@ -90,7 +90,8 @@ fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
     Some((base, rows))
 }
 
-/// Direction of the common normal of two axes, its feet on both; of parallel ones the normal through `foot`.
+/// Direction of the common normal of two axes, and its feet on both; for parallel axes the normal
+/// through `foot`.
 fn normal(here: &Pose, next: &Pose, foot: Vector, x: Vector) -> Option<(Vector, Vector, Vector)> {
     let (z, turned) = (here.axis(2), next.axis(2));
     let between = minus(next.translation_mm, here.translation_mm);
@@ -106,12 +107,12 @@ fn normal(here: &Pose, next: &Pose, foot: Vector, x: Vector) -> Option<(Vector, 
     let arrives = [0, 1, 2].map(|i| next.translation_mm[i] + t * turned[i]);
     let normal = unit(common)?;
     let length = dot(minus(arrives, leaves), normal);
-    // lengths are positive; what has no length goes on as the axis before
+    // lengths are positive; a link without length has the direction of the previous axis
     let sign = if length.abs() > SHORT_MM { length } else { dot(normal, x) };
     Some((normal.map(|v| v * 1f64.copysign(sign)), leaves, arrives))
 }
 
-/// What of a vector is across a direction.
+/// Component of a vector perpendicular to a direction.
 fn across(v: Vector, z: Vector) -> Vector {
     let along = dot(v, z);
     [0, 1, 2].map(|i| v[i] - along * z[i])

@@ -1,22 +1,25 @@
-//! A kinematics component of LinuxCNC, for `halcompile --install`: the recorded equations with all identified parameters.
+//! Kinematics component of LinuxCNC for `halcompile --install`: recorded equations with all
+//! identified parameters.
 //!
-//! Planar robots move in the world, base and target included: x and y of a five-bar; x, y and c of a PreXYT's ball K and of the direction to
-//! ball L (thesis eq. 3.17 to 3.19). Arms in space move their flange in the base frame; x, y, z and c, b, a turn about z, y, x.
+//! Planar robots move in the world, including base and target: x and y of a five-bar; for a PreXYT
+//! x, y of ball K and the direction c to ball L (thesis, eq. 3.17 to 3.19). Spatial arms move their
+//! flange in the base frame by x, y, z and c, b, a about z, y, x.
 
 use super::code::{formulas, functions};
 use super::template::render;
 use super::{Exporter, Given, is_in_code, value};
 use etalon_base::expression::Formula;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Parameter, Quantity, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
 
-/// Source of a component.
+/// Source code of a component.
 pub(super) struct LinuxCncComponent;
 
-/// Joints of LinuxCNC.
+/// Maximum number of joints in LinuxCNC.
 const MOST_JOINTS: usize = 9;
 
 impl Exporter for LinuxCncComponent {
@@ -31,14 +34,17 @@ impl Exporter for LinuxCncComponent {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let formulas = formulas(given)?;
-        let arm = robot.kinematics().filter(|arm| arm.joints().len() <= MOST_JOINTS);
-        let arm = arm.ok_or_else(|| Message::error("LinuxCNC moves nine joints at most"))?;
+        let format = "linuxcnc-component";
+        let other = || super::other_robot(format, robot, phrase!("kind-planar-or-serial"));
+        let arm = robot.kinematics().ok_or_else(other)?;
+        let joints = arm.joints().len();
+        if joints > MOST_JOINTS {
+            return Err(error!("format-too-many-joints", format, joints, most = MOST_JOINTS).into());
+        }
         let planar = arm.dimension() == 2;
         if !planar && formulas.iter().all(|formula| formula.name != "linearised") {
-            let message = Message::error("the component is for planar robots and serial arms");
-            return Err(message.hint("use linuxcnc-hexapod or linuxcnc-delta").into());
+            return Err(other().into());
         }
-        let joints = arm.joints().len();
         let direct = &formulas[0];
         let modes = |formula: &Formula, first: usize| formula.inputs.get(first..).unwrap_or_default().to_vec();
         let pose = if planar { direct.outputs.len() } else { 12 };

@@ -6,10 +6,11 @@ use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
 
-/// A function that returns a struct: a field for each parameter, and the covariance of those that are identified.
+/// Function that returns a struct with a field for each parameter, and the covariance of the
+/// identified parameters.
 pub(super) struct Matlab;
 
-/// Longest name that MATLAB keeps (`namelengthmax`).
+/// Maximum length of a name in MATLAB (`namelengthmax`).
 const LONGEST: usize = 63;
 
 impl Exporter for Matlab {
@@ -19,7 +20,7 @@ impl Exporter for Matlab {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let document = given.parameters;
-        let names = given.names("in MATLAB", |p| identifier(&p.name))?;
+        let names = given.names("MATLAB", |p| identifier(&p.name))?;
         let identified: Vec<String> = document.identified().map(|p| format!("'{}'", identifier(&p.name))).collect();
         let (parameters, covariance) = (Serde(&document.parameters), Serde(&document.covariance));
         let values = context! { header => given.header("mm, deg, 1")?, names, parameters, identified, covariance };
@@ -27,7 +28,7 @@ impl Exporter for Matlab {
     }
 }
 
-/// Letters, digits and underscores, beginning with a letter.
+/// Letters, digits and underscores, starting with a letter.
 fn identifier(name: &str) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let mut all: String = name.chars().map(safe).collect();

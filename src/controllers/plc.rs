@@ -1,11 +1,13 @@
-//! Parameters as constants of PLCs, LREAL: a list of global constants of TwinCAT (`.TcGVL`), PLCopen XML for CODESYS, and a data block of
-//! Siemens SCL; PLCopen and SCL hold the kinematics as function blocks too, where the robot is named.
+//! Parameters as LREAL constants of PLCs: a TwinCAT list of global constants (`.TcGVL`), PLCopen
+//! XML for CODESYS, and a Siemens SCL data block. PLCopen and SCL also contain the kinematics as
+//! function blocks, if the robot is known.
 
 use super::code::{Kind, Unit, Variable, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::ParameterEntry;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -19,9 +21,9 @@ pub(super) struct PlcOpen;
 /// Data block of SCL, for S7-1200 and S7-1500.
 pub(super) struct Scl;
 
-/// Names of the constants, which differ in more than capitals.
+/// Names of the constants, which differ in more than case.
 fn names(given: &Given) -> Result<Vec<String>> {
-    given.names("in a PLC", |p| format!("c_{}", identifier(&p.name).to_ascii_lowercase()))
+    given.names("IEC 61131-3", |p| format!("c_{}", identifier(&p.name).to_ascii_lowercase()))
 }
 
 impl Exporter for TwinCat {
@@ -44,7 +46,7 @@ impl Exporter for PlcOpen {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let header = given.header_of_code("mm, deg, 1")?;
         let version = &given.parameters.provenance.version;
-        // PLCopen asks for times, and no clock is looked at
+        // PLCopen requires times; the clock is not read
         let time = "1980-01-01T00:00:00";
         let file = element("fileHeader", [])
             .with("companyName", "etalon")
@@ -74,16 +76,17 @@ impl Exporter for PlcOpen {
             file,
             content,
             element("types", [element("dataTypes", []), element("pous", pous)]),
-            // CODESYS refuses a configuration of the name that it gives itself
+            // CODESYS rejects a configuration with the name that it uses itself
             element("instances", [element("configurations", [])]),
             element("addData", [data]),
         ];
         let root = element("project", parts).with("xmlns", "http://www.plcopen.org/xml/tc6_0200");
-        root.document(&header).map_err(|e| Message::error(format!("cannot write the constants: {e}")).into())
+        root.document(&header)
+            .map_err(|e| error!("cannot-encode", format = "PLCopen XML", reason = e.to_string()).into())
     }
 }
 
-/// Functions and function blocks of the kinematics, where the robot is named.
+/// Functions and function blocks of the kinematics, if the robot is known.
 fn kinematics(given: &Given) -> Result<Vec<Unit>> {
     given.robot.map_or_else(|| Ok(Vec::new()), |_| units(given))
 }

@@ -1,4 +1,5 @@
-//! Parameters as a Python module without dependencies; `numpy.array(covariance)` takes what it holds.
+//! Parameters as a Python module without dependencies; `numpy.array(covariance)` converts its
+//! covariance.
 
 use super::template::render;
 use super::{Exporter, Given};
@@ -6,7 +7,7 @@ use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
 
-/// Python, dictionaries by the name of the parameter.
+/// Python with dictionaries by parameter name.
 pub(super) struct Python;
 
 impl Exporter for Python {

@@ -1,21 +1,22 @@
-//! QIF 3.0 Results (ISO 23952:2020): each parameter as a user-defined characteristic with its nominal value, its measured value and its combined
-//! standard uncertainty. QIF holds no covariance.
+//! QIF 3.0 Results (ISO 23952:2020): each parameter as a user-defined characteristic with nominal
+//! value, measured value and combined standard uncertainty. QIF has no element for covariances.
 
 use super::xml::{Element, element, leaf};
 use super::{Exporter, Given};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_documents::{ParameterEntry, ParametersDocument};
 
-/// XML, a characteristic for each parameter.
+/// XML with a characteristic for each parameter.
 pub(super) struct Qif;
 
 /// Identifier of the standard that defines the characteristics.
 const STANDARD: usize = 1;
 /// Identifier of the measurement results.
 const RESULTS: usize = 2;
-/// Identifier of the place of the measurements.
+/// Identifier of the place of measurement.
 const PLACE: usize = 3;
-/// Characteristics of a unit that QIF does not have need a limit.
+/// Placeholder for the limit that characteristics of a user-defined unit require.
 const NO_LIMIT: &str = "No limit is stated: the schema requires one, -1E6.";
 
 impl Exporter for Qif {
@@ -49,11 +50,11 @@ impl Exporter for Qif {
         .with("versionQIF", "3.0.0")
         .with("idMax", id(parameters.len(), Aspect::Definition) - 1);
         let document = root.document(&given.header("mm, deg, 1")?);
-        document.map_err(|e| Message::error(format!("cannot write the results: {e}")).into())
+        document.map_err(|e| error!("cannot-encode", format = "QIF", reason = e.to_string()).into())
     }
 }
 
-/// The four elements of a characteristic.
+/// Elements of a characteristic.
 #[derive(Clone, Copy)]
 enum Aspect {
     Definition,
@@ -107,14 +108,14 @@ fn names(p: &ParameterEntry) -> Names {
     }
 }
 
-/// A number without exponent, as `xs:decimal` is; to 24 decimals, which is what readers take at least.
+/// A number without exponent for `xs:decimal`, to 24 decimals, which readers must accept.
 fn decimal(value: f64) -> String {
     let text = value.to_string();
     let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     if decimals > 24 { format!("{value:.24}") } else { text }
 }
 
-/// A value of a ratio names its unit.
+/// Value of a parameter; that of a ratio names its unit.
 fn value(p: &ParameterEntry, name: &'static str, value: f64) -> Element {
     let value = leaf(name, decimal(value));
     if matches!(p.unit.as_str(), "mm" | "deg") { value } else { value.with("unitName", "1") }

@@ -1,8 +1,9 @@
-//! `M669 K9` of RepRapFirmware: a five-bar. Its angles are counted from the x axis of the world.
+//! RepRapFirmware's `M669 K9` for a five-bar, with angles from the x axis of the world.
 
 use super::template::render;
 use super::{Exporter, Given, value};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_robots::{Parameter, Robot, Role};
 use minijinja::context;
@@ -11,7 +12,7 @@ use minijinja::value::Serde;
 /// G-code.
 pub(super) struct RepRapFiveBar;
 
-/// Angle of the tool beside its link.
+/// Name of the angle between the tool and its link.
 const GAMMA: &str = "gamma";
 
 impl Exporter for RepRapFiveBar {
@@ -24,7 +25,7 @@ impl Exporter for RepRapFiveBar {
         parameter.name != GAMMA
     }
 
-    /// A tool short of the joint of the distal links is put at that joint.
+    /// A tool short of the joint between the distal links is moved to that joint.
     fn written(&self, _given: &Given, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
         let mut written = values.to_vec();
         if let [Some(gamma), Some(l22), Some(l23)] = [GAMMA, "l22", "l23"].map(|name| robot.index(name)) {
@@ -37,10 +38,9 @@ impl Exporter for RepRapFiveBar {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         if robot.model() != "five_bar" {
-            let message = Message::error(format!("`{}` is not a five-bar", robot.model()));
-            return Err(message.hint("`M669 K9` of RepRapFirmware computes five-bars only").into());
+            return Err(super::other_robot("reprap-five-bar", robot, phrase!("kind-five-bar")).into());
         }
-        // angles are counted in the world, so the base must be identified
+        // angles are relative to the world, so the base must be identified
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base);
         base.map(|p| given.entry(&p.name)).collect::<Result<Vec<_>>>()?;
         let of = |name: &str| value(robot, &values, name);

@@ -1,12 +1,14 @@
-//! Statement of a controller file: parameters that the format leaves out, values that the file holds instead, position
-//! errors with these values, and header lines.
+//! Statement of a controller file: parameters that the format leaves out, values that the file
+//! holds instead, position errors with these values, and header lines.
 
 use super::{Exporter, Given, name_of};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
+use etalon_base::{error, phrase};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 
-/// Largest difference of a value that counts as rounding, relative.
+/// Largest relative difference of a value that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Statement of a controller file.
@@ -14,33 +16,37 @@ const ROUNDING: f64 = 1e-12;
 pub struct Statement {
     /// Identified parameters that the format does not hold.
     pub left_out: Vec<String>,
-    /// Position errors that decide whether the file is written; `None` where they were not measured.
+    /// Position errors that decide whether the file is written; `None` if they were not measured.
     pub errors: Option<ControllerErrors>,
     /// Parameters that the file holds in place of the identified ones.
     pub(crate) parameters: Option<ParametersDocument>,
-    /// `true` if `parameters` were identified again, `false` if they were conditioned by the covariance.
+    /// `true` if `parameters` were identified again, `false` if they were conditioned by the
+    /// covariance.
     again: bool,
 }
 
 impl Statement {
-    /// Why the file is not written: the robot is less accurate with it than with nominal parameters.
+    /// Reason for not writing the file: the robot is less accurate with it than with nominal
+    /// parameters.
     pub fn refusal(&self, format: &str) -> Option<Message> {
-        let what = format!("format `{format}` is not written: {}", self.worse_than_nominal()?);
-        let hint = "use a format that holds these parameters; `etalon export --force` writes the file";
-        Some(Message::error(what).hint(hint))
+        Some(error!("file-worse-than-nominal", format, reason = self.worse_than_nominal()?))
     }
 
-    /// Both errors, where those of the file are larger than with nominal parameters.
-    pub(crate) fn worse_than_nominal(&self) -> Option<String> {
+    /// Both errors, if those of the file are larger than with nominal parameters.
+    pub(crate) fn worse_than_nominal(&self) -> Option<Phrase> {
         let errors = self.errors.as_ref().filter(|e| self.parameters.is_some() && e.is_worse_than_nominal())?;
-        let names = self.left_out.join(", ");
-        let without = if names.is_empty() { names } else { format!(" without {names}") };
-        let [nominal, _, written] = millimetres(errors);
-        let set = &errors.set;
-        Some(format!("the error at {set} poses{without} is {written} mm (rms), with nominal parameters {nominal} mm"))
+        Some(phrase!(
+            "error-above-nominal",
+            set = errors.set.to_string(),
+            left_out = self.left_out,
+            left_out_count = self.left_out.len(),
+            written_mm = errors.written.rms_mm,
+            nominal_mm = errors.nominal.rms_mm,
+            decimals = decimals(errors),
+        ))
     }
 
-    /// Lines of the header.
+    /// Header lines.
     pub(crate) fn lines(&self) -> Vec<String> {
         let names = self.left_out.join(", ");
         let errors = self.errors.as_ref().map(|errors| {
@@ -63,16 +69,21 @@ impl Statement {
     }
 }
 
-/// Root mean squares with nominal, identified and written values, three digits of the least.
+/// Root mean squares with nominal, identified and written values, with three digits of the
+/// smallest.
 fn millimetres(errors: &ControllerErrors) -> [String; 3] {
+    let decimals = decimals(errors);
+    [errors.nominal, errors.identified, errors.written].map(|e| format!("{:.decimals$}", e.rms_mm))
+}
+
+fn decimals(errors: &ControllerErrors) -> usize {
     let all = [errors.nominal, errors.identified, errors.written].map(|e| e.rms_mm);
     let least = all.into_iter().filter(|v| *v > 0.0).fold(f64::INFINITY, f64::min);
-    let decimals = (2.0 - least.log10().floor()).clamp(3.0, 6.0) as usize;
-    all.map(|v| format!("{v:.decimals$}"))
+    (2.0 - least.log10().floor()).clamp(3.0, 6.0) as usize
 }
 
 impl Given<'_> {
-    /// Identified parameters that a format does not hold; empty where the robot is not given.
+    /// Identified parameters that a format does not hold; empty if the robot is unknown.
     pub fn left_out<E: Exporter + ?Sized>(&self, exporter: &E) -> Vec<String> {
         let identified = |name: &String| self.entry(name).is_ok_and(|e| e.status == ParameterStatus::Identified);
         self.not_held(exporter).filter(identified).collect()
@@ -84,10 +95,11 @@ impl Given<'_> {
         robot.filter(|p| !exporter.holds(p, self)).map(|p| p.name.clone())
     }
 
-    /// Statement of the file of a format.
+    /// Statement of a format's file.
     ///
     /// # Errors
-    /// Parameters that the covariance does not contain, where they were not identified again.
+    ///
+    /// Fails if parameters that the covariance does not contain were not identified again.
     pub fn statement<E: Exporter + ?Sized>(&self, exporter: &E) -> Result<Statement> {
         let left_out = self.left_out(exporter);
         if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
@@ -99,18 +111,15 @@ impl Given<'_> {
             let errors = set.and_then(|set| ControllerErrors::of(set, None));
             return Ok(Statement { errors, ..Statement::default() });
         }
-        let conditioned = self.parameters.conditioned(&names).ok_or_else(|| {
-            let what = format!("the covariance of {} is not in parameters.json", left_out.join(", "));
-            let format = name_of(exporter);
-            let hint =
-                format!("run the campaign with `controllers = [\"{format}\"]`: it identifies again without them");
-            Message::error(format!("format `{format}` does not hold all identified parameters, and {what}")).hint(hint)
-        })?;
+        let conditioned = self
+            .parameters
+            .conditioned(&names)
+            .ok_or_else(|| error!("covariance-missing", format = name_of(exporter), parameters = left_out))?;
         Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
     }
 
-    /// Parameters that the run identified again without `left_out`, as the format writes them, and position errors
-    /// with these parameters.
+    /// Parameters that the run identified again without `left_out`, as the format writes them, and
+    /// position errors with these parameters.
     fn identified_again<E: Exporter + ?Sized>(
         &self,
         exporter: &E,

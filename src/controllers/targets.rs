@@ -1,21 +1,23 @@
-//! Poses to measure as targets that a controller loads: JSON by name, or a C header of arrays.
+//! Poses to measure as targets for a controller: JSON by name, or a C header with arrays.
 
 use super::template::{comment, identifier, literal};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{Iso9283Places, PlanDocument};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// `etalon/targets/1`: joint values or coordinates by column, one target a configuration.
+/// Document `etalon/targets/1`: joint values or coordinates by column, with one target per
+/// configuration.
 #[derive(Serialize)]
 struct Targets<'a> {
     schema: &'static str,
     robot: &'a str,
     targets: Vec<Target<'a>>,
     etalon: &'a str,
-    /// sha256 by name
+    /// SHA-256 by file name.
     inputs: &'a BTreeMap<String, String>,
 }
 
@@ -43,7 +45,7 @@ impl Target<'_> {
     }
 }
 
-/// The chosen poses of a plan, as JSON or, for a file name that ends in `.h`, as a C header.
+/// Chosen poses of a plan as JSON or, for a file name that ends in `.h`, as a C header.
 pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
     let all = document.chosen.iter().flat_map(|planned| {
         planned.configurations.iter().enumerate().map(|(k, joints)| Target {
@@ -65,7 +67,8 @@ pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
     )
 }
 
-/// Places of a test by ISO 9283, likewise, in coordinates of the base frame.
+/// Places of a test by ISO 9283 in base coordinates, as JSON or, for a file name that ends in `.h`,
+/// as a C header.
 pub fn places(places: &Iso9283Places, file_name: &str) -> Result<Vec<u8>> {
     let target = |(number, coordinates): (i64, _)| Target {
         name: format!("{}_{number}", places.name),
@@ -89,24 +92,21 @@ const SCHEMA: &str = "etalon/targets/1";
 
 fn write(all: Targets, file_name: &str) -> Result<Vec<u8>> {
     if all.targets.iter().flat_map(|t| t.values().values()).any(|v| !v.is_finite()) {
-        return Err(Message::error("a value of the plan is not finite: no target is written").into());
+        return Err(error!("targets-not-finite").into());
     }
     match file_name.rsplit_once('.').map(|(_, ending)| ending) {
         Some("h") => Ok(c_header(&all).into_bytes()),
         Some("json") => {
             let mut bytes = serde_json::to_vec_pretty(&all)
-                .map_err(|e| Message::error(format!("cannot write the targets as JSON: {e}")))?;
+                .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
             bytes.push(b'\n');
             Ok(bytes)
         }
-        _ => {
-            let message = Message::error(format!("`{file_name}` names no format of targets"));
-            Err(message.expected("a name that ends in `.json` or `.h`; `--poses` writes CSV").into())
-        }
+        _ => Err(error!("targets-format-unknown", file = file_name).into()),
     }
 }
 
-/// One array a column, all of the same length: C99 and C++.
+/// One array per column, all of equal length: C99 and C++.
 fn c_header(all: &Targets) -> String {
     let (robot, targets) = (identifier(all.robot), &all.targets);
     let mut out = format!("/* Targets of robot {}: poses to measure.\n", comment(all.robot));

@@ -1,16 +1,18 @@
-//! Text formats as templates (minijinja) in `templates/`, and how they write names and numbers:
-//! with the digits that read back bit for bit.
+//! Text formats as templates (minijinja) in `templates/`, with their notation of names and numbers:
+//! digits that read back bit for bit.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, escape_formatter};
 
-/// A template filled with values.
+/// Fills a template with values.
 ///
 /// # Errors
-/// A template that does not work.
+///
+/// Fails if the template is invalid.
 pub(super) fn render(template: &str, values: Value) -> Result<String> {
-    let failed = |e: Error| Message::error(format!("the template of this format does not work: {e:#}"));
+    let failed = |e: Error| error!("cannot-encode", format = "text", reason = format!("{e:#}"));
     let mut environment = Environment::new();
     let mut syntax = SyntaxConfig::builder();
     let syntax = syntax.trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
@@ -38,19 +40,18 @@ fn is_float(value: &Value) -> bool {
     value.is_number() && !value.is_integer()
 }
 
-/// A string of Python: that of JSON in ASCII.
+/// String literal of Python: a JSON string in ASCII.
 fn quoted(text: &str) -> String {
     let escaped = |c: char| if c.is_ascii() { c.to_string() } else { format!("\\U{:08x}", u32::from(c)) };
     serde_json::Value::from(text).to_string().chars().map(escaped).collect()
 }
 
-/// The shortest literal that reads back bit for bit; in parentheses where a sign could join an
-/// expression.
+/// Shortest literal that reads back bit for bit; in parentheses if a sign could join an expression.
 pub(super) fn literal(value: f64) -> String {
     if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
 }
 
-/// Capitals, digits and underscores only.
+/// Converts a name to capitals, digits and underscores.
 pub(super) fn identifier(name: &str) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
     if name.is_empty() { "_".to_owned() } else { name.chars().map(safe).collect() }
@@ -62,7 +63,7 @@ pub(crate) fn comment(text: &str) -> String {
     text.chars().map(safe).collect()
 }
 
-/// A real literal of IEC 61131-3 has a point, and digits on both sides of it.
+/// Real literal of IEC 61131-3, with a point and digits on both sides of it.
 pub(super) fn real_literal(value: f64) -> String {
     let text = format!("{value:?}");
     match text.split_once('e') {

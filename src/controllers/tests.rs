@@ -1,10 +1,11 @@
-//! Every format against the same parameters: what is written reads back bit for bit.
+//! All formats with the same parameters: written values read back bit for bit.
 
 mod certificates;
 #[path = "../../tests/support/skipped.rs"]
 mod skipped;
 
 use super::*;
+use etalon_base::catalogue::IntoArgument;
 use etalon_documents::ResidualKind;
 use etalon_documents::Termination;
 use etalon_documents::{ObservabilitySummary, Provenance, ResidualSummary, SolverSummary};
@@ -149,7 +150,7 @@ fn a_c_header_reads_back_bit_for_bit() {
     assert_eq!(value("ETALON_PREXYT_P1_RAD"), (-0.1f64).to_radians());
 }
 
-/// Python itself reads the module, a reader of our own the MATLAB function: whatever the names.
+/// Python itself reads the module, and our own reader the MATLAB function, whatever the names.
 #[test]
 fn matlab_and_python_read_back_bit_for_bit() {
     let hostile = "%} ' \"\"\" # */ \n\\ \u{202e}\u{e9}";
@@ -162,7 +163,7 @@ fn matlab_and_python_read_back_bit_for_bit() {
         let line = matlab.lines().find_map(|l| l.strip_prefix(&format!("p.p{i} = struct('value', "))).unwrap();
         assert_eq!(line.split(',').next().unwrap().parse::<f64>().unwrap().to_bits(), number.to_bits());
     }
-    // every line is a comment, or a statement that ends
+    // every line is a comment or a complete statement
     let ends = |l: &str| l.starts_with('%') || l.ends_with(';') || l.starts_with("function") || l == "end";
     assert!(matlab.lines().all(ends), "{matlab}");
     let folder = tempfile::tempdir().unwrap();
@@ -202,7 +203,7 @@ fn arrays_read_back_bit_for_bit() {
                  assert a['covariance'].shape == (8, 8) and list(a['standard_uncertainty']) == [1e-7] * 8\n\
                  assert all(a['covariance'][i, j] == (i * j + 1) / 3 for i in range(8) for j in range(8))\n\
                  assert a['name'][8] == '\\xe9\\' \"%s\\n\\u05d0' and a['unit'][1] == 'deg' and 'sha256' in a['about'][-1]\n";
-    // what Python makes of the numbers themselves
+    // numbers as printed by Python
     let expected = NUMBERS.iter().chain(&[1.0]).map(|v| format!("{v:?}")).collect::<Vec<_>>().join(",");
     for (reader, needs, script) in [("numpy", "numpy", numpy), ("scipy", "scipy.io", scipy)] {
         let run = |script: &str| Command::new("python3").args(["-c", script]).current_dir(folder.path()).output();
@@ -233,8 +234,10 @@ fn arrays_read_back_bit_for_bit() {
 #[test]
 fn names_that_are_one_in_c_are_refused() {
     let two = document(vec![parameter("d-2", "mm", 1.0), parameter("d_2", "mm", 2.0)]);
-    let refused = by_name("c-header").unwrap().write(&Given::parameters(&two)).unwrap_err().to_string();
-    assert!(refused.contains("`d-2` and `d_2` are both `ETALON_PREXYT_D_2_MM`"), "{refused}");
+    let refused = by_name("c-header").unwrap().write(&Given::parameters(&two)).unwrap_err();
+    let names: [(&str, &dyn IntoArgument); 3] =
+        [("first", &"d-2"), ("second", &"d_2"), ("name", &"ETALON_PREXYT_D_2_MM")];
+    assert!(refused.0[0].is("parameter-names-collide", &names), "{refused}");
 }
 
 #[test]
@@ -243,16 +246,17 @@ fn what_must_not_reach_a_machine_is_refused() {
     lost.solver.termination = Termination::LostPatience;
     let nan = document(vec![parameter("d", "mm", f64::NAN)]);
     let twice = document(vec![parameter("d", "mm", 1.0), parameter("d", "mm", 1.0)]);
-    let cases = [(lost, "not converged"), (nan, "`d` has a number that is not finite"), (twice, "two parameters `d`")];
-    for (document, why) in cases {
+    let cases = [(lost, "parameters-not-converged"), (nan, "parameter-not-finite"), (twice, "parameter-twice")];
+    for (document, id) in cases {
         for name in names() {
-            let refused = by_name(name).unwrap().write(&Given::parameters(&document)).unwrap_err().to_string();
-            assert!(refused.contains(why), "{name}: {refused}");
+            let refused = by_name(name).unwrap().write(&Given::parameters(&document)).unwrap_err();
+            assert!(refused.0.iter().any(|m| m.is(id, &[])), "{name}: {refused}");
         }
     }
 }
 
-/// A variable of a Galil controller is a multiple of 1/65536 in um and 1E-6 deg; each is read back within the rounding that it states.
+/// A variable of a Galil controller is a multiple of 1/65536 in µm and 1E-6 deg; each reads back
+/// within the rounding that it states.
 #[test]
 fn a_galil_controller_holds_values_within_a_tenth_of_their_uncertainty() {
     let with = |u: f64| {
@@ -278,8 +282,8 @@ fn a_galil_controller_holds_values_within_a_tenth_of_their_uncertainty() {
             && written.contains("rounding "),
         "{written}"
     );
-    let refused = by_name("galil").unwrap().write(&Given::parameters(&with(1e-11))).unwrap_err().to_string();
-    assert!(refused.contains("`l11` loses"), "{refused}");
+    let refused = by_name("galil").unwrap().write(&Given::parameters(&with(1e-11))).unwrap_err();
+    assert!(refused.0[0].is("galil-rounding", &[("parameter", &"l11"), ("uncertainty", &1e-11)]), "{refused}");
 }
 
 #[test]
@@ -323,7 +327,8 @@ fn constants_of_plcs_read_back_bit_for_bit() {
     assert_eq!(read, expected);
 }
 
-/// Parameters of a solver that did not converge and of a result that cannot be the robot: each file says so, or is not written.
+/// Parameters of a solver that did not converge, and of a result that cannot be the robot: each
+/// file says so, or is not written.
 #[test]
 fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
     let arm = etalon_robots::Serial::new(
@@ -355,7 +360,7 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
     let mut wrong = whole.clone();
     wrong.messages.push(Message::error("*/ joint 2 turns the other way \n"));
     let summary = certificates::summary();
-    // formats of other robots refuse this one
+    // formats of other robots reject this robot
     let of_other_robots =
         ["urdf", "linuxcnc-hexapod", "linuxcnc-delta", "klipper-delta", "reprap-delta", "reprap-five-bar"];
     for name in names().filter(|name| !of_other_robots.contains(name)) {
@@ -371,13 +376,13 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
         for (document, why) in [(&lost, "not converged"), (&wrong, "joint 2 turns the other way")] {
             let refused = exporter.write(&given(document, false)).unwrap_err().to_string();
             assert!(refused.contains(why), "{name}: {refused}");
-            // letters of arrays have more than one byte
+            // characters of arrays have more than one byte
             let forced = exporter.write(&given(document, true)).unwrap();
             let forced = String::from_utf8_lossy(&forced).replace('\0', "");
             let head: String = forced.lines().take(8).collect();
             assert!(head.contains("NOT FIT FOR A CONTROLLER") && head.contains(why), "{name}: {head}");
         }
-        // numbers that are none are never written
+        // NaN is never written
         let mut nan = whole.clone();
         nan.parameters[0].value = f64::NAN;
         assert!(exporter.write(&given(&nan, true)).is_err(), "{name}");
@@ -417,7 +422,7 @@ fn compilers_read_the_same_numbers_whatever_the_names() {
 
 #[test]
 fn effects_that_a_format_cannot_hold_are_named() {
-    // a coupling that the drawing states is one too
+    // a coupling in the nominal values counts too
     let text =
         "model = \"serial\"\nbending = [2]\ncoupling = [[3, 2]]\nbacklash = [1]\n[nominal]\ncoupling_3_2 = 0.01\n";
     let joint = "[[joint]]\nalpha_deg = 90.0\na_mm = 100.0\ntheta_deg = 0.0\nd_mm = 290.0\n";

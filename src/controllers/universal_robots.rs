@@ -1,14 +1,15 @@
-//! Calibration of a Universal Robots arm as the ROS description packages load it (`kinematics_params_file`: ur_description,
-//! ur_calibration).
+//! Calibration of a Universal Robots arm in the format of the ROS description packages
+//! (`kinematics_params_file`: ur_description, ur_calibration).
 
 use super::template::render;
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-/// YAML, the frame of each joint in that of the one before, in metres and radians.
+/// YAML with the frame of each joint in the previous one (m, rad).
 pub(super) struct UniversalRobots;
 
 const LINKS: [&str; 6] = ["shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3"];
@@ -25,10 +26,7 @@ impl Exporter for UniversalRobots {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let chain = robot.joint_chain(&values).filter(|c| c.joints.len() == 6 && c.joints.iter().all(|j| !j.prismatic));
-        let chain = chain.ok_or_else(|| {
-            let message = Message::error(format!("`{}` is not an arm of six joints that turn", robot.model()));
-            message.hint("this format is that of Universal Robots' arms")
-        })?;
+        let chain = chain.ok_or_else(|| super::other_robot("universal-robots", robot, phrase!("kind-six-axis-arm")))?;
         let joint = |(link, joint): (&&'static str, &ChainJoint)| {
             let (xyz, rpy) = (joint.origin.translation_mm.map(|mm| mm / 1000.0), roll_pitch_yaw(&joint.origin));
             context! { link => link.to_string(), xyz => Serde(xyz), rpy => Serde(rpy), gain => joint.gain }

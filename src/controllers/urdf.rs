@@ -1,8 +1,10 @@
-//! The URDF that the robot was read from, with calibrated origins: all else, comments too, is as it was.
+//! URDF from which the robot was read, with calibrated origins; everything else is preserved,
+//! including comments.
 
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_robots::{Effect, Parameter};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -12,21 +14,21 @@ use std::ops::Range;
 /// URDF.
 pub(super) struct Urdf;
 
-/// What replaces a range of the file.
+/// Replacement of a range of the file.
 struct Edit {
     range: Range<usize>,
     text: String,
 }
 
-/// A joint as the reader goes through it.
+/// A joint during reading.
 #[derive(Default)]
 struct Joint {
     name: String,
     moves: bool,
-    /// Behind its tag.
+    /// Position after its tag.
     inside: usize,
     has_origin: bool,
-    /// Its gain is in the multiplier of its `mimic`.
+    /// `true` if the gain is in the multiplier of its `mimic`.
     has_gain: bool,
 }
 
@@ -35,7 +37,7 @@ impl Exporter for Urdf {
         "calibrated.urdf"
     }
 
-    /// Gains of joints that another joint moves are in the multiplier of `mimic`.
+    /// Gains of joints that mimic another joint are in the multiplier of `mimic`.
     fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
         let own = || {
             let joint = given.robot?.joints().get(parameter.joint?)?;
@@ -46,14 +48,11 @@ impl Exporter for Urdf {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, _) = given.robot()?;
-        let file = given.description.ok_or_else(|| {
-            let message = Message::error(format!("a robot of `model = \"{}\"` has no URDF", robot.model()));
-            message.hint("this format is for `model = \"urdf\"`")
-        })?;
+        let file = given.description.ok_or_else(|| super::other_robot("urdf", robot, phrase!("kind-urdf")))?;
         let mut edits = Vec::new();
         let mut left_out = Vec::new();
         edits_of(file.text, given, &mut edits, &mut left_out)
-            .ok_or_else(|| Message::error(format!("`{}` is not well-formed XML", file.file)))?;
+            .ok_or_else(|| error!("urdf-malformed", file = file.file))?;
         let mut lines = given.header_of_geometry("m, rad")?;
         lines.push(format!("origins of `{}` with identified errors", file.file));
         lines.extend(left_out);
@@ -73,7 +72,8 @@ impl Exporter for Urdf {
     }
 }
 
-/// What changes in a file, and what its format cannot state; `None` where it does not read.
+/// Collects changes of a file, and parameters that its format cannot state; `None` if the file is
+/// unreadable.
 fn edits_of(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) -> Option<()> {
     let mut reader = Reader::from_str(text);
     let (mut depth, mut joint) = (0usize, None::<Joint>);
@@ -136,7 +136,7 @@ fn edits_of(text: &str, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec
     }
 }
 
-/// What a joint that ends still needs: an origin where it has none, and a word on its gain.
+/// Completes a joint at its end: adds a missing origin, and a remark on its gain.
 fn finish(joint: &Joint, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) {
     let name = &joint.name;
     if !joint.moves {
@@ -151,19 +151,20 @@ fn finish(joint: &Joint, given: &Given, edits: &mut Vec<Edit>, left_out: &mut Ve
     left_out.extend(gain.map(|gain| format!("not in this format: joint {name} moves {gain:?} times its value")));
 }
 
-/// An attribute of a tag.
+/// Value of an attribute of a tag.
 fn attribute(tag: &BytesStart, name: &str) -> Option<String> {
     let found = tag.attributes().flatten().find(|a| a.key.local_name().as_ref() == name)?;
     found.normalized_value(quick_xml::XmlVersion::Implicit1_0).ok().map(|value| value.into_owned())
 }
 
-/// The value of a parameter of the robot, in mm, deg and 1.
+/// Value of a parameter of the robot (mm, deg or 1).
 fn value(given: &Given, name: &str) -> Option<f64> {
     given.robot?.index(name)?;
     given.parameters.parameters.iter().find(|p| p.name == name).map(|p| p.value)
 }
 
-/// The small errors of a joint in the order of their motions: axis, whether it is a rotation, value in mm or rad.
+/// Small errors of a joint in the order of their motions: axis, whether it is a rotation, value (mm
+/// or rad).
 fn errors(given: &Given, joint: &str) -> Vec<(usize, bool, f64)> {
     let all = [(false, ""), (true, "r")].into_iter().flat_map(|(turn, r)| (0..3).map(move |axis| (turn, r, axis)));
     let error = |(turn, r, axis): (bool, &str, usize)| {
@@ -173,7 +174,7 @@ fn errors(given: &Given, joint: &str) -> Vec<(usize, bool, f64)> {
     all.filter_map(error).filter(|(_, _, value)| *value != 0.0).collect()
 }
 
-/// The tag of an origin with errors behind it; `None` where it does not read.
+/// Tag of an origin followed by errors; `None` if it is unreadable.
 fn origin(xyz: &Option<String>, rpy: &Option<String>, errors: &[(usize, bool, f64)], empty: bool) -> Option<String> {
     let vector = |text: &Option<String>| -> Option<[f64; 3]> {
         let Some(text) = text else { return Some([0.0; 3]) };

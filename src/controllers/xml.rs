@@ -1,9 +1,9 @@
-//! Elements of XML as values, for formats that are XML.
+//! XML elements as values, for XML formats.
 
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 
-/// An element, its attributes, and what is in it.
+/// An element with its attributes and content.
 #[derive(Clone)]
 pub(super) struct Element {
     name: &'static str,
@@ -12,17 +12,18 @@ pub(super) struct Element {
     elements: Vec<Element>,
 }
 
-/// An element of elements.
+/// Creates an element with child elements.
 pub(super) fn element(name: &'static str, elements: impl IntoIterator<Item = Element>) -> Element {
     Element { name, attributes: Vec::new(), text: None, elements: elements.into_iter().collect() }
 }
 
-/// An element of text. Characters that XML forbids are replaced, white space around it is left out.
+/// Creates an element with text. Characters that XML forbids are replaced, surrounding white space
+/// is removed.
 pub(super) fn leaf(name: &'static str, text: impl std::fmt::Display) -> Element {
     Element { name, attributes: Vec::new(), text: Some(printable(&text.to_string())), elements: Vec::new() }
 }
 
-/// An element of lines.
+/// Creates an element with several lines of text.
 pub(super) fn block(name: &'static str, lines: &str) -> Element {
     Element { name, attributes: Vec::new(), text: Some(lines.to_owned()), elements: Vec::new() }
 }
@@ -33,13 +34,13 @@ fn printable(text: &str) -> String {
 }
 
 impl Element {
-    /// With an attribute.
+    /// Adds an attribute.
     pub fn with(mut self, name: &'static str, value: impl std::fmt::Display) -> Self {
         self.attributes.push((name, printable(&value.to_string())));
         self
     }
 
-    /// A document of this element, behind a comment of these lines.
+    /// Document with this root element, preceded by a comment with these lines.
     pub fn document(&self, header: &[String]) -> std::io::Result<Vec<u8>> {
         let mut out = Writer::new_with_indent(Vec::new(), b' ', 1);
         out.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;

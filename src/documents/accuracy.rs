@@ -1,188 +1,255 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
-use super::{Figure, ReadingReliability, ToolFrame, UncertaintySource};
+use super::{Effect, Figure, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Errors before and after, on calibration and validation poses apart.
+/// Errors before and after calibration, separately for calibration and validation poses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AccuracyDocument {
-    /// `etalon/accuracy/1`
+    /// Schema and version: `etalon/accuracy/1`.
     pub schema: String,
-    /// What "before" and "error" mean here, in words.
+    /// Definition of "before" and of "error" in this document, in words.
     pub definition: String,
-    /// The point whose errors `sets` holds, in words.
+    /// Point whose errors are in `sets`, in words.
     #[serde(default)]
     pub point: String,
-    /// Joints of the robot as columns name them: `q1_deg`.
+    /// Joints of the robot, named as columns: `q1_deg`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<String>,
-    /// One per set of poses: `calibration`, `validation`.
+    /// One entry per set of poses: `calibration`, `validation`.
     pub sets: Vec<AccuracySet>,
-    /// How far the validation poses lie from those of the calibration: the errors hold among poses like these.
+    /// Distances of the validation poses from the calibration poses. The errors apply within the
+    /// region that these poses cover.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub validation_distance: Option<ValidationDistance>,
-    /// Standard uncertainties of the position errors of the validation poses after calibration; empty without a validation or a covariance.
+    /// Targets and fixtures that no calibration pose shows. They are placed by their own readings
+    /// at validation poses, with all identified parameters held.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub placed_apart: Vec<PlacedApart>,
+    /// Effects of the robot that are proved by poses left out of the identification: effects chosen
+    /// by `effects = "proven"`, and effects that are not identified.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub effects: Vec<EffectProof>,
+    /// Standard uncertainties of the position errors of the validation poses after calibration;
+    /// empty without a validation or a covariance.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
-    /// How the mean errors of the calibration poses after identification depend on joints, reach and time; empty with fewer than ten poses.
+    /// Dependence of the mean errors of the calibration poses after identification on joints, reach
+    /// and time; empty with fewer than ten poses.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub trends: Vec<ResidualTrend>,
-    /// Limits that the campaign states, and whether they are met.
+    /// Limits that the campaign states, with their verdicts.
     pub limits: Vec<LimitVerdict>,
-    /// The error to expect at the tool point; absent where there is none, or no covariance.
+    /// Expected error at the tool point; absent without a tool point or a covariance.
     #[serde(default)]
     pub tool: Option<ToolAccuracy>,
-    /// The same over the workspace; absent also where the model has no inverse kinematics, or few places between the poses are reached.
+    /// Expected error at the tool point over the workspace. Absent without `tool`, without inverse
+    /// kinematics, or if the robot reaches too few places between the poses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub map: Option<PredictionMap>,
-    /// What is given, where the parameters were not identified from these data.
+    /// Origin and judgement of parameters that were given instead of being identified from these
+    /// data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub given: Option<GivenSummary>,
 }
 
-/// An F test of errors after identification: of a parabola of one quantity against a constant, all coordinates of the poses' means together.
+/// A target or fixture that is placed by its own readings at validation poses. The placement
+/// reduces the errors of these readings, so that each is divided by √r in the statistics; without
+/// redundancy it does not count.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct ResidualTrend {
-    /// The quantity: a joint as columns name it, `reach_mm` (distance from the base) or `order` (of the measurement).
-    pub against: String,
-    /// Root mean square of what the parabola explains, mm.
-    pub explained_mm: f64,
-    /// F statistic.
-    pub f: f64,
-    /// Probability of such a trend of a right model, corrected for the number of tests (Holm 1979).
-    pub p_value: f64,
+pub struct PlacedApart {
+    /// Name of the target or fixture.
+    pub name: String,
+    /// Number of readings that place the target.
+    pub readings: usize,
+    /// Mean redundancy number r of the readings: the share of an error that its reading shows. For
+    /// n positions of a target, r = 1 − 1/n.
+    pub redundancy: f64,
+    /// `true` if errors of the readings count: r is at least 0.1 for at least one reading.
+    pub is_assessed: bool,
 }
 
-/// The standard uncertainty of a figure, and what it is made of (GUM 5.1.2).
+/// Benefit of an effect of the robot at calibration poses that are left out of the identification.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct FigureBudget {
-    /// Which.
-    pub figure: Figure,
-    /// Its standard uncertainty (k = 1), mm.
-    pub standard_uncertainty_mm: f64,
-    /// What each source contributes: squares add up.
-    pub contributions: Vec<FigureContribution>,
-}
-
-/// What a source contributes to the standard uncertainty of a figure.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FigureContribution {
-    /// The source.
-    pub source: UncertaintySource,
-    /// Its contribution, mm.
-    pub standard_uncertainty_mm: f64,
-}
-
-/// How given parameters were judged.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct GivenSummary {
-    /// Whether base and targets were given too.
-    pub frames: GivenFrames,
-    /// Probability of errors as large as these, if parameters, base and targets are what they were given as, within their uncertainty and
-    /// that of the measurement; absent where base and targets were fitted.
+pub struct EffectProof {
+    /// Effect.
+    pub effect: Effect,
+    /// Joints of the effect's parameters.
+    pub joints: Vec<String>,
+    /// `true` if the effect is identified; `false` if its benefit is proved, but it is not
+    /// identified.
+    pub is_identified: bool,
+    /// Line of robot.toml that describes the effect; absent if robot.toml contains it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot_key: Option<String>,
+    /// Root-mean-square position error at poses that were left out, without the effect (mm).
+    pub without_mm: f64,
+    /// Root-mean-square position error at poses that were left out, with the effect (mm).
+    pub with_mm: f64,
+    /// Decrease of the mean square error over its standard uncertainty.
+    pub gain_over_u: Option<f64>,
+    /// Probability of the F statistic of the effect.
     pub p_value: Option<f64>,
 }
 
-/// Where base and targets come from when parameters are judged that were identified elsewhere.
+/// F test of a trend in the errors after identification: a parabola in one quantity against a
+/// constant. All coordinates of the poses' mean errors are tested together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResidualTrend {
+    /// Independent quantity: a joint by the name of its column, `reach_mm` (distance from the base)
+    /// or `order` (of the measurement).
+    pub against: String,
+    /// Root mean square of the errors that the parabola explains (mm).
+    pub explained_mm: f64,
+    /// F statistic.
+    pub f: f64,
+    /// Probability of such a trend if the model is right, corrected for the number of tests (Holm
+    /// 1979).
+    pub p_value: f64,
+}
+
+/// Standard uncertainty of a figure, and its contributions (GUM 5.1.2).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FigureBudget {
+    /// Figure.
+    pub figure: Figure,
+    /// Standard uncertainty of the figure (mm, k = 1).
+    pub standard_uncertainty_mm: f64,
+    /// Contribution of each source; the squares add up.
+    pub contributions: Vec<FigureContribution>,
+}
+
+/// Contribution of one source to the standard uncertainty of a figure.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FigureContribution {
+    /// Source.
+    pub source: UncertaintySource,
+    /// Contribution (mm).
+    pub standard_uncertainty_mm: f64,
+}
+
+/// Judgement of given parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GivenSummary {
+    /// Origin of base and targets.
+    pub frames: GivenFrames,
+    /// Probability of errors at least this large if the given parameters, base and targets are
+    /// right within their uncertainty and that of the measurement. Absent if base and targets were
+    /// fitted.
+    pub p_value: Option<f64>,
+}
+
+/// Origin of base and targets when parameters that were identified elsewhere are judged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
 #[serde(rename_all = "snake_case")]
 pub enum GivenFrames {
-    /// From the parameters: errors in the absolute sense, in the world frame of the campaign
+    /// From the parameters: errors are absolute, in the world frame of the campaign.
     Given,
-    /// Fitted to the calibration poses of the campaign
+    /// Fitted to the calibration poses of the campaign.
     #[default]
     Refit,
-    /// From the parameters with their covariance, and from the calibration poses: the most probable ones by both
+    /// Most probable values by the parameters with their covariance and by the calibration poses.
     Prior,
 }
 
-/// The error that the controller will make at the tool point: its true place in the base frame minus the one that the parameters predict.
+/// Error of the controller at the tool point: true position in the base frame minus the position
+/// predicted by the parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolAccuracy {
-    /// What "before" and "after" mean here, in words.
+    /// Definition of "before" and "after" in this object, in words.
     pub definition: String,
-    /// Place of the point in `frame`.
+    /// Position of the point in `frame`.
     pub point_mm: Vector,
-    /// The part in whose frame it is stated.
+    /// Part to which the point is attached.
     pub frame: ToolFrame,
-    /// The poses: `validation`, or `calibration` where there are no others.
+    /// Set of poses: `validation`, or `calibration` in a campaign without validation poses.
     #[schemars(with = "String")]
     pub set: PoseSet,
-    /// How many.
+    /// Number of poses.
     pub poses: usize,
-    /// Predicted with the parameters before minus predicted with the identified ones, mm.
+    /// Position predicted with the parameters before calibration minus position predicted with the
+    /// identified parameters (mm).
     pub before: Statistics,
-    /// Expected with the identified parameters (k = 1), mm.
+    /// Expected error with the identified parameters (mm, k = 1).
     pub after: Statistics,
-    /// The largest of these with k = 2, mm.
+    /// Largest expected error with the identified parameters (mm, k = 2).
     pub expanded_max_mm: f64,
-    /// Share of the parameters' covariance, root mean square, mm.
+    /// Contribution of the parameters' covariance, root mean square (mm).
     pub parameters_mm: f64,
-    /// Share of parameters that are held because the data do not determine them, with their tolerances, root mean square, mm.
+    /// Contribution of the tolerances of parameters that are held because the data do not determine
+    /// them, root mean square (mm).
     pub held_mm: f64,
-    /// Share of what the model leaves out: measured errors beyond what the instrument explains, root mean square, mm.
+    /// Contribution of effects outside the model: measured errors beyond the instrument's
+    /// uncertainty, root mean square (mm).
     pub model_mm: f64,
-    /// Share of the uncertainty of the point's place on the tool, mm.
+    /// Contribution of the uncertainty of the point's position on the tool (mm).
     pub place_mm: f64,
 }
 
-/// The error to expect at the tool point with the identified parameters, on a grid of the workspace that the calibration poses span:
-/// places between theirs at which no joint leaves its range in the calibration.
+/// Expected error at the tool point with the identified parameters, on a grid. The grid covers
+/// places between the calibration poses that the robot reaches without a joint leaving its range in
+/// the calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PredictionMap {
-    /// What the numbers of a node mean, in words.
+    /// Definition of the numbers of a node, in words.
     pub definition: String,
-    /// Place of the point in `frame`.
+    /// Position of the point in `frame`.
     pub point_mm: Vector,
-    /// The part in whose frame it is stated.
+    /// Part to which the point is attached.
     pub frame: ToolFrame,
-    /// Distance of neighbouring nodes, mm.
+    /// Distance between neighbouring nodes (mm).
     pub spacing_mm: f64,
-    /// The nodes by x, y and z.
+    /// Nodes in the order of x, y and z.
     pub nodes: Vec<MapNode>,
 }
 
-/// The error to expect at one place.
+/// Expected error at one node of the grid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MapNode {
-    /// The place in the base frame.
+    /// Position of the node in the base frame.
     pub at_mm: Vector,
-    /// Values of the joints there in mm or deg, as [`AccuracyDocument::joints`] names them: in the orientation of the nearest calibration pose.
+    /// Joint values at the node (mm or deg) in the order of [`AccuracyDocument::joints`], for the
+    /// orientation of the nearest calibration pose.
     pub joints: Vec<f64>,
-    /// Size of the error before: predicted with the parameters before minus predicted with the identified ones, mm.
+    /// Size of the error before calibration: position predicted with the parameters before
+    /// calibration minus position predicted with the identified parameters (mm).
     pub before_mm: f64,
-    /// Standard uncertainty (k = 1) of the predicted position by the identified parameters, mm.
+    /// Standard uncertainty of the predicted position due to the identified parameters (mm, k = 1).
     pub parameters_mm: f64,
-    /// The same with all else that contributes: the expected size of the error (root mean square), mm.
+    /// Expected size of the error from all sources, root mean square (mm).
     pub standard_uncertainty_mm: f64,
-    /// 95 % of the errors are at most this, mm.
+    /// 95th percentile of the size of the error (mm).
     pub p95_mm: f64,
 }
 
-/// Distances from validation poses to the nearest calibration pose, over the calibration poses' spacing: the median of their distances to
-/// the nearest of each other. Distances are those of joint values, each over its range in the calibration (root of the sum of squares).
+/// Distances from the validation poses to their nearest calibration poses, relative to the spacing
+/// of the calibration poses (median distance to the nearest neighbour). A distance is the root of
+/// the sum of squared differences of joint values, each divided by the range of the joint in the
+/// calibration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ValidationDistance {
-    /// Of half of the validation poses at most this: about 1 where both sets are spread alike.
+    /// Median; about 1 if both sets cover the same region equally.
     pub median: f64,
-    /// Of all validation poses at most this.
+    /// Largest relative distance.
     pub largest: f64,
-    /// Validation poses, each set of joint values counted once.
+    /// Number of validation poses; repeated joint values count once.
     pub poses: usize,
-    /// Those with a joint outside of its range in the calibration.
+    /// Number of validation poses with a joint outside its range in the calibration.
     pub outside: usize,
 }
 
@@ -193,14 +260,14 @@ pub struct ValidationDistance {
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum PoseSet {
-    /// Poses that parameters are identified from.
+    /// Poses from which parameters are identified.
     Calibration,
-    /// Poses that judge the parameters.
+    /// Poses that judge the identified parameters.
     Validation,
 }
 
 impl PoseSet {
-    /// Both sets in their order.
+    /// Both sets, calibration first.
     pub const ALL: [Self; 2] = [Self::Calibration, Self::Validation];
 
     /// Name of the set.
@@ -216,15 +283,15 @@ pub struct AccuracySet {
     /// `calibration` or `validation`.
     #[schemars(with = "String")]
     pub name: PoseSet,
-    /// Poses in it.
+    /// Number of poses.
     pub poses: usize,
-    /// Points or poses whose errors are counted.
+    /// Number of points or poses whose errors are counted.
     pub count: usize,
     /// One per quantity: position, x, y, z, orientation.
     pub errors: Vec<ErrorStatistics>,
 }
 
-/// Quantity of which errors are counted.
+/// Quantity whose errors are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::AsRefStr, strum::Display)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
@@ -242,11 +309,11 @@ pub enum ErrorQuantity {
 }
 
 impl ErrorQuantity {
-    /// Coordinates in their order.
+    /// Coordinates, in order.
     pub const AXES: [Self; 3] = [Self::X, Self::Y, Self::Z];
 }
 
-/// Statistics of one error before and after.
+/// Statistics of one error before and after calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ErrorStatistics {
@@ -255,17 +322,17 @@ pub struct ErrorStatistics {
     pub quantity: ErrorQuantity,
     /// `mm` or `deg`.
     pub unit: String,
-    /// With nominal parameters and only base and targets fitted.
+    /// Errors with nominal parameters; only base and targets are fitted.
     pub before: Statistics,
-    /// With the identified parameters.
+    /// Errors with the identified parameters.
     pub after: Statistics,
-    /// Expanded uncertainty (k = 2) of one error, by what the instrument measures; absent where it is not known.
+    /// Expanded uncertainty (k = 2) of one error due to the instrument; absent if unknown.
     #[serde(default)]
     pub expanded_uncertainty: Option<f64>,
 }
 
 impl AccuracySet {
-    /// Statistics of one quantity, where its errors are counted.
+    /// Statistics of one quantity, if its errors are counted.
     pub fn of(&self, quantity: ErrorQuantity) -> Option<&ErrorStatistics> {
         self.errors.iter().find(|e| e.quantity == quantity)
     }
@@ -279,13 +346,13 @@ pub struct Statistics {
     pub mean: f64,
     /// Root mean square.
     pub rms: f64,
-    /// 95 % of the errors are at most this.
+    /// 95th percentile.
     pub p95: f64,
-    /// Largest.
+    /// Largest size.
     pub max: f64,
 }
 
-/// One error, before or after: what the pictures of a report show.
+/// Error of one point before and after calibration, for the figures of a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointError {
@@ -298,20 +365,45 @@ pub struct PointError {
     pub cycle: i64,
     /// Target, or `C` for the centre of a planar platform.
     pub target: String,
-    /// Where it was measured: a target in the world, or `C` in the base frame with the identified parameters.
+    /// Measured position: a target in the world frame, or `C` in the base frame with the identified
+    /// parameters.
     pub at_mm: Vector,
-    /// Measured minus predicted, before.
+    /// Measured minus predicted position before calibration.
     pub before_mm: Vector,
-    /// Measured minus predicted, after.
+    /// Measured minus predicted position after calibration.
     pub after_mm: Vector,
-    /// Orientation error before, where there is one.
+    /// Orientation error before calibration, if measured.
     pub before_deg: Option<f64>,
-    /// Orientation error after.
+    /// Orientation error after calibration, if measured.
     pub after_deg: Option<f64>,
-    /// Values of the joints in mm or deg and, where it is known, the time in s, as [`AccuracyDocument::joints`] names them.
+    /// Joint values (mm or deg) in the order of [`AccuracyDocument::joints`], then the time (s) if
+    /// known.
     #[serde(default)]
     pub joints: Vec<f64>,
-    /// How well the other readings of the calibration control it; absent of validation poses.
+    /// Reliability of the reading, as controlled by the other readings of the calibration; absent
+    /// for validation poses.
     #[serde(default)]
     pub reliability: Option<ReadingReliability>,
+    /// Redundancy number of a reading that places its own target or fixture, which no calibration
+    /// pose shows; absent for all other readings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_redundancy: Option<f64>,
+}
+
+/// Redundancy number below which a reading is uncontrolled (Förstner 1987, Reliability analysis of
+/// parameter estimation).
+const UNCONTROLLED: f64 = 0.1;
+
+/// Divisor √r in statistics of the error of a reading that places its own target with this
+/// redundancy number; `None` if the reading is uncontrolled.
+pub fn counted_share(redundancy: f64) -> Option<f64> {
+    (redundancy >= UNCONTROLLED).then(|| redundancy.sqrt())
+}
+
+impl PointError {
+    /// Divisor of the error in statistics: 1, or [`counted_share`] if the reading places its own
+    /// target.
+    pub fn own_share(&self) -> Option<f64> {
+        self.own_redundancy.map_or(Some(1.0), counted_share)
+    }
 }

@@ -1,43 +1,66 @@
-//! What commands answer that make no document of a campaign: `--json` of check, formats, report, export, simulate, init.
+//! Answers of commands that write no document of a campaign: `--json` of check, formats, report,
+//! export, simulate, init.
 
 use super::{ControllerErrors, Source};
+use etalon_base::catalogue::{Arguments, Entry};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What `etalon check` found. Without errors the exit code is 0, with any it is 2.
+/// Findings of `etalon check`. The exit code is 2 if there are errors, otherwise 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CheckDocument {
-    /// `etalon/check/1`
+    /// Schema and version: `etalon/check/1`.
     pub schema: String,
     /// The campaign as the user named it.
     pub campaign: String,
-    /// What must be put right before the campaign can run.
+    /// Errors that prevent the campaign from running.
     pub errors: Vec<Finding>,
-    /// What a report would warn of.
+    /// Warnings that a report would show.
     pub warnings: Vec<Finding>,
-    /// Files that were read, and the rows refused by rule; empty where reading found errors.
+    /// Files read, and rows rejected by a rule; empty if reading found errors.
     pub sources: Vec<Source>,
+    /// Travel of the joints in the calibration poses; empty if the poses are unknown.
+    #[serde(default)]
+    pub joints: Vec<JointTravel>,
 }
 
-/// One error or warning. What does not apply is null.
+/// Smallest and largest value of a joint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointTravel {
+    /// Column of the joint with its unit: `q1_deg`, `rho1_mm`.
+    pub column: String,
+    /// Smallest value.
+    pub lowest: f64,
+    /// Largest value.
+    pub highest: f64,
+}
+
+/// One error or warning. Members that do not apply are null.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Finding {
-    /// What is wrong, in one sentence.
+    /// Id in the catalogue of messages; `etalon explain ID` explains it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub id: String,
+    /// Arguments of the text in the catalogue.
+    #[serde(default, skip_serializing_if = "Arguments::is_empty")]
+    pub arguments: Arguments,
+    /// Problem, in one English sentence.
     pub what: String,
-    /// In which file.
+    /// File of the problem.
     pub file: Option<String>,
-    /// In which line, from 1.
+    /// Line of the problem, from 1.
     pub line: Option<usize>,
-    /// At which character of the line, from 1.
+    /// Column of the problem in the line (characters, from 1).
     pub column: Option<usize>,
-    /// The line itself.
+    /// Text of the line.
     pub text: Option<String>,
-    /// What was expected there.
+    /// Expected content at this place.
     pub expected: Option<String>,
-    /// What to do.
+    /// Next action.
     pub hint: Option<String>,
 }
 
@@ -45,6 +68,8 @@ impl From<&Message> for Finding {
     fn from(message: &Message) -> Self {
         let place = message.place.as_deref();
         Self {
+            id: message.id.clone().into_owned(),
+            arguments: message.arguments.clone(),
             what: message.what.clone(),
             file: place.map(|p| p.file.clone()),
             line: place.and_then(|p| p.line),
@@ -57,8 +82,8 @@ impl From<&Message> for Finding {
 }
 
 impl CheckDocument {
-    /// Errors and warnings apart.
-    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>) -> Self {
+    /// Separates messages into errors and warnings.
+    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>, joints: Vec<JointTravel>) -> Self {
         let of = |severity| messages.iter().filter(|m| m.severity == severity).map(Finding::from).collect();
         Self {
             schema: "etalon/check/1".to_owned(),
@@ -66,49 +91,133 @@ impl CheckDocument {
             errors: of(Severity::Error),
             warnings: of(Severity::Warning),
             sources,
+            joints,
         }
     }
 }
 
-/// How a delimited text could be read: what `etalon formats` proposes.
+/// Answer of `etalon explain`: explanations of messages.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+pub struct ExplanationDocument {
+    /// Schema and version: `etalon/explanation/1`.
+    pub schema: String,
+    /// Requested message, or all messages.
+    pub messages: Vec<Explanation>,
+}
+
+/// Explanation of one message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Explanation {
+    /// Id of the message.
+    pub id: String,
+    /// English text; arguments are in braces.
+    pub text: String,
+    /// Expected value or state; null if the text contains it.
+    pub expected: Option<String>,
+    /// Hint of the message; null without a hint of its own.
+    pub hint: Option<String>,
+    /// Meaning of the message.
+    pub meaning: String,
+    /// Consequence of the message.
+    pub reason: String,
+    /// Next action.
+    pub action: String,
+    /// Input that causes the message.
+    pub example: String,
+}
+
+impl ExplanationDocument {
+    /// Creates the explanations of these entries of the catalogue.
+    pub fn new<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Self {
+        let explanation = |entry: &Entry| Explanation {
+            id: entry.id.to_owned(),
+            text: entry.pattern(None).unwrap_or_default(),
+            expected: entry.pattern(Some("expected")),
+            hint: entry.pattern(Some("hint")),
+            meaning: entry.meaning.clone(),
+            reason: entry.reason.clone(),
+            action: entry.action.clone(),
+            example: entry.example.clone(),
+        };
+        let messages = entries.into_iter().map(explanation).collect();
+        Self { schema: "etalon/explanation/1".to_owned(), messages }
+    }
+}
+
+/// Proposals of `etalon formats` for reading a file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct FormatsDocument {
-    /// `etalon/formats/1`
+    /// Schema and version: `etalon/formats/1`.
     pub schema: String,
     /// The file as the user named it.
     pub file: String,
-    /// Name of the format, where the file states it; it needs no reading then.
+    /// Name of the format, if the file states one. Such a file needs no proposal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub format: Option<String>,
-    /// The reading that is proposed, then others that explain the file as well.
+    /// Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`,
+    /// `commanded`, `recording` ...
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub kind: String,
+    /// Number of examined data rows.
+    #[serde(default)]
+    pub rows: usize,
+    /// Proposed contents of each column of the first reading, with reasons.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub columns: Vec<FormatsColumn>,
+    /// Readings that explain the file, the proposed one first.
     pub readings: Vec<Reading>,
-    /// Why the first is proposed.
+    /// Reasons for the first proposal.
     pub reasons: Vec<String>,
-    /// Doubts about it.
+    /// Doubts about the first proposal.
     pub doubts: Vec<String>,
-    /// What the file cannot state, and the campaign must.
+    /// Facts that the file cannot state and the campaign must.
     pub questions: Vec<String>,
-    /// The proposal as lines for campaign.toml, with all that as comments.
+    /// Proposal as lines for campaign.toml, with reasons, doubts and questions as comments.
     pub toml: String,
 }
 
-/// One reading of a delimited text. The unit of lengths is not part of it.
+/// A column and its proposed contents.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormatsColumn {
+    /// Number of the column, from 1.
+    pub number: usize,
+    /// Heading in the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heading: Option<String>,
+    /// Unit in the heading.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// Proposed contents of the column.
+    pub taken_for: String,
+    /// Evidence for the contents.
+    pub why: String,
+}
+
+/// One reading of a delimited text, without the unit of lengths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reading {
-    /// As `delimiter` states it in the campaign.
-    pub delimiter: String,
-    /// As `decimal` states it.
+    /// Value of the campaign's key `delimiter`; absent for a sheet of a workbook.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub delimiter: Option<String>,
+    /// Value of the campaign's key `sheet`, for a workbook.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sheet: Option<String>,
+    /// Value of the campaign's key `decimal`.
     pub decimal: String,
-    /// As `thousands` states it, where numbers have groups of digits.
+    /// Value of the campaign's key `thousands`, if digits are grouped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thousands: Option<String>,
-    /// Rows before the data.
+    /// Number of rows before the data.
     pub header: usize,
-    /// As `columns` states them.
+    /// Value of the campaign's key `columns`.
     pub columns: Vec<String>,
-    /// Share of the rows looked at that have as many fields as most, two of them numbers; from 0 to 1.
+    /// Share of the examined rows that have the most frequent number of fields, at least two of
+    /// them numbers (0 to 1).
     pub share: f64,
 }
 
@@ -116,16 +225,17 @@ pub struct Reading {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrittenDocument {
-    /// `etalon/written/1`
+    /// Schema and version: `etalon/written/1`.
     pub schema: String,
-    /// Files in the order in which they were written.
+    /// Files in the order of writing.
     pub files: Vec<String>,
-    /// Position errors with the controller files that `etalon export` wrote, as far as the run measured them.
+    /// Position errors with the controller files that `etalon export` wrote, if the run measured
+    /// them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub controllers: Vec<WrittenController>,
 }
 
-/// A controller file that was written.
+/// One controller file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrittenController {
@@ -133,12 +243,13 @@ pub struct WrittenController {
     pub format: String,
     /// Identified parameters that the format does not hold.
     pub left_out: Vec<String>,
-    /// Errors at validation poses, otherwise at calibration poses; null if they were not measured.
+    /// Errors at validation poses, or at calibration poses in a campaign without validation; null
+    /// if they were not measured.
     pub errors: Option<ControllerErrors>,
 }
 
 impl WrittenDocument {
-    /// These files.
+    /// Creates the document of written files.
     pub fn new(files: Vec<String>) -> Self {
         Self { schema: "etalon/written/1".to_owned(), files, controllers: Vec::new() }
     }

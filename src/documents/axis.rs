@@ -1,4 +1,4 @@
-//! What `etalon iso230` answers.
+//! Answer of `etalon iso230`.
 
 use crate::mirror::mirror;
 use etalon_standards::iso230;
@@ -9,19 +9,19 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AxisDocument {
-    /// `etalon/iso230/1`
+    /// Schema and version: `etalon/iso230/1`.
     pub schema: String,
-    /// The axis.
+    /// Positioning of the axis.
     pub axis: AxisPositioning,
-    /// Its positions, ascending.
+    /// Positions of the axis, ascending.
     pub positions: Vec<AxisPosition>,
 }
 
 mirror! {
-    /// The runs to one position from one side.
+    /// Runs to one position from one direction.
     #[derive(Copy)]
     struct Approach of iso230::Approach {
-        /// Runs, n.
+        /// Number of runs n.
         runs: usize,
         /// Mean unidirectional positioning deviation x̄i.
         mean_mm: f64,
@@ -33,14 +33,14 @@ mirror! {
 }
 
 mirror! {
-    /// One position of the axis, approached from both sides.
+    /// One position of the axis, approached from both directions.
     #[derive(Copy)]
     struct AxisPosition of iso230::AxisPosition {
         /// Programmed position.
         position_mm: f64,
-        /// In positive direction (↑).
+        /// Approach in positive direction (↑).
         forward: Approach,
-        /// In negative direction (↓).
+        /// Approach in negative direction (↓).
         backward: Approach,
         /// Mean bidirectional positioning deviation x̄i = (x̄i↑ + x̄i↓) / 2.
         mean_mm: f64,
@@ -52,14 +52,14 @@ mirror! {
 }
 
 mirror! {
-    /// A quantity of both directions together, and of each.
+    /// A quantity of both directions together, and of each direction.
     #[derive(Copy)]
     struct Directions of iso230::Directions {
-        /// Bidirectional.
+        /// Bidirectional value.
         both_mm: f64,
-        /// Unidirectional, in positive direction (↑).
+        /// Unidirectional value in positive direction (↑).
         forward_mm: f64,
-        /// Unidirectional, in negative direction (↓).
+        /// Unidirectional value in negative direction (↓).
         backward_mm: f64,
     }
 }
@@ -74,17 +74,20 @@ mirror! {
         mean_reversal_mm: f64,
         /// Positioning repeatability R = max Ri.
         repeatability: Directions,
-        /// Systematic positioning error E = max x̄i − min x̄i, of both directions together over all x̄i↑ and x̄i↓.
+        /// Systematic positioning error E = max x̄i − min x̄i; the bidirectional value is over all
+        /// x̄i↑ and x̄i↓.
         systematic: Directions,
-        /// Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the bidirectional means.
+        /// Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the
+        /// bidirectional means.
         mean_systematic_mm: f64,
-        /// Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si), of both directions together over ↑ and ↓.
+        /// Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si); the bidirectional value is
+        /// over ↑ and ↓.
         accuracy: Directions,
     }
 }
 
 impl AxisDocument {
-    /// The document of an axis measured at `positions`, ascending.
+    /// Evaluates an axis that was measured at `positions`, ascending.
     pub fn new(positions: &[iso230::AxisPosition]) -> Self {
         Self {
             schema: "etalon/iso230/1".to_owned(),

@@ -1,24 +1,25 @@
-//! What `etalon batch --json` answers.
+//! Answer of `etalon batch --json`.
 
 use indexmap::IndexSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How the campaigns of a batch ended.
+/// Outcome of the campaigns of a batch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BatchDocument {
-    /// `etalon/batch/1`
+    /// Schema and version: `etalon/batch/1`.
     pub schema: String,
-    /// Campaigns whose limits are met, or that state none.
+    /// Number of campaigns that meet all limits or state none.
     pub done: usize,
-    /// Campaigns with a limit that is not met, or a result that cannot be the robot.
+    /// Number of campaigns that fail a limit, or whose result cannot be the robot.
     pub not_met: usize,
-    /// Campaigns that did not run.
+    /// Number of campaigns that did not run.
     pub failed: usize,
-    /// Campaigns whose data are not there, by a variable of the environment.
+    /// Number of campaigns that were skipped because an environment variable for their data is
+    /// unset.
     pub skipped: usize,
-    /// One each, in the order in which they were named.
+    /// One entry per campaign, in the order of the command line.
     pub campaigns: Vec<BatchEntry>,
 }
 
@@ -26,41 +27,41 @@ pub struct BatchDocument {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BatchEntry {
-    /// The folder as the user named it.
+    /// Folder, as the user named it.
     pub campaign: String,
-    /// The campaign's name.
+    /// Name of the campaign.
     pub name: String,
     /// Name of the robot, or of its model.
     pub robot: Option<String>,
-    /// When it was measured.
+    /// Date of the measurement.
     pub date: Option<String>,
-    /// How it ended.
+    /// Outcome.
     pub ended: BatchEnd,
-    /// Whether it was run; else nothing of it has changed since its last run.
+    /// `true` if the campaign was run; `false` if nothing has changed since its last run.
     pub computed: bool,
-    /// Its output folder.
+    /// Output folder of the campaign.
     pub output: Option<String>,
-    /// Why it failed or was skipped.
+    /// Reason of a failure or omission.
     pub message: Option<String>,
 }
 
-/// How a campaign ended.
+/// Outcome of a campaign.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BatchEnd {
-    /// All limits are met, or none is stated.
+    /// All limits are met, or no limit is stated.
     Done,
     /// A limit is not met, or the result cannot be the robot.
     NotMet,
-    /// It did not run.
+    /// The campaign did not run.
     #[default]
     Failed,
-    /// Its data are not there.
+    /// The data of the campaign are unavailable.
     Skipped,
 }
 
 impl BatchEnd {
-    /// As documents spell it.
+    /// Name in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::Done => "done",
@@ -71,32 +72,32 @@ impl BatchEnd {
     }
 }
 
-/// A quantity that the page over all campaigns shows.
+/// A quantity on the overview page of all campaigns.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct BatchQuantity {
-    /// Its name.
+    /// Name of the quantity.
     pub name: String,
-    /// Its unit.
+    /// Unit of the quantity.
     pub unit: String,
 }
 
-/// Results of the campaigns of a batch, as far as its page shows them.
+/// Results of the campaigns of a batch that the overview page shows.
 #[derive(Debug, Default)]
 pub struct BatchFigures {
-    /// Every quantity that a campaign has.
+    /// All quantities that occur in any campaign.
     pub quantities: IndexSet<BatchQuantity>,
-    /// By campaign.
+    /// Values of each campaign.
     pub values: Vec<Vec<BatchValue>>,
 }
 
 /// A result of a campaign.
 #[derive(Clone, Copy, Debug)]
 pub struct BatchValue {
-    /// Index of its quantity.
+    /// Index of the quantity.
     pub quantity: usize,
-    /// In the unit of the quantity.
+    /// Value in the unit of the quantity.
     pub value: f64,
-    /// Its standard uncertainty, where it has one.
+    /// Standard uncertainty of the value, if known.
     pub standard_uncertainty: Option<f64>,
 }
 
@@ -116,7 +117,7 @@ impl BatchFigures {
 }
 
 impl BatchDocument {
-    /// Of these campaigns.
+    /// Counts the outcomes of `campaigns`.
     pub fn new(campaigns: Vec<BatchEntry>) -> Self {
         let count = |end| campaigns.iter().filter(|c| c.ended == end).count();
         Self {

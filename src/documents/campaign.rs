@@ -1,4 +1,5 @@
-//! `campaign.json`: what the campaign states about itself, the conditions of a test, and the presentation of the report.
+//! `campaign.json`: statements of the campaign about itself, test conditions, and presentation of
+//! the report.
 
 use super::DecisionRule;
 use etalon_base::country::Country;
@@ -7,16 +8,16 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What the campaign states about itself, for the head of a report.
+/// Statements of the campaign about itself, for the head of a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CampaignSummary {
     /// Name of the campaign.
     pub name: String,
-    /// Name of the robot, where its file states one.
+    /// Name of the robot, if its file states one.
     #[serde(default)]
     pub robot: Option<String>,
-    /// Whether its data are synthetic, and what that means; absent for measured data.
+    /// Explanation of synthetic data; absent for measured data.
     pub synthetic: Option<String>,
     /// Remarks.
     pub notes: Option<String>,
@@ -28,22 +29,22 @@ pub struct CampaignSummary {
     pub instrument: Option<String>,
     /// Expanded uncertainty of one coordinate.
     pub expanded_uncertainty_um: Option<f64>,
-    /// Its coverage factor.
+    /// Coverage factor of `expanded_uncertainty_um`.
     pub coverage_factor: Option<f64>,
-    /// Expanded uncertainty of a position, where it is stated.
+    /// Expanded uncertainty of a position, if stated.
     #[serde(default)]
     pub expanded_position_uncertainty_um: Option<f64>,
-    /// Decision rule for limits as stated.
+    /// Decision rule for limits, as stated.
     #[serde(default)]
     pub decision_rule: Option<DecisionRule>,
-    /// How well the robot finds a measured point again, where stated.
+    /// Repeatability of the robot in returning to a measured point, if stated.
     pub contact: Option<ContactSummary>,
     /// Temperature during the campaign.
     pub temperature_c: Option<f64>,
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,
-    /// What identifies the report.
+    /// Identification of the report.
     #[serde(default)]
     pub issue: Issue,
     /// Presentation of the report.
@@ -51,23 +52,24 @@ pub struct CampaignSummary {
     pub report: Presentation,
 }
 
-/// How well the robot finds a measured point again.
+/// Repeatability of the robot in returning to a measured point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ContactSummary {
-    /// Half width of the interval within which one coordinate repeats.
+    /// Half-width of the interval within which one coordinate repeats.
     pub repeatability_um: f64,
-    /// The half width in standard deviations.
+    /// Half-width in standard deviations.
     pub coverage_factor: f64,
 }
 
-/// What identifies a report (ISO/IEC 17025:2017, 7.8.2.1). A report lists what is absent as "not stated".
+/// Identification of a report (ISO/IEC 17025:2017, 7.8.2.1). A report shows missing entries as "not
+/// stated".
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Issue {
     /// Number of the report, unique in the laboratory.
     pub number: Option<String>,
-    /// Number and date of the report that this one amends or replaces, and the reason.
+    /// Number and date of the report that this report amends or replaces, and the reason.
     pub amends: Option<String>,
     /// Name and contact of the customer.
     pub customer: Option<String>,
@@ -76,43 +78,43 @@ pub struct Issue {
     pub country: Option<Country>,
     /// Date of issue.
     pub issued: Option<String>,
-    /// Who authorises the report: name and function.
+    /// Person who authorises the report: name and function.
     pub authorised_by: Option<String>,
-    /// Results that an external provider obtained, and which.
+    /// Results that an external provider obtained.
     pub external_results: Option<String>,
 }
 
-/// Conditions of a test (ISO 9283:1998, 6 and 12). A report lists what is absent as "not stated".
+/// Conditions of a test (ISO 9283:1998, 6 and 12). A report shows missing entries as "not stated".
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Conditions {
     /// Name and address of the laboratory.
     pub laboratory: Option<String>,
-    /// Where the measurements were made, if not in the laboratory.
+    /// Place of the measurements, if outside the laboratory.
     pub place: Option<String>,
-    /// The robot in words.
+    /// Description of the robot.
     pub robot: Option<String>,
-    /// Its manufacturer.
+    /// Manufacturer of the robot.
     pub robot_maker: Option<String>,
-    /// Its type.
+    /// Type of the robot.
     pub robot_type: Option<String>,
-    /// Its serial number.
+    /// Serial number of the robot.
     pub robot_serial_number: Option<String>,
-    /// Date on which it was received for the test.
+    /// Date on which the robot was received for the test.
     pub robot_received: Option<String>,
-    /// Its state: repaired, adjusted, as found.
+    /// State of the robot: repaired, adjusted, as found.
     pub robot_state: Option<String>,
     /// Make, type and software version of the controller.
     pub controller: Option<String>,
-    /// How and on what the robot is mounted.
+    /// Mounting of the robot.
     pub mounting: Option<String>,
-    /// The point of robot or tool that was measured.
+    /// Measured point of the robot or tool.
     pub measurement_point: Option<String>,
     /// Mass of the load at the mechanical interface.
     pub load_kg: Option<f64>,
-    /// Centre of mass of the load from the mechanical interface.
+    /// Centre of mass of the load, relative to the mechanical interface.
     pub load_centre_mm: Option<Vector>,
-    /// Velocities of the test in per cent of the rated velocity.
+    /// Velocities of the test (% of the rated velocity).
     pub velocities_percent: Option<Vec<f64>>,
     /// Path velocities of the test.
     pub velocities_mm_s: Option<Vec<f64>>,
@@ -124,9 +126,10 @@ pub struct Conditions {
     pub warm_up_minutes: Option<f64>,
     /// Certificate of the instrument's calibration, and its date.
     pub instrument_calibration: Option<String>,
-    /// To which standards the instrument's calibration is traceable, and through which laboratory.
+    /// Standards to which the instrument's calibration is traceable, and the laboratory that
+    /// establishes traceability.
     pub traceability: Option<String>,
-    /// Deviations from the standard; an empty list states that there are none.
+    /// Deviations from the standard; an empty list states that there were no deviations.
     pub deviations: Option<Vec<String>>,
 }
 
@@ -138,14 +141,15 @@ impl Conditions {
         listed.chain(self.humidity_percent.map(|v| ("humidity_percent", v))).collect()
     }
 
-    /// Keys and values of the numbers that may be zero, and not less.
+    /// Keys and values of the numbers that must not be negative.
     pub fn not_negative(&self) -> Vec<(&'static str, f64)> {
         let stated = [("load_kg", self.load_kg), ("warm_up_minutes", self.warm_up_minutes)];
         stated.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
     }
 }
 
-/// Language of a report. Texts of the campaign stay as they are, messages of the program stay English.
+/// Language of a report. Texts of the campaign are not translated; messages of the program stay in
+/// English.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Language {
@@ -159,7 +163,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// As HTML and ISO 639-1 name it.
+    /// Language code of HTML (ISO 639-1).
     pub fn code(self) -> &'static str {
         match self {
             Self::En => "en",
@@ -169,16 +173,16 @@ impl Language {
     }
 }
 
-/// Presentation of a report, complete, so that the output folder alone is enough to write it again.
+/// Complete presentation of a report: the output folder suffices to write the report again.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Presentation {
-    /// Its language.
+    /// Language of the report.
     pub language: Language,
     /// The laboratory's logo as a data URI (SVG or PNG).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub logo: Option<String>,
-    /// Text of the laboratory's own templates by the name of the file.
+    /// The laboratory's own templates: texts by file name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub templates: BTreeMap<String, String>,
 }

@@ -1,4 +1,4 @@
-//! What `etalon compare` answers.
+//! Answer of `etalon compare`.
 
 use super::UncertaintyFrom;
 use super::{Conditions, Provenance};
@@ -6,25 +6,28 @@ use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Several campaigns of one robot side by side, in the order in which they were named.
+/// Comparison of several campaigns of one robot, in the order of the command line.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareDocument {
-    /// `etalon/compare/1`
+    /// Schema and version: `etalon/compare/1`.
     pub schema: String,
-    /// Model of the robot; null where none of the campaigns identifies.
+    /// Model of the robot; null if no campaign identifies parameters.
     pub robot: Option<String>,
-    /// By which rules changes are judged, and their limitations, in words.
+    /// Rules for judging changes, and their limitations, in words.
     pub conventions: Vec<String>,
-    /// The campaigns.
+    /// Compared campaigns.
     pub campaigns: Vec<ComparedCampaign>,
     /// Every quantity over the campaigns.
     pub trends: Vec<CompareTrend>,
-    /// Whether the robot's parameters changed at all, all of them together, for each pair of campaigns.
+    /// Joint test of all robot parameters for each pair of campaigns.
     pub together: Vec<CompareTogether>,
+    /// Between-series components for each pair of campaigns with a misfit in at least one.
+    #[serde(default)]
+    pub between_series: Vec<CompareBetween>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
-    /// Version, and the documents that were compared.
+    /// Version, and the compared documents.
     pub provenance: Provenance,
 }
 
@@ -36,7 +39,7 @@ pub struct ComparedCampaign {
     pub folder: String,
     /// Name of the campaign.
     pub name: String,
-    /// Name of the robot, where its file states one.
+    /// Name of the robot, if its file states one.
     #[serde(default)]
     pub robot: Option<String>,
     /// Date as stated.
@@ -44,20 +47,21 @@ pub struct ComparedCampaign {
     /// Conditions as stated.
     #[serde(default)]
     pub conditions: Conditions,
-    /// Parameters of the robot that were identified.
+    /// Identified parameters of the robot.
     #[serde(default)]
     pub identified: Vec<String>,
     /// Measuring instrument.
     pub instrument: Option<String>,
     /// Expanded uncertainty of one coordinate.
     pub expanded_uncertainty_um: Option<f64>,
-    /// Its coverage factor.
+    /// Coverage factor of `expanded_uncertainty_um`.
     pub coverage_factor: Option<f64>,
-    /// Whether its data are synthetic.
+    /// Explanation of synthetic data; absent for measured data.
     pub synthetic: Option<String>,
-    /// What standard uncertainties of parameters rest on.
+    /// Basis of the standard uncertainties of the parameters.
     pub uncertainties_from: Option<UncertaintyFrom>,
-    /// Degrees of freedom of these; null where they are stated and not estimated.
+    /// Degrees of freedom of the standard uncertainties; null if the uncertainties are stated
+    /// rather than estimated.
     pub degrees_of_freedom: Option<f64>,
 }
 
@@ -67,13 +71,13 @@ pub struct ComparedCampaign {
 pub enum CompareFamily {
     /// Parameters of the robot.
     Robot,
-    /// Parameters of base and targets: they change with every set-up.
+    /// Parameters of base and targets, which change with every set-up.
     SetUp,
     /// Mean errors before and after calibration.
     MeanError,
     /// AP of each pose.
     PoseAccuracy,
-    /// Coordinates of the mean position of each pose.
+    /// Coordinates of the mean attained position of each pose.
     MeanPosition,
     /// RP of each pose.
     PoseRepeatability,
@@ -87,25 +91,26 @@ pub enum CompareFamily {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareTrend {
-    /// With which others it is tested.
+    /// Family with which the quantity is tested.
     pub family: CompareFamily,
     /// Name of the parameter, or the quantity in words.
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// One for each campaign.
+    /// One value per campaign.
     pub values: Vec<CompareValue>,
-    /// Every campaign against the first and against the previous one, where both have the quantity.
+    /// Changes of every campaign from the first and from the previous campaign, where both have the
+    /// quantity.
     pub changes: Vec<CompareChange>,
 }
 
-/// The quantity in one campaign; null where it has none.
+/// Value of the quantity in one campaign; null if absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareValue {
-    /// The value.
+    /// Value.
     pub value: Option<f64>,
-    /// Its standard uncertainty (k = 1); null where there is only an interval.
+    /// Standard uncertainty (k = 1); null if only an interval is known.
     pub standard_uncertainty: Option<f64>,
     /// Lower end of the 95 % interval.
     pub low: Option<f64>,
@@ -113,47 +118,65 @@ pub struct CompareValue {
     pub high: Option<f64>,
 }
 
-/// How a quantity changed between two campaigns.
+/// Change of a quantity between two campaigns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareChange {
     /// Number of the earlier campaign, from 1.
     pub from: usize,
-    /// Number of the later one.
+    /// Number of the later campaign.
     pub to: usize,
-    /// Later minus earlier.
+    /// Later minus earlier value.
     pub change: f64,
-    /// Later over earlier, for quantities whose intervals are those of the ratio (RP, and RT, of which it is that of the
-    /// middles of both intervals); null for others.
+    /// Later over earlier value, for quantities with an interval for the ratio (RP and RT; for RT
+    /// the ratio of the interval midpoints). Null for other quantities.
     pub ratio: Option<f64>,
-    /// Lower end of the 95 % interval of the change, or of the ratio where there is one; null where there is none.
+    /// Lower end of the 95 % interval of the ratio, or of the change if there is no ratio; null if
+    /// unknown.
     pub low: Option<f64>,
-    /// Upper end.
+    /// Upper end of the interval.
     pub high: Option<f64>,
-    /// Probability of a change at least as large where nothing changed; null without uncertainties.
+    /// Probability of a change at least this large if nothing changed; null without uncertainties.
     pub p: Option<f64>,
-    /// The same, corrected for the number of quantities in the family (parameters: Westfall & Young; others: Holm).
+    /// Probability `p`, corrected for the number of quantities in the family (parameters: Westfall
+    /// & Young; others: Holm).
     pub p_family: Option<f64>,
-    /// Whether the corrected probability is below 5 %.
+    /// `true` if the corrected probability is below 5 %.
     pub significant: Option<bool>,
 }
 
-/// All robot parameters of two campaigns together.
+/// Joint test of all robot parameters of two campaigns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareTogether {
     /// Number of the earlier campaign, from 1.
     pub from: usize,
-    /// Number of the later one.
+    /// Number of the later campaign.
     pub to: usize,
-    /// Parameters that both identified.
+    /// Number of parameters that both campaigns identified.
     pub parameters: usize,
-    /// Δᵀ (C₁ + C₂)⁻¹ Δ over the number of parameters: about 1 where nothing changed.
+    /// Δᵀ (C₁ + C₂)⁻¹ Δ divided by the number of parameters; about 1 if nothing changed.
     pub f: f64,
-    /// Degrees of freedom of the covariances; null where they are stated and not estimated.
+    /// Degrees of freedom of the covariances; null if the uncertainties are stated rather than
+    /// estimated.
     pub degrees_of_freedom: Option<f64>,
-    /// Probability of a value at least as large where nothing changed.
+    /// Probability of a value at least this large if nothing changed.
     pub p: f64,
-    /// Whether that is below 5 %.
+    /// `true` if `p` is below 5 %.
     pub significant: bool,
+}
+
+/// Between-series component of two campaigns in which the model misfits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CompareBetween {
+    /// Number of the earlier campaign, from 1.
+    pub from: usize,
+    /// Number of the later campaign.
+    pub to: usize,
+    /// Number of robot parameters that both campaigns identified.
+    pub parameters: usize,
+    /// Birge ratio √(Δᵀ (C₁ + C₂)⁻¹ Δ / m) for m parameters, at least 1, by which intervals of
+    /// changes of parameters are enlarged.
+    pub birge_ratio: f64,
 }

@@ -1,47 +1,50 @@
-//! What `etalon compensate` answers.
+//! Answer of `etalon compensate`.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What to command so that the identified robot comes to its targets although its controller computes with nominal geometry.
+/// Commands with which the identified robot reaches its targets although its controller computes
+/// with nominal geometry.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompensationDocument {
-    /// `etalon/compensation/1`
+    /// Schema and version: `etalon/compensation/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// Names of the columns of joints: with their units, and the assembly mode where there are several.
+    /// Column names of the joints with their units, and of the assembly mode if there are several.
     pub joints: Vec<String>,
-    /// One for each target that can be commanded.
+    /// One entry for each reachable target.
     pub targets: Vec<CompensatedTarget>,
-    /// Targets that are out of reach, or that a limit forbids.
+    /// Targets that are out of reach or beyond a limit.
     pub unreachable: Vec<UnreachableTarget>,
-    /// Targets of a program that are joint values: they stay as they are.
+    /// Number of targets of a program that are joint values; they are left unchanged.
     pub joint_targets: usize,
 }
 
-/// A target and what to command for it.
+/// A target and the command that reaches it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompensatedTarget {
     /// Name of the target.
     pub target: String,
-    /// Position that is wanted, mm.
+    /// Desired position (mm).
     pub xyz_mm: [f64; 3],
-    /// Orientation that is wanted: unit quaternion w, x, y, z.
+    /// Desired orientation: unit quaternion w, x, y, z.
     pub quaternion: [f64; 4],
-    /// Position to command, mm.
+    /// Position to command (mm).
     pub command_xyz_mm: [f64; 3],
     /// Orientation to command: unit quaternion w, x, y, z.
     pub command_quaternion: [f64; 4],
-    /// Joint values of the command in mm and deg, in the order of the columns.
+    /// Joint values of the command (mm or deg), in the order of the columns.
     pub joints: Vec<f64>,
-    /// Position of the identified robot there, with the command as it is written, minus the one that is wanted, mm.
+    /// Remaining position error (mm): position of the identified robot with the command as written
+    /// minus the desired position.
     pub residual_mm: f64,
-    /// Angle of its orientation from the one that is wanted, deg.
+    /// Remaining orientation error (deg).
     pub residual_deg: f64,
-    /// The command is in the configuration (working mode, assembly mode, configuration data) that the target has without compensation.
+    /// `true` if the command has the configuration of the uncompensated target: working mode,
+    /// assembly mode or configuration data.
     pub same_configuration: bool,
 }
 
@@ -51,6 +54,6 @@ pub struct CompensatedTarget {
 pub struct UnreachableTarget {
     /// Name of the target.
     pub target: String,
-    /// Which limit forbids it, or that it is out of reach.
+    /// Limit that forbids the target, or that the target is out of reach.
     pub reason: String,
 }

@@ -1,16 +1,17 @@
-//! The estimate of some parameters, conditioned on nominal values of the others.
+//! Estimate of some parameters, conditioned on nominal values of the others.
 
 use super::{ParameterStatus, ParametersDocument};
 use std::collections::BTreeSet;
 
-/// A variance below this share of its first value is zero by rounding.
+/// Variances below this share of the original variance are rounding errors and count as zero.
 const DETERMINED: f64 = 1e-12;
 
 impl ParametersDocument {
-    /// The estimate conditioned on nominal values of the named parameters B, one after the other.
+    /// Conditions the estimate on nominal values of the named parameters B, one after the other.
     ///
-    /// Values of the others are p_A − C_AB C_BB⁻¹ (p_B − p_B0); their covariance is C_AA − C_AB C_BB⁻¹ C_BA (Mardia,
-    /// Kent & Bibby 1979, 3.2.4). `None` if the covariance does not contain B, unless all of B are at their nominal values.
+    /// Values of the others are p_A − C_AB C_BB⁻¹ (p_B − p_B0); their covariance is C_AA − C_AB
+    /// C_BB⁻¹ C_BA (Mardia, Kent & Bibby 1979, 3.2.4). Returns `None` if the covariance lacks a
+    /// parameter of B, unless all of B are at their nominal values.
     pub fn conditioned(&self, left_out: &[&str]) -> Option<Self> {
         let names: Vec<String> = self.identified().map(|p| p.name.clone()).collect();
         let place = |name: &&str| names.iter().position(|n| n == name).filter(|_| self.covariance.len() == names.len());
@@ -38,7 +39,7 @@ impl ParametersDocument {
         for &i in &kept {
             let Some(p) = document.parameters.iter_mut().find(|p| p.name == names[i]) else { continue };
             let u = covariance[i][i].max(0.0).sqrt();
-            // 1 - (u/s)² with the standard uncertainty s by the tolerance
+            // 1 − (u/s)², where s is the standard uncertainty from the tolerance
             p.determined = p
                 .determined
                 .zip(p.standard_uncertainty)
@@ -49,8 +50,8 @@ impl ParametersDocument {
         Some(document)
     }
 
-    /// Copy with the named parameters fixed at their nominal values, without covariance, budget and checks of the
-    /// whole result.
+    /// Copy with the named parameters fixed at their nominal values, without covariance, budget and
+    /// checks of the whole result.
     pub(crate) fn holding(&self, names: &[&str]) -> Self {
         let names: BTreeSet<&str> = names.iter().copied().collect();
         let mut document = self.clone();
@@ -106,7 +107,7 @@ mod tests {
     #[test]
     fn what_the_covariance_does_not_contain_cannot_be_left_out() {
         assert!(document().conditioned(&["c"]).is_none());
-        // at its nominal value it tells nothing of the others
+        // a parameter at its nominal value does not change the others
         assert_eq!(document().conditioned(&["held"]).unwrap().parameters[0].value, 3.0);
         let mut without = document();
         without.covariance.clear();

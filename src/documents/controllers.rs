@@ -1,5 +1,5 @@
-//! `controllers.json`: values of controller files whose format leaves identified parameters out, and position errors
-//! with these values.
+//! `controllers.json`: values of controller files whose format leaves identified parameters out,
+//! and position errors with these values.
 
 use super::{AccuracySet, ErrorQuantity, ErrorStatistics, ParametersDocument, PoseSet, Statistics};
 use etalon_base::message::{Message, Severity};
@@ -10,40 +10,42 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ControllersDocument {
-    /// `etalon/controllers/1`
+    /// Schema and version: `etalon/controllers/1`.
     pub schema: String,
-    /// One entry for each distinct set of values that is written.
+    /// One entry for each distinct set of written values.
     pub files: Vec<ControllerFiles>,
     /// Files that were not written, and parameters that could not be identified again.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Message>,
 }
 
-/// Values that files of one or more formats hold.
+/// Values in the files of one or more formats.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ControllerFiles {
     /// Names of the formats.
     pub formats: Vec<String>,
-    /// Identified parameters that the formats do not hold; they were at nominal when the others were identified again.
+    /// Identified parameters that the formats do not hold. They were at nominal when the others
+    /// were identified again.
     pub left_out: Vec<String>,
-    /// All parameters as the files hold them.
+    /// All parameters with their values in the files.
     pub values: Vec<WrittenParameter>,
-    /// Position errors, one entry for each set of poses: `calibration`, `validation`.
+    /// Position errors, one entry per set of poses: `calibration`, `validation`.
     pub errors: Vec<ControllerErrors>,
 }
 
-/// A parameter as a file holds it.
+/// A parameter as written to a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrittenParameter {
-    /// Name.
+    /// Name of the parameter.
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
     /// Value.
     pub value: f64,
-    /// Standard uncertainty (k = 1); absent where the value was not identified, or where the format changes it.
+    /// Standard uncertainty (k = 1); absent if the value was not identified, or if the format
+    /// changes it.
     pub standard_uncertainty: Option<f64>,
 }
 
@@ -54,11 +56,11 @@ pub struct ControllerErrors {
     /// `calibration` or `validation`.
     #[schemars(with = "String")]
     pub set: PoseSet,
-    /// With nominal parameters of the robot.
+    /// Errors with nominal parameters of the robot.
     pub nominal: PositionErrors,
-    /// With all identified parameters.
+    /// Errors with all identified parameters.
     pub identified: PositionErrors,
-    /// With the values that are written.
+    /// Errors with the written values.
     pub written: PositionErrors,
 }
 
@@ -66,17 +68,17 @@ pub struct ControllerErrors {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PositionErrors {
-    /// Root mean square, mm.
+    /// Root mean square (mm).
     pub rms_mm: f64,
-    /// Maximum, mm.
+    /// Maximum (mm).
     pub max_mm: f64,
 }
 
 impl ControllersDocument {
-    /// What `schema` states.
+    /// Value of `schema`.
     pub const SCHEMA: &str = "etalon/controllers/1";
 
-    /// The document; `None` if no format leaves anything out.
+    /// Creates the document; `None` if no format leaves anything out.
     pub fn new(files: Vec<ControllerFiles>, messages: Vec<Message>) -> Option<Self> {
         let any = !files.is_empty() || !messages.is_empty();
         any.then(|| Self { schema: Self::SCHEMA.to_owned(), files, messages })
@@ -89,12 +91,13 @@ impl ControllersDocument {
 }
 
 impl ControllerFiles {
-    /// The errors that decide: at validation poses, or at calibration poses where there are no others.
+    /// Decisive errors: at validation poses, or at calibration poses in a campaign without
+    /// validation.
     pub fn deciding(&self) -> Option<&ControllerErrors> {
         self.errors.last()
     }
 
-    /// The identified parameters with the values that are written.
+    /// The identified parameters, with the written values in place of the identified ones.
     pub fn applied_to(&self, identified: &ParametersDocument) -> ParametersDocument {
         let left_out: Vec<&str> = self.left_out.iter().map(String::as_str).collect();
         let mut document = identified.holding(&left_out);
@@ -116,7 +119,7 @@ impl From<&Statistics> for PositionErrors {
 }
 
 impl ControllerErrors {
-    /// Errors at a set of poses; `written` is `None` where the file holds what was identified.
+    /// Errors at a set of poses; `written` is `None` if the file holds the identified values.
     pub fn of(set: &AccuracySet, written: Option<&Statistics>) -> Option<Self> {
         let ErrorStatistics { before, after, .. } = set.of(ErrorQuantity::Position)?;
         let written = written.unwrap_or(after).into();

@@ -1,8 +1,9 @@
-//! What `etalon fit` answers: an element, the probe, and the values that a file states.
+//! Answer of `etalon fit`: an element, the probe, and the values that a file states.
 
 use super::Termination;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::warning;
 use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,11 +12,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitDocument {
-    /// `etalon/fit/1`
+    /// Schema and version: `etalon/fit/1`.
     pub schema: String,
     /// Name of the element.
     pub element: String,
-    /// Label of its points, where there is one fit for each.
+    /// Label of the points, if each label is fitted separately.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
     /// Number of points.
@@ -23,7 +24,7 @@ pub struct FitDocument {
     /// Centre of a circle, sphere or torus.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub center_mm: Option<Vector>,
-    /// Point of a line, plane, cylinder or cone: the foot of the centroid.
+    /// Point of a line, plane, cylinder or cone: foot of the perpendicular from the centroid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point_mm: Option<Vector>,
     /// Apex of a cone.
@@ -32,10 +33,10 @@ pub struct FitDocument {
     /// Unit normal of a plane, circle or torus.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Vector>,
-    /// Unit axis of a line, cylinder or cone (a cone's towards increasing radius).
+    /// Unit axis of a line, cylinder or cone. The axis of a cone points towards increasing radius.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub axis: Option<Vector>,
-    /// Radius; of a cone at its point, of a torus the one of its centre line.
+    /// Radius. For a cone the radius at `point_mm`, for a torus the radius of the centre line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<f64>,
     /// Radius of the tube of a torus.
@@ -48,28 +49,28 @@ pub struct FitDocument {
     pub rms_mm: f64,
     /// Largest orthogonal distance.
     pub max_mm: f64,
-    /// Peak to valley.
+    /// Form deviation, peak to valley.
     pub form_mm: f64,
-    /// How much of the circumference has points.
+    /// Arc of the circumference that is covered by points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coverage_deg: Option<f64>,
-    /// The points that hold a minimum zone.
+    /// Contact points of a minimum zone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contacts: Option<FitContacts>,
-    /// Of a circle in space by minimum zone: the plane that its roundness is measured in.
+    /// For a minimum-zone circle in space: flatness of the plane in which roundness is measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flatness: Option<FitFlatness>,
-    /// From the residuals; absent without redundancy.
+    /// Standard uncertainties from the residuals; absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
-    /// Where the points are probe centres: the probe, and the fit before compensation.
+    /// Probe and fit before compensation, if the points are probe centres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub probe: Option<FitProbe>,
-    /// What the file states of the feature.
+    /// Values that the file states for the feature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stated: Option<FitStated>,
-    /// How it was found.
+    /// Solver and its termination.
     pub solver: FitSolver,
-    /// Warnings with what to do.
+    /// Warnings with hints.
     pub messages: Vec<Message>,
 }
 
@@ -77,47 +78,49 @@ pub struct FitDocument {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitUncertainty {
-    /// Of the point or centre, in its most uncertain direction.
+    /// Standard uncertainty of the point or centre in its most uncertain direction.
     pub point_mm: f64,
-    /// Of the normal or axis, about its most uncertain direction.
+    /// Standard uncertainty of the normal or axis about its most uncertain direction.
     pub direction_deg: Option<f64>,
-    /// Of the radius.
+    /// Standard uncertainty of the radius.
     pub radius_mm: Option<f64>,
-    /// Of the radius of the tube.
+    /// Standard uncertainty of the radius of the tube.
     pub minor_radius_mm: Option<f64>,
-    /// Of the full angle of a cone.
+    /// Standard uncertainty of the full angle of a cone.
     pub apex_angle_deg: Option<f64>,
 }
 
-/// The points that hold a minimum zone, numbered from 1 in the order they were read.
+/// Contact points of a minimum zone, numbered from 1 in the order of reading.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitContacts {
-    /// On the side of the normal, to the left of a line, or on the outer circle, sphere, cylinder or cone.
+    /// Contacts on the side of the normal, to the left of a line, or on the outer circle, sphere,
+    /// cylinder or cone.
     pub upper: Vec<usize>,
-    /// On the other side, or on the inner one.
+    /// Contacts on the opposite side, or on the inner element.
     pub lower: Vec<usize>,
-    /// Whether it was proved that no other place has a narrower zone.
+    /// `true` if the zone is proved to be the narrowest of all.
     pub verified: bool,
-    /// What was proved: `global` (no other element of the kind has a narrower zone), `local` (no neighbouring one has) or
-    /// `none`.
+    /// Extent of the proof: `global` (narrowest of all elements of the kind), `local` (narrowest
+    /// among neighbouring elements) or `none`.
     pub proof: ZoneProof,
-    /// Of a sphere, cylinder or cone: Lagrange multipliers of `upper` and `lower`, in their order. They are positive (zero for a
-    /// contact that is not needed), one in sum on each side, and the mean gradients of the distance by the parameters
-    /// of the element agree (Karush-Kuhn-Tucker).
+    /// For a sphere, cylinder or cone: Lagrange multipliers of `upper` and `lower`, in the same
+    /// order. They are non-negative (zero for a redundant contact) and sum to one on each side; the
+    /// weighted gradients of the distance with respect to the element's parameters are equal on
+    /// both sides (Karush-Kuhn-Tucker).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub multipliers: Option<FitMultipliers>,
 }
 
-/// What was proved of a minimum zone.
+/// Extent of the proof of a minimum zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ZoneProof {
-    /// No other element of the kind has a narrower zone.
+    /// The zone is the narrowest of all elements of the kind.
     Global,
-    /// No neighbouring element has a narrower zone.
+    /// The zone is the narrowest among neighbouring elements.
     Local,
-    /// Nothing.
+    /// Nothing was proved.
     None,
 }
 
@@ -125,19 +128,19 @@ pub enum ZoneProof {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitMultipliers {
-    /// Of the upper or outer points.
+    /// Multipliers of the upper or outer points.
     pub upper: Vec<f64>,
-    /// Of the lower or inner points.
+    /// Multipliers of the lower or inner points.
     pub lower: Vec<f64>,
 }
 
-/// The minimum zone of the plane that a circle in space lies in.
+/// Minimum zone of the plane of a circle in space.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitFlatness {
-    /// Its width.
+    /// Width of the zone.
     pub flatness_mm: f64,
-    /// The points that hold it.
+    /// Contact points of the zone.
     pub contacts: FitContacts,
 }
 
@@ -161,24 +164,24 @@ impl FitContacts {
     }
 }
 
-/// How a fit was found.
+/// Solver of a fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitSolver {
     /// Algorithm.
     pub method: String,
-    /// Steps taken; 0 where the solution is closed.
+    /// Number of steps; 0 for closed-form solutions.
     pub iterations: usize,
-    /// Why it stopped.
+    /// Reason of the termination.
     pub termination: Termination,
     /// Equations minus parameters.
     pub degrees_of_freedom: usize,
-    /// Condition number of the Jacobian with columns of length one.
+    /// Condition number of the Jacobian with columns scaled to unit length.
     pub condition: Option<f64>,
 }
 
 impl FitDocument {
-    /// What a least-squares fit found.
+    /// Creates the document of a least-squares fit.
     pub fn new(label: Option<String>, fit: &Fit) -> Self {
         let centred = matches!(fit.element, Element::Circle2d | Element::Circle3d | Element::Sphere | Element::Torus);
         let has_normal = matches!(fit.element, Element::Plane | Element::Circle3d | Element::Torus);
@@ -222,7 +225,8 @@ impl FitDocument {
         }
     }
 
-    /// A smallest enclosing circle or sphere: its residuals are distances from the centre minus the radius.
+    /// Creates the document of a smallest enclosing circle or sphere. Residuals are distances from
+    /// the centre minus the radius.
     pub fn enclosing(element: &str, label: Option<String>, points: &[Vector], found: &Enclosing) -> Self {
         let residuals: Vec<f64> = points.iter().map(|p| norm(minus(*p, found.center_mm)) - found.radius_mm).collect();
         let depth = -residuals.iter().fold(0.0f64, |m, r| m.min(*r));
@@ -230,31 +234,25 @@ impl FitDocument {
         Self {
             center_mm: Some(found.center_mm),
             radius_mm: Some(found.radius_mm),
-            // rounding of the distance of the farthest point is not a form deviation
+            // rounding at the farthest point is not a form deviation
             max_mm: depth,
             form_mm: depth,
             ..Self::of_extremes(element, label, &residuals, method, found.iterations)
         }
     }
 
-    /// A minimum zone: its residuals are distances from the middle of the zone.
+    /// Creates the document of a minimum zone. Residuals are distances from the middle of the zone.
     pub fn minimum_zone(label: Option<String>, found: &MinimumZone) -> Self {
         use Element::{Circle2d, Circle3d, Plane, Sphere};
         let centred = matches!(found.element, Circle2d | Circle3d | Sphere);
         let has_normal = matches!(found.element, Plane | Circle3d);
         let contacts = FitContacts::new(found);
         let unproved = || {
-            let (what, hint) = match contacts.proof {
-                ZoneProof::Local => (
-                    format!("the minimum zone is proved the narrowest among neighbouring {}s only", found.element),
-                    "compare its form with that of the fit by least squares, from which it was found",
-                ),
-                _ => (
-                    format!("it was not proved that no other {} has a narrower zone", found.element),
-                    "points this scattered hardly show the element: measure more of its surface",
-                ),
-            };
-            Message::warning(what).hint(hint)
+            let element = found.element;
+            match contacts.proof {
+                ZoneProof::Local => warning!("zone-proved-locally", element),
+                _ => warning!("zone-unproved", element),
+            }
         };
         Self {
             center_mm: centred.then_some(found.point_mm),
@@ -281,7 +279,8 @@ impl FitDocument {
         }
     }
 
-    /// An element that few extreme points hold: without uncertainty from the scatter of the others.
+    /// Document of an element that is defined by a few extreme points; their scatter yields no
+    /// uncertainty.
     fn of_extremes(element: &str, label: Option<String>, residuals: &[f64], method: String, iterations: usize) -> Self {
         let (low, high) = residuals.iter().fold((0.0f64, 0.0f64), |(low, high), r| (low.min(*r), high.max(*r)));
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
@@ -319,7 +318,7 @@ impl FitDocument {
     }
 }
 
-/// The probe whose centres were fitted, and the fit before compensation.
+/// Probe whose centres were fitted, and the fit before compensation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitProbe {
@@ -327,10 +326,10 @@ pub struct FitProbe {
     pub radius_mm: f64,
     /// `inside`, `outside` or `towards`.
     pub side: String,
-    /// For a plane or line the direction from it to the probe.
+    /// For a plane or line: direction from the element to the probe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub towards: Option<Vector>,
-    /// What the side was derived from, where the file states it.
+    /// Statement of the file from which the side was derived.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub side_from: Option<String>,
     /// Point or centre before compensation.
@@ -344,7 +343,7 @@ pub struct FitProbe {
 }
 
 impl FitProbe {
-    /// What a fit was compensated by.
+    /// Describes the compensation of a fit.
     pub fn new(compensation: &Compensation) -> Self {
         let (side, towards) = match compensation.probe.side {
             Side::Inside => ("inside", None),
@@ -363,7 +362,7 @@ impl FitProbe {
     }
 }
 
-/// What a file states of a feature, and how far the fit is from it.
+/// Values that a file states for a feature, and their differences from the fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitStated {
@@ -379,14 +378,14 @@ pub struct FitStated {
     pub minor_radius_mm: Option<f64>,
     /// Stated full angle of a cone.
     pub apex_angle_deg: Option<f64>,
-    /// Distance of the stated point from the fitted centre, axis, line or plane.
+    /// Distance between the stated point and the fitted centre, axis, line or plane.
     pub point_apart_mm: Option<f64>,
-    /// Angle between stated and fitted direction.
+    /// Angle between the stated and the fitted direction.
     pub direction_apart_deg: Option<f64>,
-    /// Fitted less stated radius.
+    /// Fitted minus stated radius.
     pub radius_less_stated_mm: Option<f64>,
-    /// Fitted less stated radius of the tube.
+    /// Fitted minus stated radius of the tube.
     pub minor_radius_less_stated_mm: Option<f64>,
-    /// Fitted less stated full angle.
+    /// Fitted minus stated full angle.
     pub apex_angle_less_stated_deg: Option<f64>,
 }

@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FeaturesDocument {
-    /// `etalon/features/1`
+    /// Schema and version: `etalon/features/1`.
     pub schema: String,
-    /// One per feature of the campaign.
+    /// One entry per feature of the campaign.
     pub features: Vec<Feature>,
     /// Warnings of the fits.
     pub messages: Vec<Message>,
@@ -30,7 +30,7 @@ pub struct Feature {
     pub labels: Vec<String>,
     /// Number of points.
     pub points: usize,
-    /// A point of the element: centroid, or centre of the circle.
+    /// Point of the element: centroid, or centre of a circle.
     pub point_mm: Vector,
     /// Normal of a plane or circle, axis of a line or cylinder; a unit vector.
     pub direction: Vector,
@@ -40,7 +40,8 @@ pub struct Feature {
     pub rms_mm: f64,
     /// Largest orthogonal distance.
     pub max_mm: f64,
-    /// Standard uncertainty of the radius, or of the point along the normal of a plane, from the residuals.
+    /// Standard uncertainty from the residuals: of the radius, or of the point along the normal of
+    /// a plane.
     pub standard_uncertainty_mm: Option<f64>,
 }
 
@@ -48,31 +49,48 @@ pub struct Feature {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FramesDocument {
-    /// `etalon/frames/1`
+    /// Schema and version: `etalon/frames/1`.
     pub schema: String,
-    /// The world frame; `export_T_world` for every pose where it is measured again at each.
+    /// World frame. If the frame is measured again at each pose, `export_T_world` is given for
+    /// every pose.
     pub world: WorldFrame,
+    /// Errors that no reading of the campaign can show, with the keys that would control them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_controlled: Vec<Uncontrolled>,
+}
+
+/// An error that no reading would show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Uncontrolled {
+    /// Description of the error.
+    pub what: String,
+    /// Labels, features or targets with the error; empty if it concerns all readings.
+    pub points: Vec<String>,
+    /// Keys that would control the error.
+    pub keys: Vec<String>,
 }
 
 /// The world frame in the coordinates of the exports.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorldFrame {
-    /// How it is defined, in words.
+    /// Definition of the frame, in words.
     pub definition: String,
-    /// Drop z: observations are projected into the xy plane of the world.
+    /// `true` if z is dropped: observations are projected onto the xy plane of the world.
     pub planar: bool,
-    /// One entry for all poses (without `pose` and `cycle`), or one for each pose and cycle.
+    /// One entry for all poses (without `pose` and `cycle`), or one entry per pose and cycle.
     pub poses: Vec<FramePose>,
-    /// What the covariances of all poses have in common, where the frame is measured again at each: that of the mean places of the
-    /// targets, which define it.
+    /// Covariance common to all poses if the frame is measured again at each pose: the covariance
+    /// of the mean positions of the targets, which define the frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub common_covariance: Option<[[f64; 6]; 6]>,
-    /// Root mean square distance of the targets from their best-fit places; absent for 3-2-1 frames.
+    /// Root mean square distance of the targets from their best-fit positions; absent for 3-2-1
+    /// frames.
     pub rms_mm: Option<f64>,
-    /// Largest such distance.
+    /// Largest distance of a target from its best-fit position.
     pub max_mm: Option<f64>,
-    /// Best-fit places of the targets in the world, in the order of the definition.
+    /// Best-fit positions of the targets in the world, in the order of the definition.
     pub reference_mm: Vec<Vector>,
 }
 
@@ -80,15 +98,15 @@ pub struct WorldFrame {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FramePose {
-    /// Name of the pose; absent where the frame holds for all.
+    /// Name of the pose; absent if the frame applies to all poses.
     pub pose: Option<PoseName>,
-    /// Cycle number; absent where the frame holds for all.
+    /// Cycle number; absent if the frame applies to all cycles.
     pub cycle: Option<i64>,
-    /// `export_T_world`.
+    /// Pose of the world in the coordinates of the exports.
     pub export_T_world: etalon_base::pose::Pose,
-    /// Covariance, from the uncertainty of the points that make the frame, of a small shift along (mm) and then a small rotation about
-    /// (rad) the axes of the world; of a planar world the shift is that at the height of the targets. Absent where the exports state
-    /// the frame.
+    /// Covariance from the uncertainty of the points that define the frame: of a small shift along
+    /// the axes of the world (mm), followed by a small rotation about them (rad). In a planar world
+    /// the shift is that at the height of the targets. Absent if the exports state the frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub covariance: Option<[[f64; 6]; 6]>,
 }

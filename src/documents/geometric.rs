@@ -1,4 +1,5 @@
-//! What geometry alone found, beside the identification of the same campaign.
+//! `geometric.json`: results of the geometric method, beside the identification of the same
+//! campaign.
 
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
@@ -6,19 +7,19 @@ use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The geometric calibration (thesis, chapter 2).
+/// Geometric calibration (thesis, chapter 2).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDocument {
-    /// `etalon/geometric/1`
+    /// Schema and version: `etalon/geometric/1`.
     pub schema: String,
-    /// What was taken for what, in words.
+    /// Assignment of the measured features to geometric quantities, in words.
     pub definition: String,
-    /// One per quantity, with the identified value of the same parameter.
+    /// One entry per quantity, with the identified value of the same parameter.
     pub quantities: Vec<GeometricQuantity>,
-    /// Covariance of `value` of all quantities, in their order and units.
+    /// Covariance of the values of all quantities, in their order and units.
     pub covariance: Vec<Vec<f64>>,
-    /// Residuals of every fit.
+    /// Residuals of all fits.
     pub steps: Vec<GeometricStep>,
     /// Leads of the screws.
     pub leads: Vec<LeadResult>,
@@ -32,11 +33,11 @@ pub struct GeometricDocument {
     pub methods: Vec<MethodErrors>,
     /// Regions of the workspace, with the geometric parameters.
     pub workspace: Vec<Region>,
-    /// What a reader must know.
+    /// Remarks and warnings for the reader.
     pub messages: Vec<Message>,
 }
 
-/// One quantity, found from points that were measured for it.
+/// One quantity, determined from points that were measured for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricQuantity {
@@ -46,16 +47,16 @@ pub struct GeometricQuantity {
     pub unit: String,
     /// Nominal value.
     pub nominal: f64,
-    /// Value found; the mean of repeats.
+    /// Measured value; the mean of repeats.
     pub value: f64,
-    /// Standard uncertainty (k = 1) of `value`, frames included.
+    /// Standard uncertainty of `value` (k = 1), including frames.
     pub standard_uncertainty: f64,
-    /// How repeats scatter, where there are any.
+    /// Scatter of repeats, if there are any.
     pub repeats: Option<RepeatStatistics>,
-    /// Value that the identification of the same campaign found, where there is one.
+    /// Value from the identification of the same campaign, if available.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub identified: Option<f64>,
-    /// Its standard uncertainty; absent where it was held.
+    /// Standard uncertainty of the identified value; absent if the parameter was held.
     pub identified_standard_uncertainty: Option<f64>,
 }
 
@@ -63,13 +64,15 @@ pub struct GeometricQuantity {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RepeatStatistics {
-    /// Their number.
+    /// Number of determinations.
     pub count: usize,
     /// Standard deviation of one determination.
     pub standard_deviation: f64,
-    /// What the points' own uncertainties make of it; frames that all repeats share cancel.
+    /// Standard deviation expected from the points' uncertainties. Frames that all repeats share
+    /// cancel.
     pub expected: f64,
-    /// Whether the repeats scatter more than that (chi-square, once in a thousand), and enlarged the uncertainty.
+    /// `true` if the repeats scatter more than expected (chi-square test at 0.1 %), so that the
+    /// uncertainty was increased.
     pub enlarged: bool,
 }
 
@@ -77,25 +80,26 @@ pub struct RepeatStatistics {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricStep {
-    /// What was fitted.
+    /// Fitted feature.
     pub name: String,
-    /// Residuals.
+    /// Number of residuals.
     pub count: usize,
     /// Standard deviation of a residual.
     pub standard_deviation_mm: f64,
-    /// What the instrument's stated uncertainty makes of it.
+    /// Standard deviation expected from the instrument's stated uncertainty.
     pub expected_mm: f64,
     /// Largest residual.
     pub max_mm: f64,
-    /// Root of the sum of squares.
+    /// Root of the sum of squared residuals.
     pub norm_mm: f64,
-    /// By how much points' uncertainties were enlarged because residuals scatter more than expected; else 1.
+    /// Factor by which the points' uncertainties were increased because residuals scatter more than
+    /// expected; otherwise 1.
     pub enlarged_by: f64,
-    /// Arc that has points, of circles.
+    /// For a circle: arc that is covered by points.
     pub coverage_deg: Option<f64>,
 }
 
-/// The lead of an actuator.
+/// Lead of an actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LeadResult {
@@ -105,11 +109,11 @@ pub struct LeadResult {
     pub nominal_lead_mm: f64,
     /// Actual lead.
     pub actual_lead_mm: f64,
-    /// Actual over nominal displacement, less one.
+    /// Actual displacement over nominal displacement, minus one.
     pub error: f64,
     /// Standard uncertainty of `error`.
     pub standard_uncertainty: f64,
-    /// Mean deviation from linear travel, by position.
+    /// Mean deviation from linear travel at each position.
     pub linearity: Vec<Linearity>,
 }
 
@@ -127,11 +131,11 @@ pub struct Linearity {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ScaleBarResult {
-    /// Name of its position.
+    /// Name of the bar's position.
     pub name: String,
     /// Calibrated length.
     pub length_mm: f64,
-    /// Distances measured.
+    /// Number of measured distances.
     pub count: usize,
     /// Mean of measured minus calibrated length.
     pub mean_error_mm: f64,
@@ -141,21 +145,21 @@ pub struct ScaleBarResult {
     pub largest_error_mm: f64,
     /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate.
     pub length_uncertainty_mm: Option<f64>,
-    /// Largest error of a distance that the instrument may have.
+    /// Maximum permissible error of the instrument for this distance.
     pub permissible_error_mm: f64,
-    /// That over the certificate's uncertainty; at least 4 is asked for.
+    /// Maximum permissible error over the certificate's uncertainty; at least 4 is required.
     pub uncertainty_ratio: Option<f64>,
-    /// What the bar proves of the instrument.
+    /// Verdict on the instrument.
     pub verdict: BarVerdict,
 }
 
-/// What a scale bar proves of the instrument.
+/// Verdict of a scale bar on the instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BarVerdict {
     /// Every distance is within the permissible error.
     Conforming,
-    /// One is not.
+    /// At least one distance exceeds the permissible error.
     NotConforming,
     /// The certificate's uncertainty is more than a quarter of the permissible error.
     BarTooUncertain,
@@ -163,13 +167,14 @@ pub enum BarVerdict {
     NoCertificate,
 }
 
-/// One ball that does not move, measured repeatedly: distances of the readings from their mean (thesis, eq. 2.7 to 2.10).
+/// A stationary ball that is measured repeatedly: distances of the readings from their mean
+/// (thesis, eq. 2.7 to 2.10).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallResult {
-    /// Its name.
+    /// Name of the ball.
     pub name: String,
-    /// Readings.
+    /// Number of readings.
     pub count: usize,
     /// Mean distance.
     pub mean_mm: f64,
@@ -185,7 +190,7 @@ pub struct BallResult {
 pub struct PoseTable {
     /// Title.
     pub title: String,
-    /// One row a pose.
+    /// One row per pose.
     pub rows: Vec<PoseRow>,
 }
 
@@ -195,19 +200,19 @@ pub struct PoseTable {
 pub struct PoseRow {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Commanded position of C in the base frame: what the nominal model makes of the joints.
+    /// Commanded position of C in the base frame: prediction of the nominal model from the joints.
     pub command_mm: [f64; 2],
     /// Commanded orientation.
     pub command_deg: f64,
-    /// Repeats.
+    /// Number of repeats.
     pub count: usize,
-    /// With nominal parameters in the geometric base frame.
+    /// Error with nominal parameters in the geometric base frame.
     pub nominal: MeanError,
-    /// With the geometric parameters.
+    /// Error with the geometric parameters.
     pub geometric: MeanError,
-    /// With the identified parameters.
+    /// Error with the identified parameters.
     pub identified: MeanError,
-    /// Standard deviation of x or y over the repeats, the larger.
+    /// Standard deviation over the repeats: the larger of x and y.
     pub standard_deviation_mm: f64,
 }
 
@@ -215,17 +220,17 @@ pub struct PoseRow {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeanError {
-    /// x.
+    /// Error along x.
     pub x_mm: f64,
-    /// y.
+    /// Error along y.
     pub y_mm: f64,
-    /// Length of both.
+    /// Size of the position error.
     pub position_mm: f64,
-    /// Orientation.
+    /// Orientation error.
     pub orientation_deg: f64,
 }
 
-/// Largest and root mean square of the mean errors.
+/// Largest and root-mean-square mean errors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MethodErrors {
@@ -243,10 +248,10 @@ pub struct MethodErrors {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
-    /// Which.
+    /// Name of the region.
     pub name: String,
-    /// Its area.
+    /// Area of the region.
     pub area_mm2: f64,
-    /// Its corners in the base frame, counterclockwise; z is zero.
+    /// Corners of the region in the base frame, counterclockwise; z is zero.
     pub corners_mm: Vec<Vector>,
 }

@@ -1,4 +1,4 @@
-//! The document of an identification: parameters with all that is needed to trust them.
+//! Document of an identification: parameters with the evidence for them.
 
 use crate::*;
 use etalon_base::message::{Message, Severity};
@@ -9,10 +9,12 @@ use etalon_identify::{
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest group of which every member lists all others: names of larger ones would grow with the square of their number.
+/// Largest group whose members list all other members; listing larger groups would grow with the
+/// square of their size.
 const LISTED: usize = 100;
 
-/// For each parameter the others of its groups; of a large group the held parameter alone, which lists all of them.
+/// Lists for each parameter the other members of its groups. In a large group only the held
+/// parameter lists all members; the others list the held parameter.
 fn confounded(parameters: usize, groups: &[Group]) -> Vec<BTreeSet<usize>> {
     let mut others = vec![BTreeSet::new(); parameters];
     for group in groups {
@@ -25,7 +27,8 @@ fn confounded(parameters: usize, groups: &[Group]) -> Vec<BTreeSet<usize>> {
     others
 }
 
-/// Says what `found` means: `before` is the same robot with only base and targets fitted.
+/// Creates the document of an identification. `before` holds the values with only base and targets
+/// fitted.
 pub fn parameters_document(
     robot: &dyn Robot,
     settings: &Settings,
@@ -100,12 +103,12 @@ pub fn parameters_document(
     }
 }
 
-/// Warnings of an identification, which name what can be stated in a campaign.
+/// Converts warnings of an identification to messages that name keys of a campaign.
 pub fn warning_messages(warnings: &[Warning]) -> Vec<Message> {
     warnings.iter().map(warning_message).collect()
 }
 
-/// A warning or an error, which names what can be stated in a campaign.
+/// Converts a warning or an error to a message that names keys of a campaign.
 pub fn warning_message(warning: &Warning) -> Message {
     let hold = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
                 that instead";
@@ -117,7 +120,7 @@ pub fn warning_message(warning: &Warning) -> Message {
     }
 }
 
-/// The change of the set-up to look for, with the keys that state it.
+/// Hint at the change of the set-up to look for, with the keys that state it.
 pub fn set_up_hint(found: &SetUpError) -> String {
     found.hint(|origin| match origin {
         Origin::Unit => " (`unit` of the export)",
@@ -126,13 +129,14 @@ pub fn set_up_hint(found: &SetUpError) -> String {
     })
 }
 
-/// The message that a measurement contradicts the stated places of a rigid part.
+/// Message that a measurement contradicts the stated positions on a rigid part.
 pub fn contradicted_places(contradicted: &Contradicted) -> Message {
     let message = contradicted.message("[[rigid]]: `places_mm`");
     message.hint("check unit and names in `places_mm`, and whether the part was changed since they were determined")
 }
 
-/// What each source contributes to the standard uncertainties of the `written` parameters, in their units.
+/// Contribution of each source to the standard uncertainties of the `written` parameters, in their
+/// units.
 fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f64) -> Vec<BudgetSource> {
     let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
     for (row, &k) in written.iter().enumerate().filter(|_| found.covariance.is_some()) {
@@ -145,7 +149,8 @@ fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f
     by_source.into_iter().map(entry).collect()
 }
 
-/// The indices with their scaling, and the singular values with the names of their parameters.
+/// Summarises observability: indices with their scaling, and singular values with the names of
+/// their parameters.
 pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> ObservabilitySummary {
     let [o1, o2, o3, o4, o5] = o.indices;
     let named = |s: &SingularValue| SingularValueEntry {
@@ -177,14 +182,14 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
 }
 
 impl ParametersDocument {
-    /// Whether they may reach a controller: no error is among the messages.
+    /// `true` if no message is an error, so that the parameters may be loaded into a controller.
     pub fn is_plausible(&self) -> bool {
         self.messages.iter().all(|m| m.severity != Severity::Error)
     }
 }
 
 impl ImportDocument {
-    /// SHA-256 of every input by its name.
+    /// SHA-256 of every input, by file name.
     pub fn inputs(&self) -> BTreeMap<String, String> {
         self.sources.iter().map(|s| (s.file.clone(), s.sha256.clone())).collect()
     }

@@ -1,22 +1,22 @@
-//! `import.json`: what was read, and what was refused and why.
+//! `import.json`: rows that were read, and rows that were rejected with the reasons.
 
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What was read, what was refused and why.
+/// Rows that were read, and rows that were rejected with the reasons.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ImportDocument {
-    /// `etalon/import/1`
+    /// Schema and version: `etalon/import/1`.
     pub schema: String,
     /// Name of the campaign.
     pub campaign: String,
-    /// Every file that was read.
+    /// All files read.
     pub sources: Vec<Source>,
-    /// What blunder rules found, and other messages.
+    /// Findings of the blunder rules, and other messages.
     pub messages: Vec<Message>,
-    /// Rows that the join of points and logs found no partner for, or more than one.
+    /// Rows without a partner in the join of points and logs, or with more than one.
     #[serde(default)]
     pub unmatched: Vec<Unmatched>,
 }
@@ -25,41 +25,41 @@ pub struct ImportDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Unmatched {
-    /// Its file, as the campaign names it.
+    /// File, as the campaign names it.
     pub file: String,
     /// Line in the file, from 1.
     pub line: usize,
-    /// Its key in words: pose and cycle, row, or time.
+    /// Join key of the row in words: pose and cycle, row, or time.
     pub key: String,
-    /// What it has no partner in, or how many partners it has.
+    /// Table without a partner, or number of partners.
     pub reason: String,
 }
 
-/// One file that was read.
+/// A file that was read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
-    /// File as the campaign names it.
+    /// File, as the campaign names it.
     pub file: String,
-    /// SHA-256 of its bytes, as `sha256sum` prints it.
+    /// SHA-256 of the file, as `sha256sum` prints it.
     pub sha256: String,
-    /// Its size.
+    /// Size of the file.
     pub bytes: usize,
     /// `export`, `log`, `campaign` or `robot`.
     #[schemars(with = "String")]
     pub kind: SourceKind,
-    /// How it was read: format, delimiter, decimal mark, unit.
+    /// Dialect of the file: format, delimiter, decimal mark, unit.
     pub dialect: String,
-    /// Rows that hold data.
+    /// Number of data rows.
     pub rows_read: usize,
-    /// Rows that were refused.
+    /// Rejected rows.
     pub refused: Vec<Refused>,
-    /// Standstills of a log recorded during motion, one row of the joint values each.
+    /// Standstills of a log that was recorded during motion; each yields one row of joint values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub standstills: Vec<StandingInterval>,
 }
 
-/// What a file that was read is.
+/// Kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
@@ -85,15 +85,15 @@ impl SourceKind {
     }
 }
 
-/// A row that was refused.
+/// A rejected row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Refused {
     /// Line in the file, from 1.
     pub line: usize,
-    /// The line itself.
+    /// Text of the line.
     pub text: String,
-    /// The rule that refused it.
+    /// Rule that rejected the row.
     pub reason: String,
 }
 
@@ -101,28 +101,28 @@ pub struct Refused {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StandingInterval {
-    /// Line of its first sample, from 1.
+    /// Line of the first sample, from 1.
     pub line: usize,
-    /// Time of its first sample by the log's clock.
+    /// Time of the first sample, by the log's clock.
     pub from_s: f64,
-    /// Time of its last sample.
+    /// Time of the last sample.
     pub to_s: f64,
-    /// How many samples.
+    /// Number of samples.
     pub samples: usize,
-    /// The joints.
+    /// Joints during the standstill.
     pub joints: Vec<StandingJoint>,
 }
 
-/// A joint in a standstill, in the unit of its column.
+/// A joint during a standstill, in the unit of its column.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StandingJoint {
-    /// Its column in the table of joint values.
+    /// Column in the table of joint values.
     pub column: String,
-    /// Mean of the samples: the joint value used.
+    /// Mean of the samples, which is used as the joint value.
     pub mean: f64,
     /// Standard deviation of the samples.
     pub standard_deviation: f64,
-    /// Largest minus smallest.
+    /// Largest minus smallest sample.
     pub range: f64,
 }

@@ -1,22 +1,22 @@
-//! What `etalon kinematics` answers.
+//! Answer of `etalon kinematics`.
 
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Poses and joint values that belong together.
+/// Poses with their joint values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct KinematicsDocument {
-    /// `etalon/kinematics/1`
+    /// Schema and version: `etalon/kinematics/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// Names of the columns of joints: with their units, and the assembly mode where there are several.
+    /// Column names of the joints with their units, and of the assembly mode if there are several.
     pub joints: Vec<String>,
-    /// One for each row of the table, or for each solution.
+    /// One entry for each row of the table, or for each solution.
     pub poses: Vec<KinematicsEntry>,
-    /// Poses that the robot does not reach.
+    /// Poses that the robot cannot reach.
     pub unreachable: Vec<UnreachablePose>,
 }
 
@@ -26,20 +26,20 @@ pub struct KinematicsDocument {
 pub struct KinematicsEntry {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Joint values in mm and deg, in the order of the columns.
+    /// Joint values (mm or deg), in the order of the columns.
     pub joints: Vec<f64>,
-    /// Position, mm.
+    /// Position (mm).
     pub xyz_mm: [f64; 3],
     /// Orientation: unit quaternion w, x, y, z.
     pub quaternion: [f64; 4],
 }
 
-/// A pose that no joint values lead to.
+/// A pose without solution.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UnreachablePose {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Which limit forbids it, or that it is out of reach.
+    /// Limit that forbids the pose, or that the pose is out of reach.
     pub reason: String,
 }

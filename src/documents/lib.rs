@@ -1,7 +1,8 @@
-//! The types behind every JSON document. A report can be made again from these alone.
+//! Types of all JSON documents. The documents suffice to write a report again.
 //!
-//! Angles are in degrees, lengths in millimetres; every name carries its unit, every parameter its own.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! Angles are in degrees, lengths in millimetres. Every name carries its unit, every parameter its
+//! own.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod accuracy;
 mod answer;
@@ -60,26 +61,27 @@ pub use study::*;
 pub use uncertainty::*;
 pub use verification::*;
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Where numbers come from.
+/// Origin of numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Provenance {
     /// Version of etalon.
     pub version: String,
-    /// SHA-256 of every input, by name.
+    /// SHA-256 of every input, by file name.
     pub inputs: std::collections::BTreeMap<String, String>,
-    /// Seed of random numbers, where any were drawn.
+    /// Seed of random numbers, if any were drawn.
     pub seed: Option<u64>,
 }
 
-/// A document as JSON text with a line end.
+/// Returns a document as JSON text with a final line end.
 pub fn to_json<T: Serialize>(document: &T) -> Result<Vec<u8>> {
     let mut bytes = serde_json::to_vec_pretty(document)
-        .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+        .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
     bytes.push(b'\n');
     Ok(bytes)
 }

@@ -1,4 +1,5 @@
-//! Limits of a campaign, judged with the uncertainty of what they limit by a decision rule that is stated by name.
+//! Limits of a campaign, judged by a stated decision rule with the uncertainty of the limited
+//! value.
 
 use crate::mirror::mirror;
 use crate::{ErrorQuantity, Statistics};
@@ -8,41 +9,45 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 mirror! {
-    /// How the uncertainty of a value counts when a limit is judged.
+    /// Rule by which the uncertainty of a value counts when a limit is judged.
     #[derive(Default, clap::ValueEnum)]
     #[serde(rename_all = "kebab-case")]
     enum DecisionRule of decision::DecisionRule {
-        /// Met where the value is within the limit, whatever its uncertainty (ILAC-G8:09/2019, 4.2.1)
+        /// Pass if the value is within the limit, whatever its uncertainty (ILAC-G8:09/2019,
+        /// 4.2.1).
         SimpleAcceptance,
-        /// Met where the value is within the limit by its expanded uncertainty, not met where it is beyond it by as much (ISO 14253-1, ILAC-G8:09/2019, 4.2.2 and 4.2.3)
+        /// Pass if the value is within the limit by at least its expanded uncertainty, fail if it
+        /// is beyond the limit by as much, otherwise undecided (ISO 14253-1; ILAC-G8:09/2019, 4.2.2
+        /// and 4.2.3).
         #[default]
         Guarded,
-        /// Simple acceptance where the expanded uncertainty is at most a quarter of the limit; otherwise undecided (JCGM 106:2012, 8.2.1)
+        /// Simple acceptance if the expanded uncertainty is at most a quarter of the limit,
+        /// otherwise undecided (JCGM 106:2012, 8.2.1).
         SharedRisk,
     }
 }
 
 mirror! {
-    /// What a decision rule says of a value and its limit.
+    /// Decision on a value and its limit.
     #[serde(rename_all = "snake_case")]
     enum Conformity of decision::Conformity {
-        /// Within the limit, as the rule asks for.
+        /// Within the limit, as required by the rule.
         Conforming,
-        /// Beyond the limit, as the rule asks for.
+        /// Beyond the limit, as required by the rule.
         NotConforming,
-        /// The uncertainty leaves it open.
+        /// Undecided because of the uncertainty.
         Neither,
     }
 }
 
 impl Conformity {
-    /// Conformity of several values that all must be within a limit.
+    /// Combines the conformities of several values that must all be within a limit.
     pub fn of_all(values: impl IntoIterator<Item = Self>) -> Self {
         decision::Conformity::of_all(values.into_iter().map(Into::into)).into()
     }
 }
 
-/// What a limit is of, by its key in campaigns.
+/// Quantity of a limit, by its key in campaigns.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::Display, strum::IntoStaticStr, strum::VariantArray,
 )]
@@ -63,14 +68,22 @@ pub enum LimitQuantity {
     AccuracyMaxMm,
 }
 
-/// One of the figures of errors.
+/// Selects one of the statistics of errors.
 pub type StatisticOf = fn(&Statistics) -> f64;
 
 impl LimitQuantity {
-    /// All of them.
+    /// All quantities.
     pub const ALL: &[Self] = <Self as strum::VariantArray>::VARIANTS;
 
-    /// The errors that are limited, and which of their figures; `None` for characteristics of ISO 9283.
+    /// Unit of the limit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::OrientationMaxDeg => "deg",
+            _ => "mm",
+        }
+    }
+
+    /// Limited error and statistic; `None` for characteristics of ISO 9283.
     pub fn of_errors(self) -> Option<(ErrorQuantity, StatisticOf)> {
         match self {
             Self::PositionMaxMm => Some((ErrorQuantity::Position, |s| s.max)),
@@ -82,7 +95,7 @@ impl LimitQuantity {
     }
 }
 
-/// One limit of the campaign.
+/// A limit of the campaign and its verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LimitVerdict {
@@ -91,34 +104,27 @@ pub struct LimitVerdict {
     pub name: LimitQuantity,
     /// Unit of the numbers.
     pub unit: String,
-    /// What the campaign allows.
+    /// Largest permissible value.
     pub limit: f64,
-    /// What was reached, on the validation poses if there are any.
+    /// Measured value, at the validation poses if there are any.
     pub value: f64,
-    /// Expanded uncertainty of the value (k = 2); null where it is not known.
+    /// Expanded uncertainty of the value (k = 2); null if unknown.
     pub expanded_uncertainty: Option<f64>,
-    /// The rule by which it is judged.
+    /// Decision rule.
     pub decision_rule: DecisionRule,
-    /// What the rule says.
+    /// Decision by the rule.
     pub conformity: Conformity,
-    /// Whether the limit is met by the rule.
+    /// `true` if the limit is met by the rule.
     pub met: bool,
 }
 
 impl LimitVerdict {
-    /// A value with its expanded uncertainty (k = 2), judged.
-    pub fn of(
-        name: LimitQuantity,
-        unit: &str,
-        limit: f64,
-        value: f64,
-        expanded: Option<f64>,
-        rule: DecisionRule,
-    ) -> Self {
+    /// Judges a value with its expanded uncertainty (k = 2).
+    pub fn of(name: LimitQuantity, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
         let interval = expanded.map(|u| Interval { low_mm: value - u, high_mm: value + u });
         let judged = Self {
             name,
-            unit: unit.to_owned(),
+            unit: name.unit().to_owned(),
             limit,
             value,
             expanded_uncertainty: expanded,
@@ -129,7 +135,7 @@ impl LimitVerdict {
         judged.with(decision::DecisionRule::from(rule).judge(value, interval, limit).into())
     }
 
-    /// The same with another conformity.
+    /// Replaces the conformity.
     pub fn with(self, conformity: Conformity) -> Self {
         Self { conformity, met: conformity == Conformity::Conforming, ..self }
     }
@@ -143,7 +149,7 @@ mod tests {
     fn a_limit_is_met_where_its_rule_says_conforming() {
         for rule in [DecisionRule::SimpleAcceptance, DecisionRule::Guarded, DecisionRule::SharedRisk] {
             for (value, u) in [(0.30, Some(0.03)), (0.39, Some(0.03)), (0.41, Some(0.03)), (0.30, None)] {
-                let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.4, value, u, rule);
+                let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.4, value, u, rule);
                 assert_eq!(of.met, of.conformity == Conformity::Conforming, "{rule:?} {value} {u:?}");
             }
         }

@@ -1,8 +1,9 @@
 //! Document forms of plain types of other crates.
 
-/// Defines the document form of a plain struct or enum: the same fields or variants, each converted with `Into`. A field that is
-/// missing here, or has another type, does not compile. With `of Plain as p` a field that the document spells otherwise has its
-/// value behind it: `name: Type = p.value`.
+/// Defines the document form of a plain struct or enum, with equal fields or variants that are
+/// converted by `Into`. A missing field or a field of another type does not compile. With
+/// `of Plain as p`, a field that the document spells differently is followed by its value:
+/// `name: Type = p.value`.
 macro_rules! mirror {
     (@value $plain:ident $field:ident) => { $plain.$field.into() };
     (@value $plain:ident $field:ident $value:expr) => { $value };

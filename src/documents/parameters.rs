@@ -1,4 +1,4 @@
-//! `parameters.json`: identified parameters with all that is needed to judge them.
+//! `parameters.json`: identified parameters with the evidence for them.
 
 use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
 use etalon_base::message::Message;
@@ -8,64 +8,92 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// Identified parameters with all that is needed to trust them.
+/// Identified parameters with the evidence for them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ParametersDocument {
-    /// `etalon/parameters/2`
+    /// Schema and version: `etalon/parameters/2`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
-    /// Drawings of the model with its parameters; absent where the model has none.
+    /// Drawings of the model with its parameters; absent if the model provides none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sketches: Vec<Sketch>,
-    /// Covariance of the identified parameters, in their order and units; empty where there is none.
+    /// Covariance of the identified parameters, in their order and units; empty if unknown.
     pub covariance: Vec<Vec<f64>>,
-    /// Identified parameters of points (targets, sockets, planes) of which the covariance is left out, because they are many: 24 points
-    /// and more. Each has its standard uncertainty.
+    /// Identified parameters of points (targets, sockets, planes) that `covariance` omits because
+    /// there are 24 points or more. Each has its standard uncertainty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub covariance_without: Vec<String>,
-    /// What the standard uncertainties of these parameters are made of, source by source (GUM 5.1.2).
+    /// Contributions of each source to the standard uncertainties of these parameters (GUM 5.1.2).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<BudgetSource>,
-    /// How well they fit.
+    /// Goodness of fit.
     pub residuals: ResidualSummary,
-    /// How well readings control each other, and which poses decide; absent where readings are weighted by covariances of their own, have errors in
-    /// common, are poses instead of positions, or unknown points are many.
+    /// Reliability of readings, and influence of poses. Absent if readings have covariances of
+    /// their own or common errors, if readings are poses instead of positions, or if there are many
+    /// unknown points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reliability: Option<ReliabilitySummary>,
-    /// A robust fit beside the plain one; absent where readings have errors in common, are poses instead of positions, unknown points are
-    /// many, or nothing is left over.
+    /// Robust fit beside the least-squares fit. Absent if readings have common errors, if readings
+    /// are poses instead of positions, if there are many unknown points, or without redundancy.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robust: Option<RobustSummary>,
-    /// Observability; absent where it is not a number.
+    /// Observability; absent if not finite.
     pub observability: Option<ObservabilitySummary>,
-    /// How the solver ended.
+    /// Solver and its termination.
     pub solver: SolverSummary,
-    /// Rules and remarks that a reader must know: which parameters were held and why, warnings with remedies.
+    /// Messages for the reader: held parameters with the reasons, warnings with remedies.
     pub messages: Vec<Message>,
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
 impl ParametersDocument {
-    /// What `schema` states. In `/1` the angles of the base of an arm in modified Denavit-Hartenberg parameters were successive turns; since
-    /// `/2` they are a rotation vector, as those of the other arms.
+    /// Value of `schema`. In version 1, the angles of the base of an arm in modified
+    /// Denavit-Hartenberg parameters were successive rotations; since version 2 they are a rotation
+    /// vector, as for the other arms.
     pub const SCHEMA: &str = "etalon/parameters/2";
 
-    /// The identified parameters that the covariance has, in its order.
+    /// Identified parameters in the covariance, in its order.
     pub fn identified(&self) -> impl Iterator<Item = &ParameterEntry> {
         let without: BTreeSet<&str> = self.covariance_without.iter().map(String::as_str).collect();
         let identified = self.parameters.iter().filter(|p| p.status == ParameterStatus::Identified);
         identified.filter(move |p| !without.contains(p.name.as_str()))
     }
 
-    /// Whether names, uncertainties and covariance belong together, as every run writes them.
+    /// `true` if residuals exceed the stated uncertainty of the instrument. Parameters then absorb
+    /// unmodelled errors at the measured poses.
+    pub fn misfits(&self) -> bool {
+        use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
+        let from_residuals =
+            matches!(self.residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion);
+        self.residuals.stated_standard_uncertainty_mm.is_some() && from_residuals
+    }
+
+    /// Names of the robot's parameters that are effective rather than physical, because more than
+    /// half of their variance is due to unmodelled errors. Without a budget all identified
+    /// parameters are listed.
+    pub fn effective(&self) -> Vec<&str> {
+        if !self.misfits() {
+            return Vec::new();
+        }
+        let of_model = self.budget.iter().find(|source| source.source == UncertaintySource::Model);
+        let mostly = |k: usize, p: &ParameterEntry| match (of_model, p.standard_uncertainty) {
+            (Some(of_model), Some(u)) => of_model.standard_uncertainties.get(k).is_some_and(|m| 2.0 * m * m > u * u),
+            _ => self.budget.is_empty(),
+        };
+        let effective = self.identified().enumerate().filter(|(k, p)| p.role == Role::Robot && mostly(*k, p));
+        effective.map(|(_, p)| p.name.as_str()).collect()
+    }
+
+    /// Checks that names, uncertainties and covariance are consistent.
     ///
     /// # Errors
-    /// What does not.
+    ///
+    /// Returns a description of the first inconsistency.
     ///
     /// # Examples
     ///
@@ -120,13 +148,14 @@ impl ParametersDocument {
     }
 }
 
-/// What one source contributes to the standard uncertainties.
+/// Contribution of one source to the standard uncertainties.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BudgetSource {
-    /// The source.
+    /// Source.
     pub source: UncertaintySource,
-    /// Its contribution to the standard uncertainty of each parameter, in the order and units of the covariance: their squares add up.
+    /// Contributions to the standard uncertainty of each parameter, in the order and units of the
+    /// covariance; the squares add up over all sources.
     pub standard_uncertainties: Vec<f64>,
 }
 
@@ -138,46 +167,52 @@ pub struct ParameterEntry {
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// Whether it belongs to the robot, its base, a target or a fixture.
+    /// Owner of the parameter: robot, base, target or fixture.
     #[serde(default)]
     pub role: Role,
-    /// What it is and which sign it has, in words.
+    /// Meaning and sign of the parameter, in words.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub meaning: String,
     /// Nominal value.
     pub nominal: f64,
-    /// How far from nominal it may be by the robot's file, where that states it.
+    /// Tolerance about the nominal value, if the robot's file states one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
-    /// Value with only base and targets fitted: the robot before its calibration.
+    /// Value before calibration, with only base and targets fitted.
     pub before: f64,
-    /// Identified value, or the value at which it is held.
+    /// Identified value, or value at which the parameter is held.
     pub value: f64,
-    /// Standard uncertainty (k = 1); absent where not identified.
+    /// Standard uncertainty (k = 1); absent if not identified.
     pub standard_uncertainty: Option<f64>,
-    /// Effective degrees of freedom of that (GUM G.4.1), where it is estimated from residuals.
+    /// Effective degrees of freedom of the standard uncertainty (GUM G.4.1), if it is estimated
+    /// from residuals.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub degrees_of_freedom: Option<f64>,
-    /// Share of the value that the data determined: 1 − (u/s)², s the standard uncertainty of the nominal value by its tolerance; absent
-    /// where nominal values were no readings.
+    /// Share of the value that the data determined: 1 − (u/s)², where s is the standard uncertainty
+    /// of the nominal value from its tolerance. Absent if nominal values are not used as
+    /// observations.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub determined: Option<f64>,
     /// Identified, fixed or not identifiable.
     pub status: ParameterStatus,
-    /// Parameters that are not separately identifiable from this one; where they are more than 99, the one that is held.
+    /// Parameters that cannot be separated from this parameter; if there are more than 99, the held
+    /// one alone.
     pub confounded_with: Vec<String>,
 }
 
-/// Why a parameter has its value.
+/// Origin of a parameter's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ParameterStatus {
-    /// Found by least squares.
+    /// Identified by least squares.
     Identified,
     /// Held by the campaign, or not part of the model.
     Fixed,
     /// Held because it is not separately identifiable.
     NotIdentifiable,
+    /// Target or fixture that no calibration pose shows: placed by readings of validation poses,
+    /// with all identified parameters held.
+    PlacedByValidation,
 }
 
 /// Residuals of the identification.
@@ -188,120 +223,131 @@ pub struct ResidualSummary {
     pub kind: ResidualKind,
     /// Number of residuals.
     pub count: usize,
-    /// Root mean square in mm (pose residuals: mm and rad mixed, eq. 3.26).
+    /// Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26).
     pub rms: f64,
-    /// Largest.
+    /// Largest absolute residual.
     pub max: f64,
-    /// Residuals minus identified parameters.
+    /// Number of residuals minus number of identified parameters.
     pub degrees_of_freedom: usize,
-    /// Standard uncertainty of one coordinate that is stated, in mm: the instrument's, or the contact's where that is
-    /// stated apart.
+    /// Stated standard uncertainty of one coordinate (mm): of the contact if stated separately,
+    /// otherwise of the instrument.
     pub stated_standard_uncertainty_mm: Option<f64>,
-    /// Standard uncertainty in mm that observations of the very same coordinates have in common beside that: the
-    /// instrument's, where the contact's is stated apart.
+    /// Standard uncertainty common to all observations of the same coordinates (mm): of the
+    /// instrument, if that of the contact is stated separately.
     pub common_standard_uncertainty_mm: Option<f64>,
-    /// Chi-square against both.
+    /// Chi-square with both stated uncertainties.
     pub chi_square: Option<f64>,
-    /// Whether chi-square rejects that the measurement explains the residuals: a right model is rejected once in a thousand times.
+    /// `true` if chi-square rejects the hypothesis that measurement noise explains the residuals,
+    /// at a significance level of 0.1 %.
     #[serde(default)]
     pub chi_square_rejected: bool,
-    /// Scatter of repeats against the rest; absent where no pose was repeated.
+    /// Scatter of repeats against the other residuals; absent without repeated poses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeats: Option<Replicates>,
-    /// What standard uncertainties rest on.
+    /// Basis of the standard uncertainties.
     pub uncertainties_from: UncertaintyFrom,
-    /// By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-square
-    /// does not reject the model, or no uncertainty is stated.
+    /// Ratio of the standard uncertainties to those from the instrument alone (median); 1 if
+    /// chi-square does not reject the model, or if no uncertainty is stated.
     pub uncertainties_enlarged_by: f64,
 }
 
-/// How well the readings control each other (Baarda 1968), and which poses decide (Cook 1977).
+/// Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ReliabilitySummary {
     /// Significance level α0 of the test of one residual.
     pub significance: f64,
-    /// Power β0 with which an error is detected that is called detectable.
+    /// Power β0 with which an error of detectable size is detected.
     pub power: f64,
-    /// Standard deviation σ of a coordinate: the stated one where that explains the residuals, or theirs, mm.
+    /// Standard deviation σ of a coordinate (mm): the stated one if it explains the residuals,
+    /// otherwise estimated from the residuals.
     pub sigma_mm: f64,
-    /// Measured positions.
+    /// Number of measured positions.
     pub readings: usize,
-    /// Least redundancy number r of a coordinate: the share of its error that its residual shows, from 0 to 1.
+    /// Smallest redundancy number r of a coordinate: share of an error of the coordinate that its
+    /// residual shows (0 to 1).
     pub least_redundancy: f64,
-    /// Least error of a coordinate that is detected, 4.13 σ / √r: median over the readings, mm.
+    /// Smallest detectable error of a coordinate, 4.13 σ / √r (mm): median over the readings.
     pub median_detectable_mm: Option<f64>,
-    /// The largest; absent where nothing controls a reading, mm.
+    /// Largest of the smallest detectable errors (mm); absent if a reading is uncontrolled.
     pub largest_detectable_mm: Option<f64>,
-    /// Residual over its standard deviation σ √r beyond which a reading is an outlier.
+    /// Normalised residual (residual over its standard deviation σ √r) beyond which a reading is an
+    /// outlier.
     pub critical_w: f64,
-    /// Readings beyond it.
+    /// Number of readings beyond `critical_w`.
     pub beyond: usize,
-    /// Cook's distance beyond which a pose is influential: the median of F.
+    /// Cook's distance beyond which a pose is influential: the median of the F distribution.
     pub influential: f64,
-    /// The poses without which the parameters would change most.
+    /// Poses whose omission would change the parameters most.
     pub poses: Vec<InfluenceEntry>,
 }
 
-/// What the identification would change by without a pose.
+/// Change of the identification if a pose is omitted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct InfluenceEntry {
-    /// The pose.
+    /// Pose.
     pub pose: PoseName,
-    /// Cook's distance of all its readings; absent where the other poses do not determine all parameters.
+    /// Cook's distance of all readings of the pose; absent if the other poses do not determine all
+    /// parameters.
     pub cooks_distance: Option<f64>,
-    /// The parameter that changes most over its standard uncertainty by the residuals.
+    /// Parameter with the largest change relative to its standard uncertainty from the residuals.
     pub parameter: String,
-    /// Its change, over that.
+    /// Change of the parameter over its standard uncertainty.
     pub change_over_u: f64,
 }
 
-/// A fit in which readings far from the others weigh little (M-estimator with the Cauchy loss, from the plain optimum), beside the plain one.
+/// Robust fit beside the least-squares fit: an M-estimator with Cauchy loss that starts at the
+/// least-squares optimum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RobustSummary {
-    /// Constant c of the loss c² ln(1 + (r / c σ)²): with 2.385 the variance of parameters is 5 % more where residuals are normal.
+    /// Constant c of the loss c² ln(1 + (r / c σ)²). With c = 2.385 the variance of parameters is 5
+    /// % larger than by least squares if residuals are normal.
     pub constant: f64,
-    /// Standard deviation σ of a coordinate by the median residual, or the stated one where that is more, mm.
+    /// Standard deviation σ of a coordinate (mm): from the median residual, but at least the stated
+    /// one.
     pub sigma_mm: f64,
-    /// The identified parameters in both fits.
+    /// Identified parameters in both fits.
     pub parameters: Vec<RobustParameter>,
-    /// A difference over its standard uncertainty that none of them exceeds with a probability of 99 %, where no reading is wrong.
+    /// Critical value of `difference_over_u`: with a probability of 99 % no parameter exceeds this
+    /// value if all readings are sound.
     pub critical: f64,
-    /// The poses of the least weight, the least first.
+    /// Poses of smallest weight, ascending.
     pub poses: Vec<RobustPose>,
-    /// A residual over σ that none of them all exceeds with a probability of 99 %, where no reading is wrong.
+    /// Critical value of a residual over σ: with a probability of 99 % no residual exceeds this
+    /// value if all readings are sound.
     pub critical_residual: f64,
-    /// Poses with a residual beyond it.
+    /// Number of poses with a residual beyond the critical value.
     pub disagreeing: usize,
 }
 
-/// A parameter by the plain fit and by the robust one.
+/// A parameter in the least-squares fit and in the robust fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RobustParameter {
-    /// Its name.
+    /// Name of the parameter.
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// Value by the robust fit.
+    /// Value of the robust fit.
     pub value: f64,
-    /// Robust minus plain value.
+    /// Robust minus least-squares value.
     pub difference: f64,
-    /// The difference over its standard uncertainty where no reading is wrong: of normal residuals √(1/0.95 − 1) = 0.23 of that of the parameter.
+    /// Difference over its standard uncertainty if all readings are sound. For normal residuals
+    /// that is √(1/0.95 − 1) = 0.23 of the standard uncertainty of the parameter.
     pub difference_over_u: f64,
 }
 
-/// What the robust fit makes of a pose.
+/// Weight of a pose in the robust fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RobustPose {
-    /// The pose.
+    /// Pose.
     pub pose: PoseName,
-    /// Least weight of its residuals, 1 / (1 + (r / c σ)²), from 0 to 1.
+    /// Smallest weight of the pose's residuals, 1 / (1 + (r / c σ)²) (0 to 1).
     pub weight: f64,
-    /// The residual that has it, over σ.
+    /// Residual of smallest weight, over σ.
     pub residual_over_sigma: f64,
 }
 
@@ -309,56 +355,60 @@ pub struct RobustPose {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ObservabilitySummary {
-    /// O1 = (σ1…σm)^(1/m) / √n, m parameters and n poses (Sun & Hollerbach 2008).
+    /// O1 = (σ1…σm)^(1/m) / √n for m parameters and n poses (Sun & Hollerbach 2008).
     pub o1: f64,
-    /// O2 = σmin / σmax (eq. 1.20).
+    /// O2 = σmin / σmax (thesis, eq. 1.20).
     pub o2: f64,
-    /// O3 = σmin (eq. 1.22).
+    /// O3 = σmin (thesis, eq. 1.22).
     pub o3: f64,
-    /// O4 = σmin² / σmax (eq. 1.23).
+    /// O4 = σmin² / σmax (thesis, eq. 1.23).
     pub o4: f64,
-    /// O5 = 1 / Σ 1/σ (eq. 1.25).
+    /// O5 = 1 / Σ 1/σ (thesis, eq. 1.25).
     pub o5: f64,
-    /// Condition number with columns divided by their norms.
+    /// Condition number with columns scaled to unit length.
     pub condition: f64,
     /// Number of separately identifiable parameters.
     pub rank: usize,
-    /// Which scaling the indices have.
+    /// Scaling of the indices.
     pub scaling: String,
-    /// Singular values behind the condition number, descending: of the Jacobian at the solution, its columns divided by
-    /// their norms, as the identification uses it. Their squares add up to the number of parameters.
+    /// Singular values of the Jacobian at the solution, descending, with columns scaled to unit
+    /// length. The ratio of the largest to the smallest is the condition number; the squares add up
+    /// to the number of parameters.
     #[serde(default)]
     pub singular_values: Vec<SingularValueEntry>,
-    /// Of the same Jacobian with all parameters that were to be identified the smallest, as many as are held because the
-    /// data do not determine them, or hardly; empty in a plan.
+    /// Smallest singular values of the Jacobian with all parameters that were to be identified.
+    /// There is one for each parameter that is held because the data determine it poorly or not at
+    /// all; empty in a plan.
     #[serde(default)]
     pub held_singular_values: Vec<SingularValueEntry>,
-    /// A column that lies this near to the span of those before it, for a norm of 1, is cut: its parameter is held.
+    /// Rank tolerance: a parameter is held if its column, scaled to unit length, is closer than
+    /// this to the span of the columns before it.
     #[serde(default)]
     pub rank_cut: f64,
 }
 
-/// How strongly the residuals answer to one direction of the parameters: small where it is badly observable.
+/// Sensitivity of the residuals to one direction of the parameters; small if the direction is
+/// poorly observable.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SingularValueEntry {
-    /// The singular value, without unit.
+    /// Singular value (dimensionless).
     pub value: f64,
-    /// Parameters with a share of more than 0.3 in its right singular vector, the largest first; empty where the direction
-    /// is spread over many.
+    /// Parameters with a component above 0.3 in the right singular vector, the largest first; empty
+    /// if the direction is spread over many parameters.
     pub parameters: Vec<String>,
 }
 
-/// How the solver ended.
+/// Solver and its termination.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolverSummary {
     /// Algorithm.
     pub method: String,
-    /// Steps taken.
+    /// Number of steps.
     pub iterations: usize,
-    /// Why it stopped.
+    /// Reason of the termination.
     pub termination: Termination,
-    /// The same in words.
+    /// Reason of the termination in words.
     pub meaning: String,
 }

@@ -8,56 +8,58 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Which poses to measure, and how good that is.
+/// Poses to measure, and quality of the choice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanDocument {
-    /// `etalon/plan/1`
+    /// Schema and version: `etalon/plan/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
     /// `O1` to `O5`, `D`, `A`, `E` or `I`.
     pub index: String,
-    /// What the index is, with the scaling of the Jacobian; larger is better.
+    /// Definition of the index, with the scaling of the Jacobian; larger is better.
     pub definition: String,
-    /// All configurations of a pose come together; otherwise one by one.
+    /// `true` if the configurations of a pose are chosen together, `false` if one by one.
     pub grouped: bool,
     /// Number of candidates.
     pub candidates: usize,
-    /// Number of configurations in them.
+    /// Number of configurations of all candidates.
     pub configurations: usize,
-    /// What to measure.
+    /// Poses to measure.
     pub chosen: Vec<PlannedPose>,
-    /// The index of the chosen poses.
+    /// Index of the chosen poses.
     pub value: f64,
-    /// No choice of as many candidates has a larger index; absent where there is no bound (O4).
+    /// Upper bound of the index for any choice of as many candidates; absent for O4, which has no
+    /// bound.
     pub bound: Option<f64>,
-    /// By how many per cent at most the choice is below the best possible.
+    /// Largest possible shortfall of the choice from the optimum (%).
     pub at_most_below_percent: Option<f64>,
-    /// Whether the choice is proven to be the best possible.
+    /// `true` if the choice is proved to be optimal.
     pub proven_optimal: bool,
-    /// By how many per cent at most it is below, by the continuous relaxation alone.
+    /// Largest possible shortfall from the optimum by the continuous relaxation alone (%).
     pub at_most_below_percent_by_relaxation: Option<f64>,
-    /// Nodes of branch and bound that were looked at.
+    /// Number of nodes examined by branch and bound.
     pub nodes: usize,
-    /// The thesis' way: candidates added one after the other.
+    /// Greedy choice of the thesis: candidates are added one after the other.
     pub greedy: GreedySummary,
-    /// Poses to compare with, where any were stated.
+    /// Poses for comparison, if stated.
     pub compared: Option<ComparedPoses>,
-    /// Observability of the chosen poses; absent where it is not a number.
+    /// Observability of the chosen poses; absent if not finite.
     pub observability: Option<ObservabilitySummary>,
     /// Parameters, with their predicted uncertainties from the chosen poses.
     pub parameters: Vec<PlannedParameter>,
-    /// Standard uncertainty of position over all candidates that the parameters would leave; absent where the uncertainty
-    /// of the instrument is not stated.
+    /// Predicted standard uncertainty of position over all candidates; absent if the instrument's
+    /// uncertainty is not stated.
     pub workspace: Option<WorkspaceUncertainty>,
-    /// Where the candidates are (figure 4.7).
+    /// Positions of the candidates (thesis, fig. 4.7).
     pub places: Vec<CandidatePlace>,
-    /// A simulated calibration with the chosen poses, where a truth is given (section 4.6).
+    /// Simulated calibration with the chosen poses, if true parameters are given (thesis, section
+    /// 4.6).
     pub study: Option<StudyDocument>,
     /// Parameters that are not separately identifiable, and other messages.
     pub messages: Vec<Message>,
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
@@ -71,17 +73,17 @@ pub struct PlannedPose {
     pub configurations: Vec<BTreeMap<String, f64>>,
 }
 
-/// The thesis' way.
+/// Greedy choice of the thesis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GreedySummary {
-    /// Poses in the order of choosing.
+    /// Poses in the order of the choice.
     pub poses: Vec<PoseName>,
-    /// Their index.
+    /// Index of the poses.
     pub value: f64,
-    /// Index and condition while candidates are added, beyond the number asked for.
+    /// Index and condition number while candidates are added, beyond the required number.
     pub curve: Vec<CurvePoint>,
-    /// Configurations from which on the index hardly grows: where the curve is farthest above its chord.
+    /// Number of configurations at the knee of the curve, where it is farthest above its chord.
     pub knee_configurations: Option<usize>,
 }
 
@@ -89,25 +91,25 @@ pub struct GreedySummary {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CurvePoint {
-    /// Candidates chosen.
+    /// Number of candidates chosen.
     pub positions: usize,
-    /// Configurations in them.
+    /// Number of configurations of these candidates.
     pub configurations: usize,
-    /// The index.
+    /// Index.
     pub value: f64,
-    /// Condition number with columns divided by their norms.
+    /// Condition number with columns scaled to unit length.
     pub condition: f64,
 }
 
-/// Other poses and their index.
+/// Poses for comparison, and their index.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ComparedPoses {
-    /// The poses.
+    /// Poses.
     pub poses: Vec<PoseName>,
-    /// Their index.
+    /// Index of the poses.
     pub value: f64,
-    /// By how many per cent the chosen poses are better.
+    /// Improvement of the chosen poses over these poses (%).
     pub better_by_percent: f64,
 }
 
@@ -119,11 +121,11 @@ pub struct PlannedParameter {
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// Whether it is identifiable from the candidates.
+    /// `true` if the parameter is identifiable from the candidates.
     pub identifiable: bool,
-    /// Predicted standard uncertainty; absent where the uncertainty of the instrument is not stated.
+    /// Predicted standard uncertainty; absent if the instrument's uncertainty is not stated.
     pub standard_uncertainty: Option<f64>,
-    /// Parameters that are not, or hardly, separable from this one by the chosen poses.
+    /// Parameters that the chosen poses separate from this parameter poorly or not at all.
     pub confounded_with: Vec<String>,
 }
 
@@ -137,40 +139,42 @@ pub struct WorkspaceUncertainty {
     pub max_mm: f64,
 }
 
-/// One candidate on the map of figure 4.7.
+/// One candidate on the map (thesis, fig. 4.7).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CandidatePlace {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Where the first target of the nominal robot is in its first configuration.
+    /// Position of the first target of the nominal robot in the first configuration.
     pub at_mm: Vector,
     /// Number of configurations.
     pub configurations: usize,
-    /// Whether it was chosen.
+    /// `true` if the candidate was chosen.
     pub chosen: bool,
 }
 
-/// A simulated calibration: tables 4.1 to 4.3, figures 4.8 and 4.9.
+/// Simulated calibration (thesis, tables 4.1 to 4.3, figs. 4.8 and 4.9).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyDocument {
-    /// Identifications whose mean is evaluated.
+    /// Number of identifications whose mean is evaluated.
     pub runs: u64,
-    /// Such means, of whose errors the median is reported; parameters and places are those of the first.
+    /// Number of such means. The median of their errors is reported; `parameters` and `places` are
+    /// from the first.
     pub draws: u64,
     /// Standard deviation of the Gaussian noise of one coordinate.
     pub noise_um: f64,
-    /// Configurations at which errors are evaluated.
+    /// Number of configurations at which errors are evaluated.
     pub configurations: usize,
-    /// The point whose errors of position these are, in words.
+    /// Point whose position errors are evaluated, in words.
     #[serde(default)]
     pub point: String,
-    /// Nominal, true and identified parameters with all positions (table 4.1, figure 4.8).
+    /// Nominal, true and identified parameters with all positions (thesis, table 4.1, fig. 4.8).
     pub parameters: Vec<StudiedParameter>,
-    /// Errors of position by the number of positions measured; the last is the plan (tables 4.2 and 4.3).
+    /// Position errors by the number of measured positions; the last entry is the plan (thesis,
+    /// tables 4.2 and 4.3).
     pub steps: Vec<StudyStep>,
-    /// Largest error of each pose with all positions measured (figure 4.9).
+    /// Largest error of each pose with all positions measured (thesis, fig. 4.9).
     pub places: Vec<StudiedPlace>,
 }
 
@@ -186,38 +190,38 @@ pub struct StudiedParameter {
     pub nominal: f64,
     /// True value.
     pub actual: f64,
-    /// Mean of the values identified.
+    /// Mean of the identified values.
     pub identified: f64,
 }
 
-/// Errors of position after a simulated calibration.
+/// Position errors after a simulated calibration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyStep {
-    /// Positions measured.
+    /// Number of positions measured.
     pub positions: usize,
-    /// Configurations in them.
+    /// Number of configurations of these positions.
     pub configurations: usize,
     /// Root mean square with nominal parameters.
     pub rms_before_mm: f64,
-    /// Largest with nominal parameters.
+    /// Largest error with nominal parameters.
     pub max_before_mm: f64,
-    /// Root mean square with the identified ones, median of the draws.
+    /// Root mean square with the identified parameters, median of the draws.
     pub rms_mm: f64,
-    /// Largest with the identified ones, median of the draws.
+    /// Largest error with the identified parameters, median of the draws.
     pub max_mm: f64,
 }
 
-/// Errors of position at one place.
+/// Position errors at one place.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudiedPlace {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Where the first target is, nominal.
+    /// Nominal position of the first target.
     pub at_mm: Vector,
-    /// Largest among its configurations and targets, nominal.
+    /// Largest nominal error over all configurations and targets of the pose.
     pub max_before_mm: f64,
-    /// Largest with the identified parameters.
+    /// Largest error with the identified parameters.
     pub max_mm: f64,
 }

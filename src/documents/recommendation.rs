@@ -1,107 +1,112 @@
-//! What `etalon recommend` answers: which effects the data prove, and which parameters deserve to be loaded.
+//! Answer of `etalon recommend`: effects that the data prove, and parameters that should be loaded.
 
 use super::{Effect, ParametersDocument, Statistics};
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Which of the parameters that a campaign can identify make the robot better at poses that were not used.
+/// Parameters whose identification makes the robot more accurate at poses that were not used.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RecommendationDocument {
-    /// `etalon/recommendation/1`
+    /// Schema and version: `etalon/recommendation/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// The recommendation in words.
+    /// Recommendation in words.
     pub meaning: Vec<String>,
-    /// Calibration poses.
+    /// Number of calibration poses.
     pub poses: usize,
-    /// Parts into which they are cut: each is predicted from the others.
+    /// Number of folds; each is predicted from the others.
     pub folds: usize,
-    /// How often, with other parts.
+    /// Number of repetitions with other folds.
     pub repeats: usize,
-    /// Effects in the order in which they were tried; those that were accepted are in every later one.
+    /// Effects in the order of trial. Accepted effects are part of every later step.
     pub steps: Vec<EffectStep>,
     /// Every identified parameter of the robot itself.
     pub parameters: Vec<ParameterVerdict>,
-    /// Position errors at poses that were left out, mm.
+    /// Position errors at poses that were left out of the identification (mm).
     pub held_out: HeldOutErrors,
-    /// The recommended parameters, identified again with all others at their nominal values.
+    /// Recommended parameters, identified again with all others at their nominal values.
     pub recommended: ParametersDocument,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
 }
 
-/// An effect that was tried beside those accepted before it.
+/// Trial of an effect in addition to the effects accepted before.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffectStep {
-    /// The effect; absent of base and targets alone, with which it begins.
+    /// Effect; absent in the first step, with base and targets alone.
     pub effect: Option<Effect>,
-    /// Parameters that are identified with it.
+    /// Number of identified parameters in this step.
     pub identified: usize,
-    /// Root mean square of the residuals of all calibration poses, mm.
+    /// Root-mean-square position error of the calibration poses, all of which are used for
+    /// identification (mm); comparable with `held_out_rms_mm`.
     pub rms_mm: f64,
-    /// F statistic of what it explains more than the step before.
+    /// F statistic of the improvement over the previous step.
     pub f: Option<f64>,
-    /// Its p value, if residuals were independent.
+    /// Probability of the F statistic if residuals were independent.
     pub p_value: Option<f64>,
-    /// Root mean square position error at poses that were left out, mm.
+    /// Root-mean-square position error at poses that were left out (mm).
     pub held_out_rms_mm: f64,
-    /// By how much their mean square became smaller, over its standard uncertainty.
+    /// Decrease of the mean square error at poses that were left out, over its standard
+    /// uncertainty.
     pub gain_over_u: Option<f64>,
-    /// Whether it is part of the recommended model.
+    /// `true` if the effect is part of the recommended model.
     pub accepted: bool,
 }
 
-/// Whether a parameter deserves to be loaded.
+/// Verdict on whether a parameter should be loaded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ParameterVerdict {
-    /// Its name.
+    /// Name of the parameter.
     pub name: String,
-    /// Its unit.
+    /// Unit of the parameter.
     pub unit: String,
-    /// What it describes.
+    /// Effect that the parameter describes.
     pub effect: Effect,
-    /// Identified minus nominal value, with all parameters.
+    /// Identified minus nominal value, in the model with all parameters.
     pub change: f64,
-    /// The change over its standard uncertainty.
+    /// Change over its standard uncertainty.
     pub change_over_u: f64,
-    /// Probability of such a change of a parameter that has its nominal value, corrected for their number (Holm 1979).
+    /// Probability of such a change if the true value is nominal, corrected for the number of
+    /// parameters (Holm 1979).
     pub p_value: f64,
-    /// Standard deviation over the folds, over the standard uncertainty that a fold has.
+    /// Standard deviation over the folds, relative to the standard uncertainty of one fold.
     pub fold_sd_over_u: f64,
-    /// Value by part of the poses minus value by all, over the standard deviation that chance gives it (√(u_part² − u_all²)), without sign: the
-    /// largest of the parts; absent outside the recommended model, and where no part determines the parameter.
+    /// Largest absolute difference between the value from part of the poses and the value from all
+    /// poses, over its standard deviation by chance √(u_part² − u_all²). Absent outside the
+    /// recommended model, and if no part determines the parameter.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part_change_over_sd: Option<f64>,
-    /// What chance explains of that, with a probability of 99 % for all parameters together: beyond it the parameter is not stable.
+    /// Limit of `part_change_over_sd` by chance, with a probability of 99 % for all parameters
+    /// together; beyond it the parameter is unstable.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part_change_limit: Option<f64>,
-    /// Load or hold.
+    /// Verdict: load or hold.
     pub verdict: LoadVerdict,
 }
 
-/// What to do with a parameter.
+/// Verdict on a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadVerdict {
-    /// It differs from its nominal value.
+    /// Load: the parameter differs from its nominal value.
     Load,
-    /// It is not proven to differ, or depends on which poses it is identified from: its nominal value stays.
+    /// Hold at nominal: the difference is unproved, or depends on the poses.
     Hold,
 }
 
-/// Errors at poses that were left out of the identification, which chose its parameters without them.
+/// Errors at poses that were left out of both the choice and the identification of parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeldOutErrors {
-    /// With nominal parameters, base and targets fitted.
+    /// Errors with nominal parameters; base and targets are fitted.
     pub none: Statistics,
-    /// With all parameters.
+    /// Errors with all parameters.
     pub all: Statistics,
-    /// With those that are recommended.
+    /// Errors with the recommended parameters.
     pub recommended: Statistics,
 }

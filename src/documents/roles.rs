@@ -1,17 +1,17 @@
-//! Roles and effects of parameters, as documents spell them.
+//! Document forms of the roles and effects of parameters.
 
 use crate::mirror::mirror;
 
 mirror! {
-    /// What a parameter describes: decides what is fitted "before" the calibration.
+    /// Owner of a parameter, which decides whether it is fitted before the calibration.
     #[serde(rename_all = "snake_case")]
     #[derive(Default)]
     enum Role of etalon_robots::Role {
         /// Pose of the base in the world.
         Base,
-        /// Places of the targets on the moving part.
+        /// Positions of the targets on the moving part.
         Target,
-        /// What targets touch or are measured from: points and planes that are fixed in the world.
+        /// Points and planes fixed in the world that targets touch or are measured from.
         Fixture,
         /// Geometry, joint offsets, gains and compliance of the robot itself.
         #[default]
@@ -20,7 +20,7 @@ mirror! {
 }
 
 mirror! {
-    /// What a parameter of the robot itself describes.
+    /// Effect that a parameter of the robot itself describes.
     #[derive(clap::ValueEnum)]
     #[serde(rename_all = "snake_case")]
     enum Effect of etalon_robots::Effect {
@@ -28,13 +28,13 @@ mirror! {
         Zeros,
         /// Lengths and angles of the parts.
         Geometry,
-        /// Gains: leads, ratios of the transmissions.
+        /// Gains: leads and transmission ratios.
         Gains,
         /// Harmonics of the transmissions.
         Harmonics,
         /// Backlash of the joints.
         Backlash,
-        /// Coupling of one joint to another.
+        /// Coupling between joints.
         Coupling,
         /// Bending of joints and links under loads.
         Bending,

@@ -13,6 +13,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("compare", schema::<CompareDocument>()),
         ("compensation", schema::<CompensationDocument>()),
         ("controllers", schema::<ControllersDocument>()),
+        ("explanation", schema::<ExplanationDocument>()),
         ("fit", schema::<FitDocument>()),
         ("features", schema::<FeaturesDocument>()),
         ("formats", schema::<FormatsDocument>()),
@@ -38,8 +39,8 @@ pub fn all() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The schema of a type as text.
+/// Returns the schema of a type as text.
 pub fn schema<T: JsonSchema>() -> String {
-    // a schema is plain JSON: writing it cannot fail
+    // a schema is plain JSON, which can always be written
     serde_json::to_string_pretty(&schemars::schema_for!(T)).unwrap_or_default() + "\n"
 }

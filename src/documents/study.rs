@@ -4,23 +4,23 @@ use super::Provenance;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Sets of poses side by side, under stated noise.
+/// Comparison of sets of poses under stated noise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudiesDocument {
-    /// `etalon/study/1`
+    /// Schema and version: `etalon/study/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// Which error `before` and `after` are, in words.
+    /// Definition of the errors `before` and `after`, in words.
     pub error: String,
-    /// Calibrations whose mean is evaluated.
+    /// Number of calibrations whose mean is evaluated.
     pub runs: u64,
-    /// Draws of that, over which intervals are taken.
+    /// Number of such means, over which intervals are taken.
     pub draws: u64,
-    /// One for each set and noise.
+    /// One entry for each set and noise.
     pub designs: Vec<StudiedDesign>,
-    /// What the numbers come from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
@@ -32,7 +32,7 @@ pub struct StudiedDesign {
     pub name: String,
     /// Standard deviation of the Gaussian noise of one coordinate.
     pub noise_um: f64,
-    /// Configurations measured.
+    /// Number of measured configurations.
     pub configurations: usize,
     /// Parameters.
     pub parameters: Vec<DesignParameter>,
@@ -42,11 +42,11 @@ pub struct StudiedDesign {
     pub after: Vec<DesignError>,
 }
 
-/// A parameter as repeated calibrations identify it.
+/// A parameter in repeated calibrations.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DesignParameter {
-    /// Name.
+    /// Name of the parameter.
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
@@ -74,20 +74,20 @@ pub struct DesignError {
     pub max: Spread,
 }
 
-/// Median of the draws, and the interval that holds 95 % of them.
+/// Median of the draws and the interval that contains 95 % of them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Spread {
-    /// 2.5 % of the draws are below.
+    /// 2.5th percentile.
     pub low: f64,
     /// Median.
     pub median: f64,
-    /// 2.5 % are above.
+    /// 97.5th percentile.
     pub high: f64,
 }
 
 impl Spread {
-    /// That of some values; not numbers where there are none.
+    /// Percentiles of `values`; NaN if there are none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.into_iter().collect();
         values.sort_by(f64::total_cmp);

@@ -1,59 +1,66 @@
-//! What `etalon uncertainty` answers: distributions of a campaign's results.
+//! Answer of `etalon uncertainty`: distributions of a campaign's results.
 
 use super::{Provenance, UncertaintyFrom};
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Distributions by Monte Carlo (JCGM 101) and bootstrap beside the linear uncertainties.
+/// Distributions by Monte Carlo (JCGM 101) and bootstrap, beside the linear uncertainties.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UncertaintyDocument {
-    /// `etalon/uncertainty/1`
+    /// Schema and version: `etalon/uncertainty/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// Draws of the whole campaign: frames, readings, what they have in common.
+    /// Number of Monte Carlo draws of the whole campaign: frames, readings, common errors.
     pub draws: usize,
-    /// Whether two digits of every standard uncertainty and of the ends of the intervals are reached (JCGM 101, 7.9.4).
+    /// `true` if two significant digits of all standard uncertainties and interval ends are stable
+    /// (JCGM 101, 7.9.4).
     pub two_digits_reached: bool,
-    /// Resamples of poses and cycles; 0 where these do not determine the parameters.
+    /// Number of bootstrap resamples of poses and cycles; 0 if resamples do not determine the
+    /// parameters.
     pub resamples: usize,
-    /// What the standard uncertainties of the identification rest on. Draws contain what is stated, not what the model leaves out.
+    /// Basis of the standard uncertainties of the identification. Draws contain stated
+    /// uncertainties, but no unmodelled errors.
     pub uncertainties_from: UncertaintyFrom,
-    /// The identified parameters.
+    /// Identified parameters.
     pub parameters: Vec<DistributionEntry>,
-    /// Mean, root mean square and largest position error of the validation poses (`mean`, `rms`, `max`).
+    /// Mean, root-mean-square and largest position error of the validation poses (`mean`, `rms`,
+    /// `max`).
     pub errors: Vec<DistributionEntry>,
     /// Warnings of the identification.
     pub messages: Vec<Message>,
-    /// Where the numbers come from; seed of the draws.
+    /// Origin of the numbers, and seed of the draws.
     pub provenance: Provenance,
 }
 
-/// The distribution of one result.
+/// Distribution of one result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DistributionEntry {
-    /// Name of the parameter or figure.
+    /// Name of the parameter or statistic.
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// The result of the campaign.
+    /// Result of the campaign.
     pub value: f64,
-    /// Standard uncertainty by linear propagation of what is stated: what the draws are compared with.
+    /// Standard uncertainty by linear propagation of the stated uncertainties, for comparison with
+    /// the draws.
     pub linear: Option<f64>,
-    /// Standard uncertainty that the report states, which contains what the model leaves out.
+    /// Standard uncertainty in the report, including unmodelled errors.
     pub standard_uncertainty: Option<f64>,
-    /// Mean of the draws; absent for errors, which are sizes: draws add their scatter to the readings', and sizes grow by it.
+    /// Mean of the draws. Absent for errors: draws add scatter to the scatter of the readings,
+    /// which increases sizes.
     pub mean: Option<f64>,
-    /// Their standard deviation.
+    /// Standard deviation of the draws.
     pub standard_deviation: f64,
-    /// 2.5 % of the draws are below, 2.5 % above; absent for errors.
+    /// 2.5th and 97.5th percentiles of the draws; absent for errors.
     pub interval_95: Option<[f64; 2]>,
-    /// Whether value ± 1.96 times the linear uncertainty has the same ends, to half of its second digit (JCGM 101, 8.1) and twice the standard
-    /// deviation of an end by so many draws.
+    /// `true` if value ± 1.96 linear uncertainties agrees with the interval of the draws. The
+    /// tolerance is half of the second significant digit (JCGM 101, 8.1) plus twice the standard
+    /// deviation of an interval end.
     pub agrees: Option<bool>,
-    /// Standard deviation over the resamples; absent where there are none.
+    /// Standard deviation over the resamples; absent without resamples.
     pub bootstrap: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! What `etalon verify` answers: whether given parameters still hold.
+//! Answer of `etalon verify`: verdict on whether given parameters still apply.
 
 use super::Provenance;
 use etalon_base::message::Message;
@@ -6,85 +6,87 @@ use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Whether parameters that were identified before explain observations of today.
+/// Test of whether previously identified parameters explain today's observations.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VerificationDocument {
-    /// `etalon/verification/1`
+    /// Schema and version: `etalon/verification/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// What the observations prove.
+    /// Verdict on the parameters.
     pub verdict: VerificationVerdict,
-    /// The same in words.
+    /// Verdict in words.
     pub meaning: String,
-    /// Probability of residuals as large as these, if nothing has changed.
+    /// Probability of residuals at least this large if nothing has changed.
     pub p_value: f64,
-    /// Below this p value the robot is called changed.
+    /// Significance level: the robot counts as changed if the p-value is below it.
     pub significance: f64,
-    /// What has moved and by how much, where one thing explains the residuals.
+    /// Object that has moved, with its displacement, if a single movement explains the residuals.
     pub moved: Option<Movement>,
-    /// Each thing that may have moved, were it this alone; the best explanation first.
+    /// All single movements that may explain the residuals, the best explanation first.
     pub explanations: Vec<Movement>,
-    /// What these observations would have detected.
+    /// Detection power of these observations.
     pub power: DetectionPower,
-    /// Residuals that a motion of base and joints can make.
+    /// Residuals that a movement of base and joints can produce.
     pub of_changes: SumOfSquares,
     /// All other residuals.
     pub of_rest: SumOfSquares,
-    /// Poses of the observations.
+    /// Number of observed poses.
     pub poses: usize,
-    /// Measured positions.
+    /// Number of measured positions.
     pub points: usize,
-    /// Root mean square of a coordinate's residual, mm.
+    /// Root-mean-square residual of a coordinate (mm).
     pub rms_mm: f64,
-    /// What is expected of it if nothing has changed, mm.
+    /// Expected root-mean-square residual if nothing has changed (mm).
     pub expected_rms_mm: f64,
-    /// Standard uncertainty of a measured coordinate, mm.
+    /// Standard uncertainty of a measured coordinate (mm).
     pub standard_uncertainty_mm: f64,
-    /// What the calibrated model leaves unexplained of a coordinate beside that (standard deviation), mm.
+    /// Standard deviation of the calibrated model's error of a coordinate, in addition to the
+    /// measurement (mm).
     pub model_mm: f64,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
-/// Which of some candidates to measure, so that `etalon verify` detects the least changes.
+/// Candidates to measure so that `etalon verify` detects the smallest possible changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VerificationPlanDocument {
-    /// `etalon/verification-plan/1`
+    /// Schema and version: `etalon/verification-plan/1`.
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// The probability with which changes are detected.
+    /// Probability with which changes are detected.
     pub probability: f64,
-    /// The probability with which the right joint is named.
+    /// Probability with which the right joint is named.
     pub naming: f64,
-    /// The poses in the order of their choice.
+    /// Poses in the order of the choice.
     pub steps: Vec<VerificationStep>,
-    /// Standard uncertainty of a measured coordinate, mm.
+    /// Standard uncertainty of a measured coordinate (mm).
     pub standard_uncertainty_mm: f64,
-    /// What the calibrated model leaves unexplained of a coordinate beside that (standard deviation), mm.
+    /// Standard deviation of the calibrated model's error of a coordinate, in addition to the
+    /// measurement (mm).
     pub model_mm: f64,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
-    /// Where the numbers come from.
+    /// Origin of the numbers.
     pub provenance: Provenance,
 }
 
-/// A pose that was chosen.
+/// A chosen pose.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VerificationStep {
-    /// The pose.
+    /// Pose.
     pub pose: PoseName,
-    /// What it would detect together with those before it.
+    /// Smallest changes that this pose and the poses before it detect together.
     pub least: Vec<LeastDetectable>,
 }
 
-/// What observations prove of given parameters.
+/// Verdict on given parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum VerificationVerdict {
@@ -94,38 +96,38 @@ pub enum VerificationVerdict {
     BaseMoved,
     /// The zero of one joint has moved.
     Joint,
-    /// Something else: a target, several joints, wrong readings, a robot that has been repaired.
+    /// Another change: a target, several joints, wrong readings, a repaired robot.
     Other,
 }
 
-/// A motion, and what it leaves.
+/// A movement, and the residuals that it leaves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Movement {
     /// `base`, or the name of the joint or of the target.
     pub name: String,
-    /// What it is.
+    /// Kind of the moved object.
     pub kind: MovementKind,
-    /// By how much: of the base a shift at its origin and a rotation vector in the world, of a joint its value, of a target a shift on the
-    /// moving part.
+    /// Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of
+    /// its zero. Target: shift on the moving part.
     pub by: Vec<MovementValue>,
-    /// Probability of residuals as large as those that it leaves.
+    /// Probability of residuals at least as large as those left after the movement.
     pub p_left: f64,
 }
 
-/// What can move.
+/// Kind of an object that can move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MovementKind {
-    /// The base in the world.
+    /// Base in the world.
     Base,
-    /// The zero of a joint.
+    /// Zero of a joint.
     Joint,
-    /// A target on the moving part.
+    /// Target on the moving part.
     Target,
 }
 
-/// One number of a motion.
+/// One component of a movement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MovementValue {
@@ -133,25 +135,26 @@ pub struct MovementValue {
     pub name: String,
     /// `mm` or `deg`.
     pub unit: String,
-    /// Its value.
+    /// Value of the component.
     pub value: f64,
-    /// Standard uncertainty (k = 1); absent where the observations do not show it.
+    /// Standard uncertainty (k = 1); absent if the observations do not determine the component.
     pub standard_uncertainty: Option<f64>,
 }
 
-/// The least motions that the observations would have detected.
+/// Smallest movements that the observations would have detected.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DetectionPower {
-    /// The probability with which they would.
+    /// Probability of detection.
     pub probability: f64,
-    /// The probability with which the right joint is named.
+    /// Probability with which the right joint is named.
     pub naming: f64,
-    /// One each: `shift` and `rotation` of the base in the direction that shows least, and every joint.
+    /// One entry each for `shift` and `rotation` of the base in the least observable direction, and
+    /// for every joint.
     pub least: Vec<LeastDetectable>,
 }
 
-/// The least motion of one kind that would have been detected.
+/// Smallest detectable movement of one kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LeastDetectable {
@@ -159,22 +162,22 @@ pub struct LeastDetectable {
     pub name: String,
     /// `mm` or `deg`.
     pub unit: String,
-    /// The motion; absent where the observations do not show it.
+    /// Smallest detectable movement; absent if the observations cannot show it.
     pub value: Option<f64>,
-    /// The least motion of a joint that is detected and attributed to this joint with the probability `naming`; absent where another
-    /// joint moves all targets alike.
+    /// Smallest movement of a joint that is detected and attributed to the right joint with the
+    /// probability `naming`; absent if another joint moves all targets equally.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub named: Option<f64>,
 }
 
-/// A sum of squares of residuals over their variance.
+/// Weighted sum of squared residuals.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SumOfSquares {
-    /// The sum.
+    /// Sum.
     pub value: f64,
-    /// Its degrees of freedom.
+    /// Degrees of freedom.
     pub degrees_of_freedom: usize,
-    /// Probability of a larger one if nothing has changed.
+    /// Probability of a larger sum if nothing has changed.
     pub p_value: f64,
 }

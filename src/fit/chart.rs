@@ -1,23 +1,25 @@
-//! What circle, cylinder, cone and torus share: an axis through a point, in a local chart.
+//! Local chart of an axis through a point, common to circle, cylinder, cone and torus.
 //!
-//! The axis is d0 + u e1 + v e2 with (e1, e2, d0) a right-handed frame, so u = v = 0 is the middle of the chart and
-//! no direction is singular; after each step the chart is laid again about where it ended
-//! (Shakarji 1998, J. Res. NIST 103, 633, uses the same local freedom: two for a direction, two for its place).
+//! The axis is d0 + u e1 + v e2, where (e1, e2, d0) is a right-handed frame. The chart is centred
+//! at u = v = 0, so no direction is singular. After each step the chart is centred again on the new
+//! axis. Shakarji 1998, J. Res. NIST 103, 633, uses the same local degrees of freedom: two for the
+//! direction, two for the position.
 
 use super::f64x8::{F64x8, Points, along};
 use super::result::QUANTITIES;
 use etalon_base::pose::{Vector, cross, dot, unit};
 
-/// A right-handed frame about a direction.
+/// Right-handed frame about a direction.
 #[derive(Clone, Copy)]
 pub(super) struct Chart {
-    /// The direction in the middle of the chart.
+    /// Direction at the centre of the chart.
     pub d0: Vector,
     pub e1: Vector,
     pub e2: Vector,
 }
 
-/// Where points lie about an axis, with derivatives by (a, b, h, u, v) in the middle of the chart.
+/// Cylindrical coordinates of points about an axis, with derivatives with respect to (a, b, h, u,
+/// v) at the centre of the chart.
 pub(super) struct Cylindrical {
     /// Distance from the axis.
     pub rho: F64x8,
@@ -28,10 +30,10 @@ pub(super) struct Cylindrical {
 }
 
 impl Chart {
-    /// A frame about `d`, which must have a direction; z without one.
+    /// Creates a frame about `d`, or about z if `d` has zero length.
     pub fn new(d: Vector) -> Self {
         let d0 = unit(d).unwrap_or([0.0, 0.0, 1.0]);
-        // the coordinate axis that lies farthest from d0
+        // coordinate axis that is farthest from d0
         let k = (0..3).min_by(|&i, &j| d0[i].abs().total_cmp(&d0[j].abs())).unwrap_or(0);
         let mut far = [0.0; 3];
         far[k] = 1.0;
@@ -39,7 +41,7 @@ impl Chart {
         Self { d0, e1, e2: cross(d0, e1) }
     }
 
-    /// The point a e1 + b e2 + h d0.
+    /// Point a e1 + b e2 + h d0.
     pub fn point(&self, a: f64, b: f64, h: f64) -> Vector {
         [0, 1, 2].map(|i| a * self.e1[i] + b * self.e2[i] + h * self.d0[i])
     }
@@ -49,29 +51,30 @@ impl Chart {
         [dot(p, self.e1), dot(p, self.e2), dot(p, self.d0)]
     }
 
-    /// A point as it is seen along d0.
+    /// Projection of a point along d0.
     pub fn flat(&self, p: Vector) -> Vector {
         [dot(p, self.e1), dot(p, self.e2), 0.0]
     }
 
-    /// Coordinates of points along e1, e2 and d0 from (a, b, h).
+    /// Coordinates of points along e1, e2 and d0, relative to (a, b, h).
     #[inline(always)]
     pub fn seen(&self, q: Points, [a, b, h]: Vector) -> Points {
         [along(q, self.e1) - a, along(q, self.e2) - b, along(q, self.d0) - h]
     }
 
-    /// Distance from the axis through (a, b, h), mostly near `near`, and height along it.
+    /// Distances of points from the axis through (a, b, h), and heights along it; most distances
+    /// are close to `near`.
     #[inline(always)]
     pub fn cylindrical(&self, point: Vector, near: f64, q: Points) -> Cylindrical {
         let [x, y, t] = self.seen(q, point);
         let (rho, inverse) = (x * x).plus(y, y).roots(near);
         let (gx, gy) = (x * inverse, y * inverse);
         let (zero, less) = (F64x8::default(), F64x8::all(-1.0));
-        // d rho = -g dp - t g dd, d t = -d dp + w dd, with dd = e1 du + e2 dv
+        // d rho = −g dp − t g dd, d t = −d dp + w dd, where dd = e1 du + e2 dv
         Cylindrical { rho, t, d_rho: [-gx, -gy, zero, -(t * gx), -(t * gy)], d_t: [zero, zero, less, x, y] }
     }
 
-    /// The chart about the axis x = (a, b, h, u, v, ...), and x in it.
+    /// Chart centred on the axis x = (a, b, h, u, v, ...), and x in that chart.
     pub fn moved<const N: usize>(&self, x: &[f64; N]) -> (Self, [f64; N]) {
         let mut x = *x;
         if x[3] == 0.0 && x[4] == 0.0 {
@@ -83,7 +86,8 @@ impl Chart {
         (chart, x)
     }
 
-    /// How point and direction move with (a, b, h, u, v) in the middle of the chart.
+    /// Derivatives of point and direction with respect to (a, b, h, u, v) at the centre of the
+    /// chart.
     pub fn quantities<const N: usize>(&self) -> [[f64; QUANTITIES]; N] {
         let mut by_parameter = [[0.0; QUANTITIES]; N];
         let moves = [(self.e1, 0), (self.e2, 0), (self.d0, 0), (self.e1, 3), (self.e2, 3)];
@@ -94,7 +98,7 @@ impl Chart {
     }
 }
 
-/// Length of (x, y) in normalised coordinates: nothing overflows, and hypot would be slow.
+/// Length of (x, y) in normalised coordinates, which cannot overflow; `hypot` would be slow.
 pub(super) fn length(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
 }

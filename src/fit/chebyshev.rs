@@ -1,24 +1,26 @@
-//! The linear Chebyshev problem: a and b that make z + a x + b y of all rows vary least.
+//! Linear Chebyshev problem: a and b that minimise the spread of z + a x + b y over all rows.
 //!
-//! It is solved on few rows, those farthest out join, and the rows that hold the level stay (exchange: Stiefel 1959).
-//! The level of few rows is never above that of all, so it is a bound at every step. The same of points in the
-//! plane, along a line, is the narrowest strip that holds them; it lies along an edge of their convex hull.
+//! The problem is solved for a few rows; the extreme rows are added and the rows that determine the
+//! level are kept (exchange algorithm: Stiefel 1959). The level of a subset never exceeds the level
+//! of all rows, so it is a bound at every step. The analogous problem for points in the plane is
+//! the narrowest enclosing strip, which is parallel to an edge of their convex hull.
 
-/// The least variation, where it is and what holds it.
+/// Smallest spread, its slope and the rows that determine it.
 pub(super) struct Level {
-    /// a and b.
+    /// Coefficients a and b.
     pub slope: [f64; 2],
-    /// Largest less smallest value of the rows looked at: not above that of all rows, and equal to it at the end.
+    /// Largest minus smallest value of the rows in the subset: a lower bound for all rows, exact on
+    /// convergence.
     pub spread: f64,
 }
 
-/// Exchanges allowed: tens are used.
+/// Maximum number of exchanges; tens suffice in practice.
 const EXCHANGES: usize = 300;
-/// Rows solved together at most.
+/// Maximum number of rows in the subset.
 const TOGETHER: usize = 10;
 
-/// Solves for rows (x, y, z); stops as soon as the spread is known to be at least `enough`. `None` where all (x, y) lie
-/// on one line.
+/// Solves the problem for rows (x, y, z). Stops as soon as the spread is known to be at least
+/// `enough`. `None` if all (x, y) are collinear.
 pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
     let mut set = first_rows(rows)?;
     let mut reached = f64::NEG_INFINITY;
@@ -36,7 +38,7 @@ pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
         if spread <= level.spread + rounding || (set.contains(&low) && set.contains(&high)) {
             return Some(level);
         }
-        // where the level does not rise a row may come back: then none is let go
+        // if the level does not rise, a removed row might return, so none is removed
         if level.spread > reached || set.len() > TOGETHER {
             set = holding.to_vec();
         }
@@ -48,12 +50,13 @@ pub(super) fn least_spread(rows: &[[f64; 3]], enough: f64) -> Option<Level> {
     of_few(rows, &set).map(|(level, _)| level)
 }
 
-/// Four rows that lie between the extremes as long as |a| and |b| are at most `reach`, and leave them beyond: with them
-/// the least spread is that of slopes near zero. None where the extremes can change places within reach.
+/// Four additional rows that keep the slope within `reach`: they lie between the extremes while |a|
+/// and |b| are at most `reach`, and beyond them otherwise. Empty if the extremes can change places
+/// within `reach`.
 pub(super) fn fence(rows: &[[f64; 3]], reach: f64) -> Vec<[f64; 3]> {
     let (low, high) = extremes(rows, [0.0; 2]);
     let [x, y, z] = rows[high];
-    // seen from the highest row, which stays where it is
+    // relative to the highest row, which is fixed
     let rise = 2f64.sqrt() * reach * (rows[low][0] - x).hypot(rows[low][1] - y);
     let steep = (z - rows[low][2] - rise) / (2.0 * reach);
     let aside = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].into_iter().filter(|_| steep > 0.0);
@@ -64,7 +67,7 @@ pub(super) fn value(row: &[f64; 3], slope: [f64; 2]) -> f64 {
     row[2] + slope[0] * row[0] + slope[1] * row[1]
 }
 
-/// Rows of the smallest and the largest value.
+/// Indices of the rows with the smallest and the largest value.
 pub(super) fn extremes(rows: &[[f64; 3]], slope: [f64; 2]) -> (usize, usize) {
     let mut low = (0, f64::INFINITY);
     let mut high = (0, f64::NEG_INFINITY);
@@ -80,7 +83,7 @@ pub(super) fn extremes(rows: &[[f64; 3]], slope: [f64; 2]) -> (usize, usize) {
     (low.0, high.0)
 }
 
-/// Three rows that span a triangle and the two of extreme z.
+/// Three rows that span a triangle, and the two rows of extreme z.
 fn first_rows(rows: &[[f64; 3]]) -> Option<Vec<usize>> {
     let flat = |i: usize| [rows[i][0], rows[i][1]];
     let largest = |f: &dyn Fn(usize) -> f64| (0..rows.len()).max_by(|&i, &j| f(i).total_cmp(&f(j)));
@@ -103,10 +106,11 @@ fn first_rows(rows: &[[f64; 3]]) -> Option<Vec<usize>> {
     Some(set)
 }
 
-/// The solution of the rows in `set` and the four that hold it (fewer where there are only three).
+/// Solution for the rows in `set`, and the four rows that determine it (three if there are no
+/// more).
 ///
-/// At the minimum four rows lie at the level, above or below: each choice of four and of their sides gives a slope, and
-/// every slope is measured by what it does to the whole set.
+/// At the minimum four rows are at the upper or lower level. Each choice of four rows and of their
+/// levels gives a slope, which is judged by its spread over the whole set.
 fn of_few(rows: &[[f64; 3]], set: &[usize]) -> Option<(Level, Vec<usize>)> {
     let mut best: Option<(Level, Vec<usize>)> = None;
     let mut consider = |slope: [f64; 2], holding: &[usize]| {
@@ -130,7 +134,7 @@ fn of_few(rows: &[[f64; 3]], set: &[usize]) -> Option<(Level, Vec<usize>)> {
             for (r, &k) in set.iter().enumerate().skip(q + 1) {
                 for &l in &set[r + 1..] {
                     let edges = [less(j, i), less(k, i), less(l, i)];
-                    // bit by bit whether the row lies on the other side than row i
+                    // each bit is set if the row is on the opposite level to row i
                     for sides in 1..8u8 {
                         if let Some(slope) = level_slope(&edges, sides) {
                             consider(slope, &[i, j, k, l]);
@@ -143,7 +147,8 @@ fn of_few(rows: &[[f64; 3]], set: &[usize]) -> Option<(Level, Vec<usize>)> {
     best
 }
 
-/// a and b with dz + a dx + b dy + s w = 0 for three edges, s = 1 where the bit is set (Cramer's rule).
+/// Solves dz + a dx + b dy + s w = 0 for a and b, for three edges, where s = 1 if the bit is set
+/// (Cramer's rule).
 fn level_slope(edges: &[[f64; 3]; 3], sides: u8) -> Option<[f64; 2]> {
     let s = [0, 1, 2].map(|k| f64::from(sides >> k & 1));
     let minor = |k: usize, l: usize, m: usize, n: usize| edges[k][m] * edges[l][n] - edges[l][m] * edges[k][n];
@@ -153,10 +158,12 @@ fn level_slope(edges: &[[f64; 3]; 3], sides: u8) -> Option<[f64; 2]> {
     slope.iter().all(|x| x.is_finite()).then_some(slope)
 }
 
-/// How fast the spread grows with the length of the slope from here, at least, in any direction; negative where it
-/// falls. `upper` and `lower` are the (x, y) of the rows at either level.
+/// Smallest growth of the spread per unit length of the slope, over all directions; negative if the
+/// spread decreases in a direction. `upper` and `lower` are the (x, y) of the rows at the two
+/// levels.
 ///
-/// It is the distance from zero to the edge of the polygon upper − lower; its edges are those of the two hulls.
+/// The growth is the distance from zero to the boundary of the polygon upper − lower, whose edges
+/// are edges of the two hulls.
 pub(super) fn growth(upper: &[[f64; 2]], lower: &[[f64; 2]]) -> f64 {
     let mut least = f64::NEG_INFINITY;
     let farthest = |points: &[[f64; 2]], n: [f64; 2]| {
@@ -176,9 +183,10 @@ pub(super) fn growth(upper: &[[f64; 2]], lower: &[[f64; 2]]) -> f64 {
     least
 }
 
-/// Corners of the convex hull, anticlockwise, as indices; two for points on a line, one for identical points.
+/// Indices of the corners of the convex hull, anticlockwise; two for collinear points, one for
+/// identical points.
 ///
-/// Andrew's monotone chain (1979).
+/// Monotone chain algorithm (Andrew 1979).
 pub(super) fn hull(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]).then(points[i][1].total_cmp(&points[j][1])));
@@ -206,15 +214,15 @@ fn half(points: &[[f64; 2]], order: impl Iterator<Item = usize>) -> Vec<usize> {
     chain
 }
 
-/// The narrowest strip that holds the points.
+/// Narrowest enclosing strip.
 pub(super) struct Strip {
-    /// Ends of the edge on one side.
+    /// Ends of the hull edge on one side.
     pub edge: [usize; 2],
     pub width: f64,
 }
 
-/// One side of the narrowest strip is an edge of the hull (Houle & Toussaint 1988): every edge is tried, the corner
-/// opposite moving on with it. `None` for identical points.
+/// Finds the narrowest enclosing strip. One side of it is an edge of the hull (Houle & Toussaint
+/// 1988), so every edge is tried while the opposite corner advances. `None` for identical points.
 pub(super) fn narrowest_strip(points: &[[f64; 2]]) -> Option<Strip> {
     let corners = hull(points);
     let count = corners.len();
@@ -251,7 +259,8 @@ mod tests {
 
     #[test]
     fn the_level_is_the_largest_of_all_fours() {
-        // de la Vallée Poussin: the least spread is the largest of the least spreads of four rows
+        // de la Vallée Poussin: the smallest spread is the largest of the smallest spreads of four
+        // rows
         for trial in 0..200 {
             let mut noise = Noise::new(3, trial);
             let rows: Vec<[f64; 3]> = (0..11).map(|_| [0; 3].map(|_| noise.gaussian(1.0))).collect();
@@ -260,7 +269,7 @@ mod tests {
                 for k in 2..l {
                     for j in 1..k {
                         for i in 0..j {
-                            // the one dependence of (1, x, y): sum c = sum c x = sum c y = 0
+                            // the linear dependence of (1, x, y): Σ c = Σ c x = Σ c y = 0
                             let four = [i, j, k, l].map(|i| rows[i]);
                             let c = [0, 1, 2, 3].map(|m| {
                                 let o: Vec<[f64; 3]> = (0..4).filter(|n| *n != m).map(|n| four[n]).collect();
@@ -282,7 +291,7 @@ mod tests {
 
     #[test]
     fn the_growth_of_crossing_segments() {
-        // upper (±1, 0), lower (0, ±1): upper - lower is the square with corners (±1, ±1)
+        // upper (±1, 0), lower (0, ±1): upper − lower is the square with corners (±1, ±1)
         let found = growth(&[[1.0, 0.0], [-1.0, 0.0]], &[[0.0, 1.0], [0.0, -1.0]]);
         assert!((found - 1.0).abs() < 1e-15, "{found}");
         assert!(growth(&[[1.0, 0.0], [2.0, 0.0]], &[[0.0, 1.0], [0.0, -1.0]]) < 0.0);

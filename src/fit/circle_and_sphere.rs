@@ -1,4 +1,5 @@
-//! Circle in the plane and in space, and sphere: the distance of a point from a centre, less the radius.
+//! Circle in the plane, circle in space, and sphere; the residual is the distance from the centre
+//! minus the radius.
 
 use super::chart::Chart;
 use super::cloud::{Cloud, Gather, SAMPLE, Source};
@@ -12,18 +13,19 @@ use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::{smallest_eigenvector, symmetric_eigen};
 
-/// Fits a circle in the plane to at least three points that are not on one line; z of its centre is zero.
+/// Fits a circle in the plane to at least three non-collinear points; z of its centre is zero.
 ///
-/// Orthogonal distance from Taubin's start (Chernov 2010, "Circular and linear regression", 4 and 5).
+/// Minimises orthogonal distances from Taubin's solution (Chernov 2010, "Circular and linear
+/// regression", 4 and 5).
 ///
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Settings, circle2d};
+/// use etalon_fit::{FitSettings, circle2d};
 ///
 /// // corners of a rectangle of 6 mm by 8 mm: the diagonal, 10 mm, is the diameter of their circle
 /// let corners_mm = [[0.0, 0.0], [6.0, 0.0], [6.0, 8.0], [0.0, 8.0]];
-/// let fit = circle2d(&corners_mm, &Settings::default())?;
+/// let fit = circle2d(&corners_mm, &FitSettings::default())?;
 ///
 /// let [x_mm, y_mm, _] = fit.point_mm;
 /// assert!((x_mm - 3.0).abs() < 1e-12 && (y_mm - 4.0).abs() < 1e-12);
@@ -41,7 +43,7 @@ pub fn circle2d(points: &[[f64; 2]], settings: &FitSettings) -> Result<Fit> {
     fit.finished(settings)
 }
 
-/// The circle through the points of `cloud` seen along the axis of `chart`.
+/// Circle through the points of `cloud`, projected along the axis of `chart`.
 fn refine_circle(cloud: &Cloud, chart: Chart, settings: &FitSettings) -> Refined<Disc, 3> {
     let few: Vec<Vector> = cloud.thinned(SAMPLE).points().map(|q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&few);
@@ -50,7 +52,8 @@ fn refine_circle(cloud: &Cloud, chart: Chart, settings: &FitSettings) -> Refined
     refine(Disc { chart }, cloud, start, [true, true, held.is_none()])
 }
 
-/// Circle in the plane of `chart`, that is of points seen along its axis: parameters a, b of the centre and the radius.
+/// Circle in the plane of `chart`, for points projected along its axis. Parameters: centre (a, b)
+/// and radius.
 #[derive(Clone, Copy)]
 pub(super) struct Disc {
     pub chart: Chart,
@@ -73,10 +76,11 @@ impl Surface<3, 1> for Disc {
     }
 }
 
-/// Fits a circle in space to at least three points that are not on one line, by either of its two definitions.
+/// Fits a circle in space to at least three non-collinear points, by either of its two definitions.
 ///
-/// NIST's reference pairs and most CMM software fit the plane, project the points onto it and fit the circle there.
-/// The full orthogonal distance to the curve differs: by 0.9 µrad in the normal on NIST's own set 25.
+/// NIST's reference pairs and most CMM software fit a plane, project the points onto it and fit the
+/// circle in the plane. The full orthogonal distance to the curve gives a different result: 0.9
+/// µrad in the normal for NIST's set 25.
 pub fn circle3d(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     circle3d_of(points.into(), settings)
 }
@@ -95,7 +99,7 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     let centre = chart.point(a, b, 0.0);
     let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre, Arc::about(&chart, centre))?;
     let local = circle.covariance(fit.degrees_of_freedom);
-    fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, a, b, cloud.scale_mm));
+    fit.covariance = variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
     fit.method = "least-squares plane, projection, circle in the plane by orthogonal distance";
     fit.direction = Some(normal);
@@ -103,8 +107,9 @@ pub(super) fn circle3d_of(points: Source, settings: &FitSettings) -> Result<Fit>
     fit.finished(settings)
 }
 
-/// Covariance of plane (a, b, h, u, v) and circle (a, b, r), which share no residual, taken together.
-fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, scale_mm: f64) -> ElementCovariance {
+/// Combined covariance of a plane (a, b, h, u, v) and of a circle (a, b, r) about `centre` in it,
+/// which share no residual.
+fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], centre: [f64; 2], scale_mm: f64) -> ElementCovariance {
     let mut local = [[0.0; 6]; 6];
     for (row, p) in local.iter_mut().zip(diagonal_matrix(plane)) {
         row[..5].copy_from_slice(&p);
@@ -116,8 +121,8 @@ fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, s
     }
     let mut by_parameter = chart.quantities::<6>();
     by_parameter[5][6] = 1.0;
-    // the plane t = h - u x - v y carries the centre (a, b) with it
-    for (row, along) in [(3, a), (4, b)] {
+    // the plane t = h − u x − v y moves the centre (a, b)
+    for (row, along) in [(3, centre[0]), (4, centre[1])] {
         for (quantity, d) in by_parameter[row].iter_mut().zip(chart.d0) {
             *quantity -= along * d;
         }
@@ -125,7 +130,8 @@ fn both(chart: &Chart, plane: [f64; 5], circle: [[f64; 3]; 3], a: f64, b: f64, s
     propagate(&local, &by_parameter, scale_mm)
 }
 
-/// Parameters a, b, h, u, v of the axis and the radius; two distances a point: in the plane and from it.
+/// Circle in space. Parameters: axis (a, b, h, u, v) and radius; two distances per point: in the
+/// plane and from the plane.
 #[derive(Clone, Copy)]
 pub(super) struct Ring {
     pub(super) chart: Chart,
@@ -162,7 +168,7 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     let [a, b, h, _, _, radius] = refined.x;
     let centre = chart.point(a, b, h);
     let mut fit = refined.to_fit(Element::Circle3d, cloud, centre, Arc::about(&chart, centre))?;
-    // the largest component positive, whichever way the chart lies
+    // largest component positive, whatever the orientation of the chart
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     let heights = Residuals::of(cloud, |q| [chart.seen(q, [a, b, h])[2]]);
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);
@@ -170,20 +176,20 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     fit.finished(settings)
 }
 
-/// Fits a sphere to at least four points that are not in one plane.
+/// Fits a sphere to at least four non-coplanar points.
 ///
-/// Orthogonal distance (Shakarji 1998, 3.3) from Taubin's start.
+/// Minimises orthogonal distances (Shakarji 1998, 3.3) from Taubin's solution.
 ///
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Probe, Settings, Side, sphere};
+/// use etalon_fit::{FitSettings, Probe, Side, sphere};
 ///
 /// // centres of a probe of radius 2 mm that touched a ball at the origin from five sides
 /// let a = 12.0;
 /// let centres_mm = [[a, 0.0, 0.0], [-a, 0.0, 0.0], [0.0, a, 0.0], [0.0, -a, 0.0], [0.0, 0.0, a]];
 /// let probe = Some(Probe { radius_mm: 2.0, side: Side::Outside });
-/// let ball = sphere(&centres_mm, &Settings { probe, ..Settings::default() })?;
+/// let ball = sphere(&centres_mm, &FitSettings { probe, ..FitSettings::default() })?;
 ///
 /// assert!((ball.radius_mm.expect("a sphere has a radius") - 10.0).abs() < 1e-12);
 /// assert!(ball.max_mm() < 1e-12);
@@ -201,7 +207,8 @@ pub(super) fn sphere_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let start = [start[0], start[1], start[2], held.unwrap_or(radius)];
     let refined = refine(Ball, &cloud, start, [true, true, true, held.is_none()]);
     let [x, y, z, radius] = refined.x;
-    // derivatives by the centre are directions, that by the radius is one, both with the other sign
+    // derivatives with respect to the centre are unit vectors, with respect to the radius one, both
+    // with negative sign
     let [mean_x, mean_y, mean_z, _] = refined.products.map(|row| row[3]);
     let cap = Cap::about([x, y, z], radius, [mean_x, mean_y, mean_z]);
     let mut fit = refined.to_fit(Element::Sphere, &cloud, [x, y, z], cap)?;
@@ -209,7 +216,7 @@ pub(super) fn sphere_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     fit.finished(settings)
 }
 
-/// Sphere: parameters x, y, z of the centre and the radius.
+/// Sphere. Parameters: centre (x, y, z) and radius.
 #[derive(Clone, Copy)]
 pub(super) struct Ball;
 
@@ -241,9 +248,9 @@ fn one_to_one<const N: usize>(quantities: [usize; N]) -> [[f64; QUANTITIES]; N] 
 
 /// Taubin's algebraic circle (`M` = 3) or sphere (`M` = 4): centre and radius.
 ///
-/// Taubin 1991, IEEE Trans. PAMI 13, 1115, in the form of Chernov 2010, "Circular and linear regression", 5.9-5.10:
-/// the smallest eigenvector of the moments of ((z - z̄)/(2√z̄), x, y), z = x² + y². Unlike Kasa's it is hardly biased on
-/// short arcs.
+/// Taubin 1991, IEEE Trans. PAMI 13, 1115, in the form of Chernov 2010, "Circular and linear
+/// regression", 5.9-5.10: the smallest eigenvector of the moments of ((z − z̄)/(2√z̄), x, y), where
+/// z = x² + y². In contrast to Kasa's fit, the bias on short arcs is small.
 pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
     let count = points.len().max(1) as f64;
     let (sum, _) = Cloud::about([0.0; 3], points).gather(Sums::<M>::default());
@@ -261,7 +268,7 @@ pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
         symmetric_eigen(moments).1[0]
     };
     let normal = v[1..].iter().map(|x| x * x).sum::<f64>().sqrt();
-    // a straight row of points has curvature zero: begin with a radius of 1e6 sizes
+    // collinear points have curvature zero: start with a radius of 1e6 sizes
     let least = 1e-6 * normal.max(1e-6);
     let curvature = v[0] / (2.0 * mean.sqrt());
     let curvature = if curvature.abs() < least { least.copysign(curvature) } else { curvature };
@@ -273,7 +280,7 @@ pub(super) fn taubin<const M: usize>(points: &[Vector]) -> (Vector, f64) {
     (middle, radius)
 }
 
-/// Sums of the first `M` - 1 coordinates and of the squares of distances in them.
+/// Sums of the first `M` − 1 coordinates and of squared distances in these coordinates.
 #[derive(Clone, Default)]
 struct Sums<const M: usize> {
     coordinates: Points,

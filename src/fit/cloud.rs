@@ -1,15 +1,18 @@
-//! Points made fit for computing: checked, shifted to their centroid, scaled to size one, and summed up in blocks.
+//! Preparation of points for computation: checks, shift to the centroid, scaling to size one, and
+//! sums over blocks.
 //!
-//! At 1 m from the origin a double has 1e-13 mm left; squares of such coordinates would have lost everything below
-//! 1e-5 mm. The scale is a power of two, so scaling rounds nothing. No copy of the points is made: every sum over them
-//! goes through [`Cloud::gather`], block by block in parallel and put together in the order of the blocks, so that it has
-//! the same bytes for any number of threads and needs the same memory for any number of points. Eight points are summed at
-//! a time, in registers as wide as the machine has them: what is fused ([`F64x8::plus`]) is so on every machine and nothing
-//! else is, and no width reorders an operation, so sums have the same bytes everywhere.
+//! At 1 m from the origin a double resolves 1e-13 mm; squares of such coordinates would lose
+//! everything below 1e-5 mm. The scale is a power of two, so scaling is exact. Points are not
+//! copied: every sum is computed by [`Cloud::gather`], block by block in parallel, and combined in
+//! the order of the blocks. The result is therefore bit-identical for any number of threads, and
+//! memory does not depend on the number of points. Eight points are summed at a time, in registers
+//! of the machine's width. Operations are fused exactly where [`F64x8::plus`] is used, and no
+//! register width reorders operations, so sums are bit-identical on all machines.
 
-use super::element::{Element, FitSettings, refuse};
+use super::element::{self, Element, FitSettings};
 use super::f64x8::{F64x8, LANES, Points, along};
 use super::packed::PackedPoints;
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, unit};
 use etalon_math::symmetric_eigen;
@@ -17,23 +20,24 @@ use pulp::Arch;
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// Points that a start is found from; of four times as many, not all are looked at before the start is good.
+/// Number of points of the sample from which starts are found. Clouds with more than four times as
+/// many points are thinned for the start.
 pub(super) const SAMPLE: usize = 1024;
-/// Coordinates beyond this have squares that no double holds; nothing on a robot is 1e97 km away.
+/// Largest coordinate: squares of larger values overflow (mm).
 const LARGEST_MM: f64 = 1e100;
 
-/// Points that one thread sums up: fixed, so that sums do not depend on the number of threads.
+/// Number of points per block; constant, so that sums do not depend on the number of threads.
 const BLOCK: usize = 4096;
-/// Blocks whose sums are held at a time.
+/// Number of blocks whose sums are held at a time.
 const BLOCKS: usize = 256;
 
-/// What is gathered from the points of a block, and how the sums of blocks are joined.
+/// Accumulator of the points of a block, and combination of the sums of blocks.
 pub(super) trait Gather: Clone + Sync {
-    /// What a block comes to.
+    /// Sum of a block.
     type Sum: Send;
 
-    /// Takes up eight points with their weights. The last eight may be filled up with copies of a point that weigh
-    /// nothing. To be inlined, so that what is gathered stays in registers.
+    /// Adds eight points with their weights. The last group may be padded with copies of a point of
+    /// weight zero. To be inlined, so that the accumulator stays in registers.
     fn take(&mut self, q: Points, w: F64x8);
 
     fn close(self) -> Self::Sum;
@@ -41,7 +45,7 @@ pub(super) trait Gather: Clone + Sync {
     fn join(first: Self::Sum, next: Self::Sum) -> Self::Sum;
 }
 
-/// Nothing.
+/// Accumulates nothing.
 impl Gather for () {
     type Sum = ();
 
@@ -53,7 +57,7 @@ impl Gather for () {
     fn join((): (), (): ()) {}
 }
 
-/// Two things in one look at the points.
+/// Two accumulators in one pass over the points.
 impl<A: Gather, B: Gather> Gather for (A, B) {
     type Sum = (A::Sum, B::Sum);
 
@@ -72,14 +76,14 @@ impl<A: Gather, B: Gather> Gather for (A, B) {
     }
 }
 
-/// Where the coordinates of points lie.
+/// Storage of the coordinates of points.
 #[derive(Clone, Debug)]
 pub enum Source<'a> {
-    /// In space, in millimetres.
+    /// Points in space (mm).
     Space(Cow<'a, [Vector]>),
-    /// In a plane, in millimetres.
+    /// Points in a plane (mm).
     Plane(&'a [[f64; 2]]),
-    /// In space, in half the memory.
+    /// Points in space in half the memory.
     Packed(&'a PackedPoints),
 }
 
@@ -111,12 +115,12 @@ impl Source<'_> {
         }
     }
 
-    /// Whether there is none.
+    /// `true` if there are no points.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Point `i`, in the plane with z = 0.
+    /// Point `i`; z = 0 for points in a plane.
     pub fn at(&self, i: usize) -> Vector {
         match self {
             Self::Space(points) => points[i],
@@ -126,21 +130,21 @@ impl Source<'_> {
     }
 }
 
-/// Checked points, to be seen in normalised coordinates, with their spread.
+/// Checked points in normalised coordinates, with their spread.
 #[derive(Clone)]
 pub(super) struct Cloud<'a> {
     pub(super) source: Source<'a>,
     pub(super) weights: Option<Cow<'a, [f64]>>,
-    /// The largest weight, and the mean of the weights divided by it.
+    /// Largest weight, and mean of the weights divided by it.
     weight_unit: [f64; 2],
-    /// Weighted centroid, in mm.
+    /// Weighted centroid (mm).
     pub centre_mm: Vector,
-    /// Millimetres in one unit of the normalised points: the farthest is between 1/2 and 1 away from the centroid in
-    /// some coordinate.
+    /// Length of one normalised unit (mm). The largest coordinate difference from the centroid is
+    /// between 1/2 and 1 unit.
     pub scale_mm: f64,
-    /// Root of the weighted sum of squares along `axes`, descending.
+    /// Roots of the weighted sums of squares along `axes`, descending.
     pub spread: Vector,
-    /// Principal directions, the longest first; right-handed.
+    /// Principal directions, longest first; right-handed.
     pub axes: [Vector; 3],
 }
 
@@ -149,13 +153,13 @@ impl<'a> Cloud<'a> {
     pub fn new(element: Element, points: Source<'a>, settings: &FitSettings<'a>) -> Result<Self> {
         let cloud =
             Self::surveyed(element.name(), element.minimum_points(), points, settings.weights, element.rough())?;
-        // an axis that is held, or a radius, asks for less; two dimensions are still needed about an axis
+        // a held axis or radius needs one dimension less, but at least two about an axis
         let held = usize::from(settings.axis.is_some()).min(element.span() - 1);
-        cloud.spans(element, element.span() - held)?;
+        cloud.spans(element.name(), element.span() - held)?;
         Ok(cloud)
     }
 
-    /// Points as they are seen from a centre, to be summed up.
+    /// Points relative to a given centre, for sums only.
     pub fn about(centre: Vector, points: &'a [Vector]) -> Self {
         Self {
             source: Source::Space(points.into()),
@@ -168,12 +172,13 @@ impl<'a> Cloud<'a> {
         }
     }
 
-    /// Checks count and numbers, and finds centroid and spread.
+    /// Checks number and coordinates of points, and computes centroid and spread.
     pub fn centred(name: &str, minimum: usize, source: Source<'a>) -> Result<Self> {
         Self::surveyed(name, minimum, source, None, None)
     }
 
-    /// The same, or only roughly from a sample where that spans so many dimensions: then numbers are not checked either.
+    /// Computes centroid and spread, from a sample if the sample spans `rough` dimensions;
+    /// coordinates are then not checked.
     fn surveyed(
         name: &str,
         minimum: usize,
@@ -183,11 +188,7 @@ impl<'a> Cloud<'a> {
     ) -> Result<Self> {
         let count = source.len();
         if count < minimum {
-            return Err(refuse(
-                format!("{} {} given for a {name}", count, if count == 1 { "point is" } else { "points are" }),
-                format!("at least {minimum} points"),
-                "measure more points, or name the ones that belong to the feature",
-            ));
+            return Err(error!("too-few-points", count, element = element::name(name), minimum).into());
         }
         let weight_unit = weight_unit(name, count, weights)?;
         let first = if count > 0 { source.at(0) } else { [0.0; 3] };
@@ -196,14 +197,15 @@ impl<'a> Cloud<'a> {
         Ok(cloud)
     }
 
-    /// Finds centre, scale and principal directions: roughly from a sample, then from all points along the directions just
-    /// found. A spread that is small against another is then a sum of squares of small numbers, and right to rounding
-    /// (a scaled diagonally dominant matrix has its eigenvalues from Jacobi's rotations to relative accuracy: Demmel &
-    /// Veselić 1992).
+    /// Computes centre, scale and principal directions: from a sample first, then from all points
+    /// along the directions of the sample. A small spread beside a large one is then a sum of
+    /// squares of small numbers, and accurate to rounding. (Jacobi's rotations determine the
+    /// eigenvalues of a scaled diagonally dominant matrix to relative accuracy: Demmel & Veselić
+    /// 1992.)
     fn survey(&mut self, name: &str, rough_dimensions: Option<usize>) -> Result<()> {
         let few = Cloud { weights: None, ..self.thinned(SAMPLE) };
         let rough = few.gather(Survey::along(self.axes));
-        // a coordinate that is not a number is found in the look at all points
+        // non-finite coordinates are found in the pass over all points
         if rough.is_usable() {
             self.take_up(rough, few.len());
             let wide =
@@ -224,7 +226,7 @@ impl<'a> Cloud<'a> {
         Ok(())
     }
 
-    /// Refuses a coordinate that is not a number, or too large to have a square.
+    /// Rejects non-finite coordinates and coordinates whose square overflows.
     fn check(&self, name: &str, all: &Surveyed) -> Result<()> {
         let corners = [self.to_mm(all.low), self.to_mm(all.high)];
         if self.len() == 0 || (all.is_usable() && !corners.into_iter().flatten().any(outside)) {
@@ -233,18 +235,15 @@ impl<'a> Cloud<'a> {
         self.numbers(name)
     }
 
-    /// The same, point by point: the first that is none is named.
-    pub fn numbers(&self, name: impl std::fmt::Display) -> Result<()> {
+    /// Checks points one by one so that the first invalid point can be named.
+    pub fn numbers(&self, name: &str) -> Result<()> {
         let Some(i) = (0..self.len()).find(|&i| self.source.at(i).into_iter().any(outside)) else { return Ok(()) };
-        Err(refuse(
-            format!("point {} of the {name} is {:?}", i + 1, self.source.at(i)),
-            "finite coordinates in millimetres",
-            "look at this point in the export",
-        ))
+        let coordinates = format!("{:?}", self.source.at(i));
+        Err(error!("point-not-finite", number = i + 1, element = element::name(name), coordinates).into())
     }
 
-    /// Takes up centre, scale and axes from `count` points, and returns whether the axes were near enough for the spreads
-    /// to be right to rounding.
+    /// Sets centre, scale and axes from `count` points. Returns `true` if the previous axes were
+    /// close enough for spreads that are accurate to rounding.
     fn take_up(&mut self, surveyed: Surveyed, count: usize) -> bool {
         let Surveyed { low, high, sum, products: mut moments } = surveyed;
         let n = count.max(1) as f64;
@@ -264,11 +263,11 @@ impl<'a> Cloud<'a> {
         let largest = (0..3).map(|k| (high[k] - mean[k]).max(mean[k] - low[k])).fold(0.0, f64::max) * self.scale_mm;
         let before = self.scale_mm;
         if largest > 0.0 {
-            // what is smaller is refused as one point, and its scale must have an inverse
+            // smaller clouds are rejected as a single point; the scale must have a finite inverse
             self.scale_mm = 2f64.powi(largest.max(1e-290).log2().floor() as i32 + 1);
         }
         self.spread = [values[2], values[1], values[0]].map(|v| v.max(0.0).sqrt() * (before / self.scale_mm));
-        // turning by a correlation of one half costs a third of the small spread, and no digits
+        // axes with a correlation of up to one half cost a third of the small spread, but no digits
         let apart = |i: usize, j: usize| {
             let product = moments[i][i] * moments[j][j];
             moments[i][j].abs() <= 0.5 * product.sqrt() || moments[i][j].abs() <= 4.0 * f64::EPSILON * values[2]
@@ -276,21 +275,16 @@ impl<'a> Cloud<'a> {
         self.spread[2] > 1e-2 * self.spread[0] || (apart(0, 1) && apart(0, 2) && apart(1, 2))
     }
 
-    /// Refuses points that span fewer than `dimensions`: identical, on a line, in a plane.
-    pub fn spans(&self, name: impl std::fmt::Display, dimensions: usize) -> Result<()> {
-        // what rounding of the coordinates alone can spread, and what rounding of the sums can
+    /// Rejects points that span fewer than `dimensions` dimensions: identical, collinear, coplanar.
+    pub fn spans(&self, name: &str, dimensions: usize) -> Result<()> {
+        // spread by rounding of the coordinates, and by rounding of the sums
         let farthest = self.centre_mm.iter().fold(0.0f64, |m, x| m.max(x.abs())) + self.scale_mm;
         let limit = (8.0 * f64::EPSILON * farthest / self.scale_mm).max(1e-13) * (self.len() as f64).sqrt();
         let spanned = self.spread.iter().filter(|&&s| s > limit).count();
         if spanned >= dimensions && self.scale_mm > 1e-100 {
             return Ok(());
         }
-        let (what, expected) = match spanned {
-            0 => ("all points are identical", "points apart from each other"),
-            1 => ("all points lie on one line", "points that are not on one line"),
-            _ => ("all points lie in one plane", "points that are not in one plane"),
-        };
-        Err(refuse(format!("no {name} can be fitted: {what}"), expected, "spread the points over the feature"))
+        Err(error!("points-degenerate", element = element::name(name), spanned).into())
     }
 
     /// Number of points.
@@ -298,24 +292,24 @@ impl<'a> Cloud<'a> {
         self.source.len()
     }
 
-    /// Point `i`, normalised.
+    /// Normalised point `i`.
     pub fn point(&self, i: usize) -> Vector {
         let p = self.source.at(i);
         [0, 1, 2].map(|k| (p[k] - self.centre_mm[k]) / self.scale_mm)
     }
 
-    /// All points, normalised.
+    /// All normalised points.
     pub fn points(&self) -> impl Iterator<Item = Vector> {
         (0..self.len()).map(|i| self.point(i))
     }
 
-    /// Weight of point `i`; the mean of the weights is one.
+    /// Weight of point `i`, relative to the mean weight.
     pub fn weight(&self, i: usize) -> f64 {
         self.weights.as_ref().map_or(1.0, |w| w[i] / self.weight_unit[0] / self.weight_unit[1])
     }
 
-    /// At most `limit` of the points: enough to look for a start. The golden ratio steps through their order, so that
-    /// no rhythm of the scan (points a ring, rings a scan) is met.
+    /// Sample of at most `limit` points for a start. Steps by the golden ratio avoid any period of
+    /// the scan (points per ring, rings per scan).
     pub fn thinned(&self, limit: usize) -> Cloud<'static> {
         let n = self.len();
         let ratio = (5f64.sqrt() - 1.0) / 2.0;
@@ -331,7 +325,7 @@ impl<'a> Cloud<'a> {
         }
     }
 
-    /// Normalised point to millimetres.
+    /// Converts a normalised point to millimetres.
     pub fn to_mm(&self, p: Vector) -> Vector {
         let c = self.centre_mm;
         [c[0] + self.scale_mm * p[0], c[1] + self.scale_mm * p[1], c[2] + self.scale_mm * p[2]]
@@ -342,7 +336,7 @@ fn outside(x: f64) -> bool {
     x.is_nan() || x.abs() > LARGEST_MM
 }
 
-/// Unit vectors along `x`, across it towards `y`, and square to both.
+/// Unit vectors along `x`, perpendicular to `x` towards `y`, and perpendicular to both.
 fn orthonormal(x: Vector, y: Vector) -> [Vector; 3] {
     let x = unit(x).unwrap_or([1.0, 0.0, 0.0]);
     let along = dot(x, y);
@@ -350,22 +344,20 @@ fn orthonormal(x: Vector, y: Vector) -> [Vector; 3] {
     [x, y, cross(x, y)]
 }
 
-/// The largest weight, and the mean of the weights divided by it.
+/// Largest weight, and mean of the weights divided by it.
 fn weight_unit(name: &str, count: usize, weights: Option<&[f64]>) -> Result<[f64; 2]> {
     let Some(weights) = weights else { return Ok([1.0; 2]) };
     let largest = weights.iter().fold(0.0f64, |m, w| m.max(*w));
     let good = weights.len() == count && weights.iter().all(|w| w.is_finite() && *w > 1e-12 * largest && *w > 0.0);
     if !good {
-        return Err(refuse(
-            format!("the {} weights of the {name} do not fit its {count} points", weights.len()),
-            "one positive finite weight for each point, within a factor 1e12 of each other",
-            "use 1/u² of each point; leave a point out instead of giving it no weight",
-        ));
+        let element = element::name(name);
+        return Err(error!("weights-unusable", weights = weights.len(), element, points = count).into());
     }
     Ok([largest, weights.iter().map(|w| w / largest).sum::<f64>() / count as f64])
 }
 
-/// Bounds of the coordinates, weighted sums of them along `axes`, and of the products of these.
+/// Accumulates bounds of the coordinates, and weighted sums of the coordinates along `axes` and of
+/// their products.
 #[derive(Clone)]
 struct Survey {
     axes: [Vector; 3],
@@ -375,7 +367,7 @@ struct Survey {
     products: [Points; 3],
 }
 
-/// What a [`Survey`] comes to.
+/// Result of a [`Survey`].
 struct Surveyed {
     low: Vector,
     high: Vector,
@@ -384,7 +376,8 @@ struct Surveyed {
 }
 
 impl Surveyed {
-    /// Whether every coordinate is a number: one that is not is in no bounds, but in the sums.
+    /// `true` if all coordinates are finite; non-finite coordinates do not affect the bounds, but
+    /// the sums.
     fn is_usable(&self) -> bool {
         self.low.iter().chain(&self.high).chain(&self.sum).all(|x| x.is_finite())
     }
@@ -435,12 +428,13 @@ impl Gather for Survey {
 }
 
 impl Cloud<'_> {
-    /// Gathers over all normalised points, from a copy of `start` for each block, joined in the order of the points.
+    /// Accumulates all normalised points, with a copy of `start` for each block; sums are combined
+    /// in the order of the points.
     pub fn gather<G: Gather>(&self, start: G) -> G::Sum {
         let machine = Arch::new();
         let block = |k: usize| {
             let range = k * BLOCK..self.len().min((k + 1) * BLOCK);
-            // one layout for all sources: the sums are compiled once for each kind of machine
+            // a single layout for all sources: sums are compiled once for each kind of machine
             let points: Cow<[Vector]> = match &self.source {
                 Source::Space(points) => Cow::Borrowed(&points[range.clone()]),
                 Source::Plane(points) => points[range.clone()].iter().map(|&[x, y]| [x, y, 0.0]).collect(),
@@ -463,11 +457,11 @@ impl Cloud<'_> {
         joined.reduce(G::join).unwrap_or_else(|| start.clone().close())
     }
 
-    /// Normalises `points`, of which the first is number `first`, eight by eight.
+    /// Normalises `points` in groups of eight; the first is number `first`.
     #[inline(always)]
     fn pass<G: Gather>(&self, first: usize, points: &[Vector], mut gathered: G) -> G::Sum {
         let (centre, factor) = (self.centre_mm, 1.0 / self.scale_mm);
-        // without weights a multiplication by one is none
+        // without weights, multiplying by one is omitted
         let plain = if self.weights.is_some() { 0 } else { points.len() / LANES * LANES };
         for eight in points[..plain].as_chunks::<LANES>().0 {
             let mut group = Points::default();

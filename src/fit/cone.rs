@@ -8,15 +8,17 @@ use super::f64x8::{F64x8, Points};
 use super::result::{Fit, QUANTITIES};
 use super::search::{Axial, no_start, rival_warning, search};
 use super::solver::{Refined, Surface, refine};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::warning;
 use nalgebra::{Matrix5, Vector5};
 use std::f64::consts::PI;
 
-/// Fits a cone to at least six points that are not in one plane.
+/// Fits a cone to at least six non-coplanar points.
 ///
-/// Distance to the surface, stated at the centroid and not at the apex, so that slim cones are not singular
-/// (Shakarji 1998, 3.5). The start is searched over the hemisphere of axes, the best are followed.
+/// Distances to the surface are parametrised at the centroid instead of the apex, so that slim
+/// cones are not singular (Shakarji 1998, 3.5). Starts are searched over the hemisphere of axes;
+/// the best starts are refined.
 pub fn cone(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     cone_of(points.into(), settings)
 }
@@ -26,8 +28,7 @@ pub(super) fn cone_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let cloud = Cloud::new(Element::Cone, points, settings)?;
     let free = [true, true, false, held.is_none(), held.is_none(), true, true];
     let upright = |funnel, x| Some(widening(funnel, x)).filter(|(_, x): &(Funnel, [f64; 7])| x[5] > 0.0);
-    let found =
-        search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright, |chart| Funnel { chart });
+    let found = search(&cloud, held, free, |few, chart| vec![cone_along(few, chart)], upright);
     let found = found.ok_or_else(|| no_start(Element::Cone))?;
     let mut fit = finished(&cloud, &refine(found.surface, &cloud, found.start, free), settings)?;
     fit.warnings.extend(found.rival.then(|| rival_warning(Element::Cone)));
@@ -44,15 +45,15 @@ fn finished(cloud: &Cloud, refined: &Refined<Funnel, 7>, settings: &FitSettings)
     fit.apex_angle_rad = Some(2.0 * half_angle.abs());
     let uncertain = fit.standard_uncertainty().and_then(|u| u.apex_angle_rad);
     if uncertain.is_some_and(|u| u > half_angle.abs()) {
-        let what = "the apex angle of the cone is not distinguishable from zero (k = 2)";
-        fit.warnings.push(Message::warning(what).hint("fit a cylinder"));
+        fit.warnings.push(warning!("cone-is-cylinder"));
     }
     fit.finished(settings)
 }
 
-/// The same cone with its axis towards larger radii and its half angle between 0 and a right angle.
+/// Orients a cone so that its axis points towards larger radii and its half-angle is between 0 and
+/// a right angle.
 fn widening(mut funnel: Funnel, mut x: [f64; 7]) -> (Funnel, [f64; 7]) {
-    // ψ - π is the same surface seen from the other side: the distance s changes its sign
+    // ψ − π is the same surface with reversed sign of the distance s
     let half_turns = (x[6] / PI).round();
     x[6] -= half_turns * PI;
     if half_turns.rem_euclid(2.0) == 1.0 {
@@ -68,8 +69,8 @@ fn widening(mut funnel: Funnel, mut x: [f64; 7]) -> (Funnel, [f64; 7]) {
     (funnel, x)
 }
 
-/// The cone about a given axis: x² + y² = 2 p x + 2 q y + k0 + k1 t + k2 t², linear in all five; the half angle
-/// then comes from the radii about (p, q), regressed on the height.
+/// Cone about a given axis: x² + y² = 2 p x + 2 q y + k0 + k1 t + k2 t², linear in all five
+/// coefficients. The half-angle follows from a regression of the radii about (p, q) on the height.
 fn cone_along(points: &[Vector], chart: Chart) -> (f64, [f64; 7]) {
     let points: Vec<[f64; 3]> = points.iter().map(|&q| chart.coordinates(q)).collect();
     let (mut sums, mut right) = ([[0.0; 5]; 5], [0.0; 5]);
@@ -83,7 +84,7 @@ fn cone_along(points: &[Vector], chart: Chart) -> (f64, [f64; 7]) {
         }
     }
     let (mut normal, right) = (Matrix5::from(sums), Vector5::from(right));
-    // two circles have two heights only, and t² is then 1 and t again: a little damping chooses
+    // with only two heights, t² depends linearly on 1 and t: slight damping selects a solution
     normal += Matrix5::identity() * (1e-10 * normal.trace());
     let Some(solved) = normal.cholesky().map(|c| c.solve(&right)) else { return (f64::INFINITY, [0.0; 7]) };
     let (p, q) = (solved[0], solved[1]);
@@ -94,7 +95,7 @@ fn cone_along(points: &[Vector], chart: Chart) -> (f64, [f64; 7]) {
     (cost / (1.0 + slope * slope), [p, q, 0.0, 0.0, 0.0, at_zero * half_angle.cos(), half_angle])
 }
 
-/// Slope and intercept of the first of each pair over the second.
+/// Slope and intercept of a regression of the first component of each pair on the second.
 fn regression(pairs: &[(f64, f64)]) -> (f64, f64) {
     let n = pairs.len().max(1) as f64;
     let (y, x) = pairs.iter().fold((0.0, 0.0), |(sy, sx), (y, x)| (sy + y / n, sx + x / n));
@@ -103,8 +104,9 @@ fn regression(pairs: &[(f64, f64)]) -> (f64, f64) {
     (slope, y - slope * x)
 }
 
-/// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid), the distance s of that foot from the
-/// surface and the half angle ψ: a point has the distance ρ cos ψ - t sin ψ - s (Shakarji 1998, 3.5).
+/// Cone. Parameters: axis (a, b, h, u, v) with h held at the foot of the centroid, distance s of
+/// the foot from the surface, and half-angle ψ. The distance of a point is ρ cos ψ − t sin ψ − s
+/// (Shakarji 1998, 3.5).
 #[derive(Clone, Copy)]
 pub(super) struct Funnel {
     pub(super) chart: Chart,
@@ -128,7 +130,8 @@ impl Surface<7, 1> for Funnel {
 
     fn recharted(&self, x: &[f64; 7]) -> (Self, [f64; 7]) {
         let (chart, mut x) = self.chart.moved(x);
-        // from its new point the surface is farther by what the radius grew on the way
+        // moving the point along the axis changes its distance from the surface by the growth of
+        // the radius
         x[5] -= x[2] * x[6].sin();
         x[2] = 0.0;
         (Self { chart }, x)
@@ -141,7 +144,8 @@ impl Surface<7, 1> for Funnel {
         by_parameter[5][6] = 1.0 / cos;
         by_parameter[6][6] = x[5] * sin / (cos * cos);
         by_parameter[6][8] = 2.0 * if x[6] < 0.0 { -1.0 } else { 1.0 };
-        // the foot of the centroid stays square to the axis, and the radius there changes as it slides
+        // the foot of the centroid stays perpendicular to the axis, and the radius there changes as
+        // it slides
         for (row, along) in [(3, x[0]), (4, x[1])] {
             for (quantity, d) in by_parameter[row].iter_mut().zip(self.chart.d0) {
                 *quantity -= along * d;
@@ -153,6 +157,10 @@ impl Surface<7, 1> for Funnel {
 }
 
 impl Axial<7, 1> for Funnel {
+    fn on(chart: Chart) -> Self {
+        Self { chart }
+    }
+
     fn chart(&self) -> &Chart {
         &self.chart
     }

@@ -1,4 +1,4 @@
-//! How much of an element has points.
+//! Part of an element that is covered by points.
 
 use super::chart::Chart;
 use super::cloud::Gather;
@@ -8,20 +8,21 @@ use std::f64::consts::TAU;
 use std::sync::Arc as Shared;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// Sectors that the directions of points are sorted into: of 0.9 to 1.8 degrees.
+/// Number of sectors for sorting directions of points; each is 0.9 to 1.8 degrees wide.
 const SECTORS: usize = 256;
 
-/// A measure of how much of an element has points.
+/// Measure of the part of an element that is covered by points.
 pub(super) trait Coverage: Gather {
-    /// The angle that has points, in radians.
+    /// Covered angle (rad).
     fn angle_rad(sum: Self::Sum) -> f64;
 }
 
-/// Seen along the axis of a chart about a point: the full turn less the largest gap between neighbouring points.
+/// Covered arc about an axis: full turn minus the largest gap between neighbouring points.
 ///
-/// A gap wider than a sector is found exactly, and of fewer than 200 points every largest gap is. The points are sorted by
-/// x / (|x| + |y|), which grows and falls with the angle; of each sector there is the first and the last. All blocks share
-/// them, so that soon most points change nothing; which block comes first does not matter.
+/// Gaps wider than a sector are exact, as is the largest gap of fewer than 200 points. Points are
+/// sorted by x / (|x| + |y|), which is monotonic in the angle; each sector keeps its first and last
+/// point. All blocks share the sectors, so that most points soon change nothing; the order of
+/// blocks has no effect.
 #[derive(Clone)]
 pub(super) struct Arc {
     chart: Chart,
@@ -29,7 +30,8 @@ pub(super) struct Arc {
     sectors: Shared<Sectors>,
 }
 
-/// The first and the last of each sector, as bits: of positive numbers these have the same order.
+/// First and last point of each sector, as bit patterns, whose order is the order of positive
+/// numbers.
 pub(super) struct Sectors(Vec<[AtomicU64; 2]>);
 
 impl Default for Sectors {
@@ -40,7 +42,8 @@ impl Default for Sectors {
 }
 
 impl Sectors {
-    /// Takes up turns by the sectors they are in. Not to be inlined, so that what leads here stays in vector registers.
+    /// Adds turns to their sectors. Not to be inlined, so that the calling code stays in vector
+    /// registers.
     #[inline(never)]
     fn take(&self, turns: &[u64; LANES], sectors: &[u64; LANES]) {
         for (turn, sector) in turns.iter().zip(sectors) {
@@ -57,7 +60,7 @@ impl Sectors {
 }
 
 impl Arc {
-    /// About `point`.
+    /// Creates a measure about `point`.
     pub fn about(chart: &Chart, point: Vector) -> Self {
         Self { chart: *chart, centre: chart.coordinates(point), sectors: Shared::default() }
     }
@@ -88,7 +91,7 @@ impl Gather for Arc {
         let [x, y, _] = self.chart.seen(q, self.centre);
         let part = x * (x.abs() + y.abs()).inverse_or_zero();
         let turn = F64x8::all(2.0) - (F64x8::all(1.0) + part).with_sign_of(y);
-        // added to 2^52 a number is a whole one, in the last bits
+        // the sum with 2^52 is an integer, held in the last bits
         let sector = (turn * (SECTORS / 4) as f64 + F64x8::all(4_503_599_627_370_496.0)).0.map(f64::to_bits);
         self.sectors.take(&turn.0.map(f64::to_bits), &sector);
     }
@@ -102,7 +105,8 @@ impl Gather for Arc {
     }
 }
 
-/// Full angle of the cap about a mean direction that holds all directions from a centre.
+/// Covered cap of a sphere: full angle about the mean direction that contains all directions from
+/// the centre.
 #[derive(Clone)]
 pub(super) struct Cap {
     centre: Vector,
@@ -112,7 +116,8 @@ pub(super) struct Cap {
 }
 
 impl Cap {
-    /// From `centre`, of points mostly near `radius`; `sum` points along the mean direction.
+    /// Creates a measure about `centre` for points mostly near `radius`; `sum` has the mean
+    /// direction.
     pub fn about(centre: Vector, radius: f64, sum: Vector) -> Self {
         Self { centre, radius, mean: unit(sum), square: F64x8::default() }
     }
@@ -120,12 +125,13 @@ impl Cap {
 
 impl Coverage for Cap {
     fn angle_rad(chord: f64) -> f64 {
-        // half the angle between two directions has half their distance for its sine
+        // the sine of half the angle between two directions is half their distance
         4.0 * (chord.sqrt() / 2.0).min(1.0).asin()
     }
 }
 
-/// Largest squared distance of a direction from the mean; without a mean they are all round.
+/// Largest squared distance of a direction from the mean; without a mean direction the points are
+/// all around.
 impl Gather for Cap {
     type Sum = f64;
 

@@ -12,20 +12,21 @@ use super::solver::{Surface, refine};
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 
-/// Fits a cylinder to at least five points that are not in one plane.
+/// Fits a cylinder to at least five non-coplanar points.
 ///
-/// Orthogonal distance to the axis (Shakarji 1998, 3.4). The start is searched over the hemisphere of axes with a
-/// circle for each (after Eberly, "Fitting 3D data with a cylinder", Geometric Tools 2019), the best are followed.
+/// Minimises orthogonal distances to the axis (Shakarji 1998, 3.4). Starts are searched over the
+/// hemisphere of axes, with a circle for each axis (after Eberly, "Fitting 3D data with a
+/// cylinder", Geometric Tools 2019); the best starts are refined.
 ///
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Settings, cylinder};
+/// use etalon_fit::{FitSettings, cylinder};
 ///
 /// // three sections of a bore of radius 5 mm about the z axis
 /// let section_mm = [[5.0, 0.0], [3.0, 4.0], [-3.0, 4.0], [-5.0, 0.0], [-3.0, -4.0], [3.0, -4.0]];
 /// let points_mm = [0.0, 20.0, 40.0].map(|z| section_mm.map(|[x, y]| [x, y, z])).concat();
-/// let bore = cylinder(&points_mm, &Settings::default())?;
+/// let bore = cylinder(&points_mm, &FitSettings::default())?;
 ///
 /// assert!((bore.radius_mm.expect("a cylinder has a radius") - 5.0).abs() < 1e-9);
 /// let [_, _, z] = bore.direction.expect("a cylinder has an axis");
@@ -50,8 +51,7 @@ pub(super) fn cylinder_of(points: Source, settings: &FitSettings) -> Result<Fit>
             start[5] = radius.unwrap_or(start[5]);
             vec![(cost, start)]
         },
-        |tube, x| (x[5] > 0.0).then_some((tube, x)),
-        |chart| Tube { chart },
+        |tube: Tube, x| (x[5] > 0.0).then_some((tube, x)),
     );
     let found = found.ok_or_else(|| no_start(Element::Cylinder))?;
     let refined = refine(found.surface, &cloud, found.start, free);
@@ -65,7 +65,7 @@ pub(super) fn cylinder_of(points: Source, settings: &FitSettings) -> Result<Fit>
     fit.finished(settings)
 }
 
-/// The circle that the points make seen along the axis.
+/// Circle through the points projected along the axis.
 fn circle_along(points: &[Vector], chart: &Chart) -> (f64, [f64; 6]) {
     let flat: Vec<Vector> = points.iter().map(|&q| chart.flat(q)).collect();
     let (centre, radius) = taubin::<3>(&flat);
@@ -99,7 +99,7 @@ impl Gather for OffCircle {
     }
 }
 
-/// Parameters a, b, h, u, v of the axis (h held at the foot of the centroid) and the radius.
+/// Cylinder. Parameters: axis (a, b, h, u, v) with h held at the foot of the centroid, and radius.
 #[derive(Clone, Copy)]
 pub(super) struct Tube {
     pub(super) chart: Chart,
@@ -124,7 +124,7 @@ impl Surface<6, 1> for Tube {
     fn quantities(&self, x: &[f64; 6]) -> [[f64; QUANTITIES]; 6] {
         let mut by_parameter = self.chart.quantities::<6>();
         by_parameter[5][6] = 1.0;
-        // the foot of the centroid stays square to the axis
+        // the foot of the centroid stays perpendicular to the axis
         for (row, along) in [(3, x[0]), (4, x[1])] {
             for (quantity, d) in by_parameter[row].iter_mut().zip(self.chart.d0) {
                 *quantity -= along * d;
@@ -135,6 +135,10 @@ impl Surface<6, 1> for Tube {
 }
 
 impl Axial<6, 1> for Tube {
+    fn on(chart: Chart) -> Self {
+        Self { chart }
+    }
+
     fn chart(&self) -> &Chart {
         &self.chart
     }

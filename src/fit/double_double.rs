@@ -1,12 +1,13 @@
-//! A number as the unevaluated sum of two doubles: 106 bits, for decisions that hang on the last digit.
+//! Double-double arithmetic: a number as the unevaluated sum of two doubles (106 bits), for
+//! decisions that depend on the last digit.
 //!
-//! Dekker 1971, "A floating-point technique for extending the available precision"; the error of a product by fused
-//! multiply-add (Ogita, Rump & Oishi 2005, algorithm 3.5).
+//! Dekker 1971, "A floating-point technique for extending the available precision"; the error of a
+//! product by fused multiply-add (Ogita, Rump & Oishi 2005, algorithm 3.5).
 
 use etalon_base::pose::Vector;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// hi + lo, with |lo| at most half a unit in the last place of hi.
+/// hi + lo, where |lo| is at most half a unit in the last place of hi.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub(super) struct DoubleDouble {
     pub hi: f64,
@@ -19,7 +20,7 @@ impl From<f64> for DoubleDouble {
     }
 }
 
-/// a + b without error (Knuth).
+/// Exact sum a + b (Knuth).
 fn sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let part = hi - a;
@@ -62,7 +63,7 @@ impl Div for DoubleDouble {
     }
 }
 
-/// Three of them.
+/// Vector of double-double numbers.
 pub(super) type DoubleDoubleVector = [DoubleDouble; 3];
 
 /// `a - b`.
@@ -80,7 +81,7 @@ pub(super) fn dot(a: DoubleDoubleVector, b: DoubleDoubleVector) -> DoubleDouble 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The same vector.
+/// Exact conversion of a vector.
 pub(super) fn exact(a: Vector) -> DoubleDoubleVector {
     a.map(DoubleDouble::from)
 }

@@ -1,7 +1,9 @@
-//! The elements that points are fitted by, and what may be held or compensated while fitting.
+//! Elements that can be fitted to points, and quantities that may be held or compensated.
 
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, unit};
+use etalon_base::{error, phrase};
 use std::fmt;
 use std::str::FromStr;
 
@@ -29,7 +31,7 @@ pub enum Element {
 }
 
 impl Element {
-    /// Every element.
+    /// All elements.
     pub const ALL: [Self; 9] = [
         Self::Line2d,
         Self::Line,
@@ -42,7 +44,7 @@ impl Element {
         Self::Torus,
     ];
 
-    /// The name on the command line and in documents.
+    /// Name on the command line and in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::Line2d => "line2d",
@@ -57,7 +59,7 @@ impl Element {
         }
     }
 
-    /// Points without which the element is not determined (ISO/TS 15530 practice: the mathematical minimum).
+    /// Minimum number of points (ISO/TS 15530 practice: the mathematical minimum).
     pub fn minimum_points(self) -> usize {
         match self {
             Self::Line2d | Self::Line => 2,
@@ -69,7 +71,8 @@ impl Element {
         }
     }
 
-    /// Dimensions that the points must span: 1 not identical, 2 not on a line, 3 not in a plane.
+    /// Number of dimensions that the points must span: 1 not identical, 2 not collinear, 3 not
+    /// coplanar.
     pub(super) fn span(self) -> usize {
         match self {
             Self::Line2d | Self::Line => 1,
@@ -78,8 +81,8 @@ impl Element {
         }
     }
 
-    /// Dimensions that a sample must span for centroid and size to be good enough: of an element whose answer does not
-    /// depend on them.
+    /// Number of dimensions that a sample must span for its centroid and size to suffice, for
+    /// elements whose result does not depend on them.
     pub(super) fn rough(self) -> Option<usize> {
         matches!(self, Self::Circle2d | Self::Sphere).then_some(self.span())
     }
@@ -104,134 +107,122 @@ impl fmt::Display for Element {
     }
 }
 
+impl IntoArgument for Element {
+    fn argument(&self) -> Argument {
+        name(self.name()).argument()
+    }
+}
+
+/// Name of an element in the language of a text.
+pub(super) fn name(name: &str) -> Phrase {
+    phrase!("element", name)
+}
+
 impl FromStr for Element {
     type Err = Problems;
 
     fn from_str(name: &str) -> Result<Self> {
-        Self::ALL.into_iter().find(|e| e.name() == name).ok_or_else(|| {
-            Message::error(format!("unknown element `{name}`")).hint_names(name, Self::ALL.map(Self::name)).into()
-        })
+        let known = Self::ALL.into_iter().find(|e| e.name() == name);
+        known.ok_or_else(|| error!("element-unknown", name).hint_names(name, Self::ALL.map(Self::name)).into())
     }
 }
 
-/// How a circle in space is fitted.
+/// Method of fitting a circle in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CircleMethod {
-    /// Least-squares plane, projection onto it, circle in it: as NIST's reference pairs and most CMM software.
+    /// Least-squares plane, projection onto it, and circle in the plane, as in NIST's reference
+    /// pairs and most CMM software.
     #[default]
     Projected,
-    /// Full orthogonal distance to the curve in space.
+    /// Orthogonal distance to the curve in space.
     Orthogonal,
 }
 
-/// A probe whose centre was measured instead of what it touched.
+/// A probe whose centres were measured instead of the contact points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
-    /// Effective (qualified) radius of the ball.
+    /// Effective (qualified) radius of the probe tip.
     pub radius_mm: f64,
-    /// Where the ball was.
+    /// Side of the element on which the probe was.
     pub side: Side,
 }
 
 /// The side of the element on which the probe was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Side {
-    /// Within a circle, sphere, cylinder, cone or the tube of a torus: a bore.
+    /// Inside a circle, sphere, cylinder, cone or the tube of a torus: a bore.
     Inside,
-    /// Around it: a shaft, a ball.
+    /// Outside the element: a shaft, a ball.
     Outside,
-    /// For a plane or line: the direction from what was touched to the probe. Of a plane only its sign counts, of a
-    /// line what is square to it.
+    /// For a plane or line: direction from the element to the probe. For a plane only its sign
+    /// matters, for a line the component perpendicular to it.
     Towards(Vector),
 }
 
 impl Probe {
-    /// Refuses a radius that is none, and a side that `element` does not have.
+    /// Rejects a non-positive radius, and a side that `element` does not have.
     pub(super) fn check(&self, element: Element) -> Result<()> {
         let radius = self.radius_mm;
         if !(radius.is_finite() && radius > 0.0) {
-            let hint = "state the qualified radius of the probe, not its diameter; leave it out for contact points";
-            return Err(refuse(format!("the probe radius is {radius} mm"), "a positive number", hint));
+            return Err(error!("probe-radius-not-positive", radius).into());
         }
         let straight = matches!(element, Element::Plane | Element::Line | Element::Line2d);
         match self.side {
-            Side::Inside | Side::Outside if straight => Err(refuse(
-                format!("a {element} has no inside: the side of the probe is not stated"),
-                format!("the direction from the {element} to the probe"),
-                "state it as three numbers, e.g. 0,0,1 for a probe above",
-            )),
-            Side::Towards(_) if !straight => Err(refuse(
-                format!("the side of the probe is stated by a direction, but a {element} has an inside"),
-                "inside (a bore) or outside (a shaft)",
-                "state where the ball was: inside or outside",
-            )),
-            Side::Towards(d) if unit(d).is_none() => Err(refuse(
-                format!("the direction {d:?} to the probe is none"),
-                "three finite numbers, not all zero",
-                "state the direction from what was touched to the probe",
-            )),
+            Side::Inside | Side::Outside if straight => Err(error!("probe-side-needs-direction", element).into()),
+            Side::Towards(_) if !straight => Err(error!("probe-side-needs-inside", element).into()),
+            Side::Towards(d) if unit(d).is_none() => {
+                Err(error!("probe-direction-zero", direction = format!("{d:?}")).into())
+            }
             _ => Ok(()),
         }
     }
 
-    /// How far the centres lie outside: the radius, negative for a probe inside.
+    /// Outward offset of the centres: the radius, or minus the radius for a probe inside.
     pub(super) fn outwards_mm(&self) -> f64 {
         if self.side == Side::Inside { -self.radius_mm } else { self.radius_mm }
     }
 }
 
-/// What may be chosen or held while fitting; the default holds nothing.
+/// Options of a fit; the default holds nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FitSettings<'a> {
-    /// One positive weight a point, in inverse proportion to its variance; only their ratios count.
+    /// One positive weight per point, inversely proportional to its variance; only ratios matter.
     pub weights: Option<&'a [f64]>,
-    /// Holds the radius of a circle, sphere or cylinder.
+    /// Held radius of a circle, sphere or cylinder.
     pub radius_mm: Option<f64>,
-    /// Holds the direction: the normal of a plane, circle or torus, the axis of a line, cylinder or cone.
+    /// Held direction: normal of a plane, circle or torus, axis of a line, cylinder or cone.
     pub axis: Option<Vector>,
-    /// How a circle in space is fitted.
+    /// Method of fitting a circle in space.
     pub circle: CircleMethod,
-    /// The points are centres of this probe: the answer is what it touched, and so is a held radius.
+    /// Probe whose centres are the points. The result, and a held radius, apply to the contact
+    /// surface.
     pub probe: Option<Probe>,
 }
 
 impl FitSettings<'_> {
-    /// Refuses what `element` cannot hold; gives the held axis with length one.
+    /// Rejects options that do not apply to `element`; returns the held axis as a unit vector.
     pub(super) fn check(&self, element: Element) -> Result<Option<Vector>> {
         self.probe.map_or(Ok(()), |probe| probe.check(element))?;
         if let Some(radius) = self.radius_mm {
             if !element.has_radius() {
-                return Err(refuse(format!("a {element} has no radius to hold"), "no radius", "leave the radius out"));
+                return Err(error!("held-radius-unsupported", element).into());
             }
             if !(radius.is_finite() && radius > 0.0) {
-                let hint = "state the radius in millimetres";
-                return Err(refuse(format!("the held radius is {radius} mm"), "a positive number", hint));
+                return Err(error!("held-radius-not-positive", radius).into());
             }
             if let Some(centres) = self.held_radius_mm().filter(|centres| *centres <= 0.0) {
-                let what = format!("a probe inside a {element} of radius {radius} mm has its centres at {centres} mm");
-                return Err(refuse(
-                    what,
-                    "a probe smaller than the held radius",
-                    "state the other side, or the radius",
-                ));
+                return Err(error!("held-radius-below-probe", element, radius, centres).into());
             }
         }
         let Some(axis) = self.axis else { return Ok(None) };
         if !element.has_direction() {
-            return Err(refuse(format!("a {element} has no axis to hold"), "no axis", "leave the axis out"));
+            return Err(error!("held-axis-unsupported", element).into());
         }
-        unit(axis).map(Some).ok_or_else(|| {
-            refuse(format!("the held axis {axis:?} has no direction"), "three numbers, not all zero", "state the axis")
-        })
+        unit(axis).map(Some).ok_or_else(|| error!("held-axis-zero", axis = format!("{axis:?}")).into())
     }
 
-    /// The radius to hold in a fit of the points as they are: that of the probe centres where there is a probe.
+    /// Held radius for a fit of the points as measured: for a probe, of its centres.
     pub(super) fn held_radius_mm(&self) -> Option<f64> {
         self.radius_mm.map(|r| r + self.probe.map_or(0.0, |p| p.outwards_mm()))
     }
-}
-
-/// An error of one sentence with what was expected and what to do.
-pub(super) fn refuse(what: impl Into<String>, expected: impl Into<String>, hint: impl Into<String>) -> Problems {
-    Message::error(what).expected(expected).hint(hint).into()
 }

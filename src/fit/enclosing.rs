@@ -1,10 +1,11 @@
 //! Smallest enclosing circle and sphere, exact to rounding.
 //!
-//! The farthest point outside the ball of the support points joins them, and the smallest ball of these at most five
-//! points is found by trying every subset (the pivot rule of Gärtner 1999, "Fast and robust smallest enclosing
-//! balls", ESA'99, with Welzl's 1991 recursion replaced by enumeration). The radius grows in every step, so it ends;
-//! no recursion, no shuffle. Four corners of a square leave the centre free in the third direction to 1e-9: subsets
-//! are therefore weighed, and near ties decided, in 106 bits.
+//! The farthest point outside the ball is added to the support points, and the smallest ball of
+//! these at most five points is found by trying every subset (pivot rule of Gärtner 1999, "Fast and
+//! robust smallest enclosing balls", ESA'99, with enumeration in place of Welzl's recursion of
+//! 1991). The radius grows in every step, so the algorithm terminates, without recursion or
+//! shuffling. Four corners of a square determine the centre in the third direction to 1e-9 only;
+//! therefore subsets are judged, and near ties decided, in 106 bits.
 
 use super::cloud::{Cloud, Source};
 use super::double_double::{DoubleDouble, DoubleDoubleVector, dot, exact, minus, plus_times};
@@ -16,41 +17,41 @@ use etalon_base::pose::Vector;
 pub struct Enclosing {
     /// Centre; z is zero for a circle in the plane.
     pub center_mm: Vector,
-    /// Radius: the distance of the farthest point.
+    /// Radius: distance of the farthest point.
     pub radius_mm: f64,
-    /// Indices of the points that hold the ball, ascending: one (all identical) to four.
+    /// Indices of the support points, ascending: one (all points identical) to four.
     pub support: Vec<usize>,
-    /// Points that joined the support on the way.
+    /// Number of points that were added to the support.
     pub iterations: usize,
 }
 
-/// The smallest circle that holds all points of the plane; at least one point.
+/// Finds the smallest circle that encloses all points of the plane; at least one point is needed.
 pub fn enclosing_circle(points: &[[f64; 2]]) -> Result<Enclosing> {
     let lifted: Vec<Vector> = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
-    let cloud = Cloud::centred("enclosing circle", 1, Source::Plane(points))?;
+    let cloud = Cloud::centred("enclosing-circle", 1, Source::Plane(points))?;
     Ok(smallest(&lifted, &cloud, 3))
 }
 
-/// The smallest sphere that holds all points; at least one point.
+/// Finds the smallest sphere that encloses all points; at least one point is needed.
 pub fn enclosing_sphere(points: &[Vector]) -> Result<Enclosing> {
-    let cloud = Cloud::centred("enclosing sphere", 1, Source::Space(points.into()))?;
+    let cloud = Cloud::centred("enclosing-sphere", 1, Source::Space(points.into()))?;
     Ok(smallest(points, &cloud, 4))
 }
 
-/// Steps that may leave the radius as it is: 106 bits decide nearly everything, and this the rest. Radii that grow
-/// cannot come back, so it ends.
+/// Maximum number of steps that leave the radius unchanged; 106 bits decide nearly everything, this
+/// limit the rest. Smaller radii cannot return, so the algorithm terminates.
 const STALLS: usize = 20;
 
 struct Ball {
     center: DoubleDoubleVector,
-    /// Squared distance of the farthest of the points that it was found for.
+    /// Squared distance of the farthest of the points for which the ball was found.
     squared: DoubleDouble,
     support: Vec<usize>,
 }
 
-/// `most` is the number of points that can hold a ball: dimension and one.
+/// Finds the smallest ball; `most` is the maximum number of support points: dimension plus one.
 fn smallest(points_mm: &[Vector], cloud: &Cloud, most: usize) -> Enclosing {
-    // scaling by a power of two is exact, shifting to the centroid would not be
+    // scaling by a power of two is exact, a shift to the centroid would not be
     let points: Vec<Vector> = points_mm.iter().map(|p| p.map(|x| x / cloud.scale_mm)).collect();
     let middle = exact(cloud.centre_mm.map(|x| x / cloud.scale_mm));
     let first = farthest(&points, middle).map_or(0, |(i, _)| i);
@@ -84,12 +85,14 @@ fn point(points: &[Vector], i: usize) -> DoubleDoubleVector {
     exact(points.get(i).copied().unwrap_or_default())
 }
 
-/// Index and squared distance of the point farthest from `center`: found in doubles, ties to rounding in 106 bits.
+/// Index and squared distance of the point farthest from `center`: found in doubles, ties within
+/// rounding are decided in 106 bits.
 fn farthest(points: &[Vector], center: DoubleDoubleVector) -> Option<(usize, DoubleDouble)> {
     let c = center.map(|x| x.hi);
     let rough = |p: &Vector| (p[0] - c[0]).powi(2) + (p[1] - c[1]).powi(2) + (p[2] - c[2]).powi(2);
     let largest = points.iter().map(rough).fold(0.0, f64::max);
-    // a coordinate difference is off by half a unit of the coordinates, however small the ball
+    // a coordinate difference has an error of half a unit of the coordinates, whatever the size of
+    // the ball
     let size = points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     let doubt = 16.0 * f64::EPSILON * (largest + size * largest.sqrt()) + (4.0 * f64::EPSILON * size).powi(2);
     let close = points.iter().enumerate().filter(|(_, p)| rough(p) >= largest - doubt);
@@ -102,8 +105,9 @@ fn squared_distance(p: DoubleDoubleVector, q: DoubleDoubleVector) -> DoubleDoubl
     dot(w, w)
 }
 
-/// The smallest ball of at most five points: of the balls through each subset, the one whose centre is nearest to
-/// its farthest point. The true centre is among them, and every candidate is measured by what it really encloses.
+/// Smallest ball of at most five points: among the balls through each subset, the one with the
+/// smallest distance of its centre to the farthest point. The true centre is among the candidates,
+/// and each candidate is judged by the points that it encloses.
 fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
     let nowhere = [DoubleDouble::default(); 3];
     let mut best = Ball { center: nowhere, squared: DoubleDouble::from(f64::INFINITY), support: joined.to_vec() };
@@ -124,9 +128,11 @@ fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
     best
 }
 
-/// Centre of the smallest ball through all of these points, in their span; `None` where they are dependent.
+/// Centre of the smallest ball through all of these points, in their span; `None` if the points are
+/// dependent.
 ///
-/// x·v = |v|²/2 for every edge v from the first point, one orthogonal direction after the other (Gärtner 1999, 3).
+/// Solves x·v = |v|²/2 for every edge v from the first point, one orthogonal direction after the
+/// other (Gärtner 1999, 3).
 fn through(corners: &[DoubleDoubleVector]) -> Option<DoubleDoubleVector> {
     let (&base, others) = corners.split_first()?;
     let mut x = [DoubleDouble::default(); 3];
@@ -138,7 +144,7 @@ fn through(corners: &[DoubleDoubleVector]) -> Option<DoubleDoubleVector> {
             across = plus_times(across, DoubleDouble::default() - dot(across, *w) / dot(*w, *w), *w);
         }
         let (length, height) = (dot(v, v), dot(across, across));
-        // beyond this not even 106 bits see a third dimension
+        // even 106 bits do not resolve a further dimension here
         if height.hi <= 1e-50 * length.hi || height.hi.is_nan() {
             return None;
         }

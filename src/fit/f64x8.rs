@@ -1,19 +1,19 @@
-//! Eight points side by side: arrays of eight that the compiler keeps in vector registers.
+//! Eight points side by side, as arrays that the compiler keeps in vector registers.
 //!
-//! Every lane does what one double would do, in the same order, so results do not depend on the width of the machine's
-//! registers.
+//! Every lane performs the operations of a single double in the same order, so results do not
+//! depend on the width of the machine's registers.
 
 use etalon_base::pose::Vector;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Points computed side by side.
+/// Number of points computed side by side.
 pub(super) const LANES: usize = 8;
 
-/// How far from one a series is taken.
+/// Range of the series about one.
 const NEAR: f64 = 1.0 / 512.0;
 
-/// One number of each of eight points.
+/// One number for each of eight points.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct F64x8(pub [f64; LANES]);
 
@@ -21,7 +21,7 @@ pub(super) struct F64x8(pub [f64; LANES]);
 pub(super) type Points = [F64x8; 3];
 
 impl F64x8 {
-    /// The same number in every lane.
+    /// Equal numbers in all lanes.
     #[inline(always)]
     pub fn all(x: f64) -> Self {
         Self([x; LANES])
@@ -35,7 +35,7 @@ impl F64x8 {
         self
     }
 
-    /// self + a b, rounded once: whether the machine has an instruction for it or not.
+    /// self + a b with a single rounding, whether or not the machine has a fused instruction.
     #[inline(always)]
     pub fn plus(mut self, a: Self, b: Self) -> Self {
         for ((sum, a), b) in self.0.iter_mut().zip(a.0).zip(b.0) {
@@ -53,18 +53,20 @@ impl F64x8 {
         self
     }
 
-    /// 1 / x, and zero for zero: on its own axis a point has no direction, and zero keeps a step finite.
+    /// 1 / x, and zero for zero. A point on the axis has no direction, and zero keeps a step
+    /// finite.
     #[inline(always)]
     pub fn inverse_or_zero(self) -> Self {
-        // divided first, so that there is a choice and no branch
+        // dividing first allows a selection instead of a branch
         self.zip(Self::all(1.0) / self, |x, inverse| if x > 0.0 { inverse } else { 0.0 })
     }
 
-    /// Roots of squares and their inverses (zero for zero). Where all lie within 1/512 of `near`², by the binomial series:
-    /// what it leaves out is 2e-18 of the root and 7e-15 of the inverse, which is a direction, and it neither divides nor takes roots.
+    /// Square roots and their inverses (zero for zero). If all values are within 1/512 of `near`²,
+    /// uses the binomial series without divisions or square roots. Its error is 2e-18 of the root,
+    /// and 7e-15 of the inverse, which is used for directions only.
     #[inline(always)]
     pub fn roots(self, near: f64) -> (Self, Self) {
-        // half as many bits: its square is exact, and so is what squares differ from it
+        // with half as many bits, the square of `near` is exact, and so are differences from it
         let near = f64::from(near as f32);
         let w = (self - near * near) * (1.0 / (near * near));
         let mut far = false;
@@ -84,48 +86,48 @@ impl F64x8 {
         (Self::all(near).plus(w * near, root), inverse * (1.0 / near))
     }
 
-    /// The smaller of each.
+    /// Lane-wise minimum.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         self.zip(other, |x, y| if y < x { y } else { x })
     }
 
-    /// The larger of each.
+    /// Lane-wise maximum.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         self.zip(other, |x, y| if y > x { y } else { x })
     }
 
-    /// One where positive, else zero.
+    /// One for positive lanes, otherwise zero.
     #[inline(always)]
     pub fn presence(self) -> Self {
         self.zip(self, |x, _| if x > 0.0 { 1.0 } else { 0.0 })
     }
 
-    /// Without signs.
+    /// Absolute values.
     #[inline(always)]
     pub fn abs(self) -> Self {
         self.zip(self, |x, _| x.abs())
     }
 
-    /// The same sizes with the signs of others.
+    /// Magnitudes with the signs of `other`.
     #[inline(always)]
     pub fn with_sign_of(self, other: Self) -> Self {
         self.zip(other, f64::copysign)
     }
 
-    /// Sum over the lanes, by pairs.
+    /// Sum over the lanes, pairwise.
     pub fn sum(self) -> f64 {
         let [a, b, c, d, e, f, g, h] = self.0;
         ((a + b) + (c + d)) + ((e + f) + (g + h))
     }
 
-    /// Smallest of the lanes.
+    /// Smallest lane.
     pub fn least(self) -> f64 {
         self.0.into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// Largest of the lanes.
+    /// Largest lane.
     pub fn most(self) -> f64 {
         self.0.into_iter().fold(f64::NEG_INFINITY, f64::max)
     }
@@ -195,13 +197,13 @@ impl Neg for F64x8 {
     }
 }
 
-/// Scalar product of eight vectors with one.
+/// Dot products of eight vectors with one vector.
 #[inline(always)]
 pub(super) fn along(q: Points, d: Vector) -> F64x8 {
     (q[0] * d[0]).plus(q[1], F64x8::all(d[1])).plus(q[2], F64x8::all(d[2]))
 }
 
-/// Squared length of eight vectors.
+/// Squared lengths of eight vectors.
 #[inline(always)]
 pub(super) fn square(q: Points) -> F64x8 {
     (q[0] * q[0]).plus(q[1], q[1]).plus(q[2], q[2])

@@ -1,10 +1,10 @@
-//! Geometric elements fitted to points: least squares of orthogonal distances, with uncertainty.
+//! Geometric elements fitted to points by least squares of orthogonal distances, with uncertainty.
 //!
-//! Every fit goes the same way: points are checked, shifted to their centroid and scaled; a start is found from the
-//! points alone; the orthogonal distances are minimised with exact derivatives; the answer ([`Fit`]) carries what is
-//! left, its covariance, condition, and how the solver ended. A closed solution is used where there is one (plane,
-//! line, rigid transform). Nothing here reads a file.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! All fits have the same steps: points are checked, shifted to their centroid and scaled; a start
+//! is found from the points alone; orthogonal distances are minimised with exact derivatives. The
+//! result ([`Fit`]) holds residuals, covariance, condition number and termination of the solver.
+//! Plane, line and rigid transform have closed-form solutions. No function reads files.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod chart;
 mod chebyshev;
@@ -45,7 +45,7 @@ pub use zone::{MinimumZone, Multipliers};
 
 use etalon_base::message::Result;
 
-/// Fits any element; of a line or circle in the plane, z of the points is not looked at.
+/// Fits any element; for a line or circle in the plane, z of the points is ignored.
 pub fn element<'a>(element: Element, points: impl Into<Source<'a>>, settings: &FitSettings) -> Result<Fit> {
     let points = points.into();
     let flat = || (0..points.len()).map(|i| points.at(i)).map(|[x, y, _]| [x, y]).collect::<Vec<_>>();
@@ -73,7 +73,8 @@ mod tests {
     use crate::solver::Surface;
     use crate::torus::Bend;
 
-    /// Fourth-order central difference of every distance by every parameter but the held ones, through a new chart.
+    /// Compares every derivative with a fourth-order central difference through a new chart, except
+    /// for held parameters.
     fn derivatives_agree<S: Surface<N, K>, const N: usize, const K: usize>(
         name: &str,
         surface: &S,
@@ -116,7 +117,8 @@ mod tests {
         derivatives_agree("torus", &Bend { chart }, [0.1, -0.2, 0.05, 0.0, 0.0, 0.8, 0.3], &[]);
     }
 
-    /// How the reported quantities move when the parameters do, by laying a new chart about the moved axis.
+    /// Compares derivatives of the reported quantities with differences through a new chart about
+    /// the moved axis.
     #[test]
     fn quantities_move_as_stated() {
         let chart = Chart::new([0.3, -0.5, 0.8]);

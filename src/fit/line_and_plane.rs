@@ -1,4 +1,5 @@
-//! Straight line, in space and in the plane, and plane: through the centroid, along the principal directions of the points.
+//! Straight line (in space and in the plane) and plane, through the centroid along principal
+//! directions of the points.
 
 use super::chart::Chart;
 use super::cloud::{Cloud, Source};
@@ -8,9 +9,11 @@ use super::result::{Fit, Residuals, largest_component_positive, propagate};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus};
 
-/// Fits a straight line in space to at least two different points; it runs from the first point to the last.
+/// Fits a straight line in space to at least two distinct points, directed from the first point to
+/// the last.
 ///
-/// The direction is the principal direction of largest spread of the centred points (Shakarji 1998, 3.1).
+/// The direction is the principal direction of largest spread of the centred points (Shakarji 1998,
+/// 3.1).
 pub fn line(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     fit(Element::Line, points.into(), settings)
 }
@@ -53,10 +56,10 @@ pub(super) fn fit(element: Element, points: Source, settings: &FitSettings) -> R
     fit.finished(settings)
 }
 
-/// `d` or its opposite, so that it runs from the first point to the last.
+/// Returns `d` or its opposite, so that it runs from the first point to the last.
 pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
     let along = dot(minus(cloud.point(cloud.len() - 1), cloud.point(0)), d);
-    // a closed walk has no direction
+    // a closed path has no direction
     if along.abs() < 1e-9 {
         largest_component_positive(d)
     } else if along < 0.0 {
@@ -66,19 +69,20 @@ pub(super) fn from_first_to_last(cloud: &Cloud, d: Vector) -> Vector {
     }
 }
 
-/// Fits a plane to at least three points that are not on one line.
+/// Fits a plane to at least three non-collinear points.
 ///
-/// The normal is the principal direction of least spread of the centred points (Shakarji 1998, 3.2).
+/// The normal is the principal direction of smallest spread of the centred points (Shakarji 1998,
+/// 3.2).
 ///
 /// # Examples
 ///
 /// ```
-/// use etalon_fit::{Settings, plane};
+/// use etalon_fit::{FitSettings, plane};
 ///
 /// // corners of a plate of 100 mm at z = 50 mm, by turns 0.01 mm below and above
 /// let (low, high) = (49.99, 50.01);
 /// let corners_mm = [[0.0, 0.0, low], [100.0, 0.0, high], [100.0, 100.0, low], [0.0, 100.0, high]];
-/// let fit = plane(&corners_mm, &Settings::default())?;
+/// let fit = plane(&corners_mm, &FitSettings::default())?;
 ///
 /// let [_, _, z] = fit.direction.expect("a plane has a normal");
 /// assert!((z - 1.0).abs() < 1e-12);
@@ -101,15 +105,15 @@ pub(super) fn plane_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     fit.degrees_of_freedom = degrees_of_freedom;
     fit.condition = if held.is_some() { 1.0 } else { cloud.spread[0] / cloud.spread[1] };
     fit.covariance = variances.map(|diagonal| {
-        // only the height moves the plane: sideways its point may slide
+        // only height moves the plane; its point may slide sideways
         propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm)
     });
     fit.finished(settings)
 }
 
-/// Variances of (a, b, h, u, v) of the plane, in a chart along the principal axes of the points: with uncorrelated
-/// columns (1, x, y) they are σ²/n, σ²/Σx² and σ²/Σy². `None` without redundancy. `squares` is the weighted sum of
-/// squares of the distances.
+/// Variances of (a, b, h, u, v) of a plane in a chart along the principal axes of the points. As
+/// the columns (1, x, y) are uncorrelated, they are σ²/n, σ²/Σx² and σ²/Σy². `None` without
+/// redundancy. `squares` is the weighted sum of squared distances.
 pub(super) fn plane_variances(cloud: &Cloud, normal: Vector, held: bool, squares: f64) -> (Chart, Option<[f64; 5]>) {
     let free = if held { 1 } else { 3 };
     let n = cloud.len();

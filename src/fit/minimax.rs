@@ -1,44 +1,46 @@
-//! The linear Chebyshev problem in any number of variables: the step δ that makes d + g·δ of all rows vary least.
+//! Linear Chebyshev problem in any number of variables: step δ that minimises the spread of d + g·δ
+//! over all rows.
 //!
-//! It is a linear program in δ, the upper level and the lower one: u ≥ d + g·δ ≥ l for every row, least u − l. The dual
-//! simplex method (Lemke 1954) keeps multipliers that are not negative and takes up the row that is violated most, so that
-//! many rows cost no more than a look at them. The multipliers at the end are the proof (Karush-Kuhn-Tucker): those of
-//! the upper rows add up to one, so do those of the lower ones, and both mean gradients agree.
+//! The problem is a linear program in δ and the upper and lower level: minimise u − l, subject to u
+//! ≥ d + g·δ ≥ l for every row. The dual simplex method (Lemke 1954) keeps non-negative multipliers
+//! and adds the most violated row, so that many rows cost only one pass. The final multipliers are
+//! the proof (Karush-Kuhn-Tucker): they sum to one over the upper rows and over the lower rows, and
+//! the weighted mean gradients of both sides are equal.
 
 use etalon_math::{Factor, svd};
 use nalgebra::{DMatrix, DVector};
 
-/// A row: its gradient and its value.
+/// Gradient and value of a row.
 pub(super) type Row<const N: usize> = ([f64; N], f64);
 
-/// What the linear problem came to.
+/// Solution of the linear problem.
 pub(super) struct Step<const N: usize> {
     pub step: [f64; N],
-    /// Largest less smallest value after the step, of the rows that hold it.
+    /// Largest minus smallest value after the step, over the rows that determine it.
     pub spread: f64,
 }
 
-/// What a row of the program is.
+/// Constraint of the program.
 #[derive(Clone, Copy, PartialEq)]
 enum Bound {
     Upper(usize),
     Lower(usize),
-    /// A component of the step may not be larger than the reach, or not less than its negative.
+    /// Bound of a component of the step by the reach: lower bound if `true`, otherwise upper bound.
     Box(usize, bool),
 }
 
-/// Exchanges allowed: tens are used.
+/// Maximum number of exchanges; tens suffice in practice.
 const EXCHANGES: usize = 400;
-/// What a row may be beyond its level, as part of the largest value: rounding.
+/// Tolerance for a row beyond its level, relative to the largest value: rounding.
 const BEYOND: f64 = 4.0 * f64::EPSILON;
 
-/// The best step whose components are at most `reach`; `None` without rows.
+/// Finds the best step with components of at most `reach`; `None` without rows.
 pub(super) fn best_step<const N: usize>(rows: &[Row<N>], reach: f64) -> Option<Step<N>> {
     if rows.is_empty() {
         return None;
     }
     let size = rows.iter().fold(reach, |m, row| m.max(row.1.abs()));
-    // one row as both levels, and a corner of the box: multipliers 1, 1 and 0
+    // one row as both levels and a corner of the box: multipliers 1, 1 and 0
     let mut basis = vec![Bound::Upper(0), Bound::Lower(0)];
     basis.extend((0..N).map(|k| Bound::Box(k, true)));
     let mut best = None;
@@ -58,7 +60,7 @@ pub(super) fn best_step<const N: usize>(rows: &[Row<N>], reach: f64) -> Option<S
     best
 }
 
-/// Coefficients and right side of one bound: a x ≥ b for x = (δ, upper, lower).
+/// Coefficients and right-hand side of a constraint: a x ≥ b for x = (δ, upper, lower).
 fn coefficients<const N: usize>(rows: &[Row<N>], bound: Bound, reach: f64) -> (Vec<f64>, f64) {
     let mut a = vec![0.0; N + 2];
     let b = match bound {
@@ -91,7 +93,7 @@ fn program<const N: usize>(rows: &[Row<N>], basis: &[Bound], reach: f64) -> (DMa
     (matrix, right)
 }
 
-/// The bound that lies farthest beyond its level, and how far.
+/// Most violated constraint, and its violation.
 fn most_violated<const N: usize>(rows: &[Row<N>], step: &[f64; N], levels: [f64; 2], reach: f64) -> (Bound, f64) {
     let [upper, lower] = levels;
     let mut worst = (Bound::Upper(0), f64::NEG_INFINITY);
@@ -112,7 +114,8 @@ fn most_violated<const N: usize>(rows: &[Row<N>], step: &[f64; N], levels: [f64;
     worst
 }
 
-/// The bound whose multiplier vanishes first when that of `enters` grows; of equal ones the one with the largest pivot.
+/// Position of the constraint whose multiplier vanishes first as the multiplier of `enters` grows;
+/// among ties the one with the largest pivot.
 fn leaving<const N: usize>(rows: &[Row<N>], basis: &[Bound], enters: Bound, reach: f64) -> Option<usize> {
     let (matrix, _) = program(rows, basis, reach);
     let solver = matrix.transpose().lu();
@@ -124,7 +127,8 @@ fn leaving<const N: usize>(rows: &[Row<N>], basis: &[Bound], enters: Bound, reac
     possible.filter(|&i| ratio(i) <= least + 1e-14).max_by(|&i, &j| pivots[i].total_cmp(&pivots[j]))
 }
 
-/// Gradient of upper less lower level by the `n` unknowns, of which they are the last.
+/// Gradient of upper minus lower level with respect to the `n` unknowns, the last two of which are
+/// the levels.
 fn objective(n: usize) -> DVector<f64> {
     let mut c = DVector::zeros(n);
     c[n - 2] = 1.0;
@@ -132,22 +136,22 @@ fn objective(n: usize) -> DVector<f64> {
     c
 }
 
-/// Multipliers of the rows at either level that prove a minimum to first order.
+/// Multipliers of the rows at the two levels that prove a minimum to first order.
 #[derive(Debug)]
 pub(super) struct Certificate {
     pub upper: Vec<f64>,
     pub lower: Vec<f64>,
-    /// The spread grows at least by this with the length of a step, in any direction.
+    /// Smallest growth of the spread per unit length of a step, over all directions.
     pub growth: f64,
 }
 
-/// Contacts that multipliers are sought for together at most.
+/// Maximum number of contacts for which multipliers are computed.
 const TOGETHER: usize = 200;
-/// A multiplier below this is taken as zero.
+/// Smallest multiplier that counts as positive.
 const POSITIVE: f64 = 1e-9;
 
-/// The shortest λ with Aᵀ λ = c, which prefers none of equal rows, and the smallest singular value of A; `None` where its rows do
-/// not span every direction.
+/// Minimum-norm λ with Aᵀ λ = c, which treats equal rows equally, and smallest singular value of A;
+/// `None` if the rows do not span all directions.
 fn shortest_multipliers(matrix: &DMatrix<f64>) -> Option<(Vec<f64>, f64)> {
     let (count, n) = matrix.shape();
     let flat: Vec<f64> = matrix.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()).collect();
@@ -157,7 +161,7 @@ fn shortest_multipliers(matrix: &DMatrix<f64>) -> Option<(Vec<f64>, f64)> {
         return None;
     }
     let mut multipliers = DVector::zeros(count);
-    // the second time for what rounding left
+    // the second pass corrects rounding
     for _ in 0..2 {
         let missed = objective(n) - matrix.transpose() * &multipliers;
         let mut x = DVector::zeros(n);
@@ -171,10 +175,10 @@ fn shortest_multipliers(matrix: &DMatrix<f64>) -> Option<(Vec<f64>, f64)> {
     (missed <= 1e-12).then(|| (multipliers.iter().copied().collect(), sigma))
 }
 
-/// Positive multipliers that add up to one on either side, with equal mean gradients, whose rows span every direction:
-/// then the spread grows in every direction, by λ σ at least, with λ the least multiplier and σ the smallest singular
-/// value of these rows (for a step y of step and levels that fulfils them, c·y = Σ λ (A y) ≥ λ |A y| ≥ λ σ |y|).
-/// `None` where there are none.
+/// Positive multipliers that sum to one on each side, with equal mean gradients and rows that span
+/// all directions. The spread then grows in every direction by at least λ σ, where λ is the
+/// smallest multiplier and σ the smallest singular value of the rows. (For a feasible step y of
+/// step and levels, c·y = Σ λ (A y) ≥ λ |A y| ≥ λ σ |y|.) `None` if no such multipliers exist.
 pub(super) fn certificate<const N: usize>(upper: &[[f64; N]], lower: &[[f64; N]]) -> Option<Certificate> {
     let rows: Vec<Row<N>> = upper.iter().chain(lower).map(|g| (*g, 0.0)).collect();
     if upper.is_empty() || lower.is_empty() || rows.len() > TOGETHER {
@@ -218,7 +222,7 @@ mod tests {
 
     #[test]
     fn no_multipliers_where_a_direction_is_free_or_the_spread_falls() {
-        // upper (±1, 0), lower (0, ±1): the spread grows by the distance of zero from the square (±1, ±1)
+        // upper (±1, 0), lower (0, ±1): the growth is the distance of zero from the square (±1, ±1)
         let crossing = certificate(&[[1.0, 0.0], [-1.0, 0.0]], &[[0.0, 1.0], [0.0, -1.0]]).unwrap();
         assert!(crossing.growth > 0.0 && crossing.growth <= 1.0, "{crossing:?}");
         assert!(crossing.upper.iter().chain(&crossing.lower).all(|l| (l - 0.5).abs() < 1e-15), "{crossing:?}");

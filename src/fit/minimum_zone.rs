@@ -1,25 +1,29 @@
-//! Minimum zone: the line, plane or circle between whose two parallels all points lie closest together (ISO 1101 form); those of
-//! sphere, cylinder and cone are found in [`super::round_zone`].
+//! Minimum zones of line, plane and circle: the smallest distance between two parallel elements
+//! that enclose all points (form by ISO 1101). For sphere, cylinder and cone see
+//! [`super::round_zone`].
 //!
-//! Not least squares: four points at most hold the zone, and a single wrong point moves it. Each answer is held by its
-//! contact points, and states whether it was proved that no other place is narrower.
+//! In contrast to least squares, at most four points determine the zone, and a single wrong point
+//! moves it. Each result names its contact points, and states whether it was proved to be the
+//! narrowest.
 
 use super::chart::Chart;
 use super::chebyshev::{extremes, fence, growth, least_spread, narrowest_strip};
 use super::cloud::{Cloud, Source};
-use super::element::{Element, FitSettings, refuse};
+use super::element::{Element, FitSettings};
 use super::line_and_plane::from_first_to_last;
 use super::result::largest_component_positive;
 use super::round_zone::{cone_zone, cylinder_zone, sphere, too_flat};
 use super::zone::{FARTHEST, MinimumZone, SLACK, sides};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-/// The minimum zone of an element; of a line or circle in the plane, z of the points is not looked at.
+/// Finds the minimum zone of an element; for a line or circle in the plane, z of the points is
+/// ignored.
 ///
-/// An error for a line in space and a torus, and for points that do not determine the element, or another as well.
+/// Fails for a line in space and a torus, and if the points do not determine the element uniquely.
 pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> {
     let flat = || points.iter().map(|p| [p[0], p[1]]).collect::<Vec<_>>();
     match element {
@@ -30,13 +34,12 @@ pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> 
         Element::Sphere => narrower_than_a_plane(sphere(points)?, points),
         Element::Cylinder => narrower_than_a_plane(cylinder_zone(points)?, points),
         Element::Cone => narrower_than_a_plane(cone_zone(points)?, points),
-        Element::Line | Element::Torus => Err(Message::error(format!("there is no minimum zone of a {element}"))
-            .expected("line2d, plane, circle2d, circle3d, sphere, cylinder or cone")
-            .into()),
+        Element::Line | Element::Torus => Err(error!("zone-unsupported", element).into()),
     }
 }
 
-/// Refuses a zone as wide as the minimum zone of a plane: the points do not determine the element.
+/// Rejects a zone as wide as the minimum zone of a plane, because the points do not determine the
+/// element.
 fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<MinimumZone> {
     let cloud = Cloud::new(zone.element, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
@@ -44,11 +47,11 @@ fn narrower_than_a_plane(zone: MinimumZone, points: &[Vector]) -> Result<Minimum
     if zone.form_mm >= (flat - SLACK) * cloud.scale_mm && flat > SLACK { Err(too_flat(zone.element)) } else { Ok(zone) }
 }
 
-/// Minimum zone of a circle in space, of at least three points that are not on one line: that of the plane, and in it that
-/// of the circle, of the points projected onto it square to it.
+/// Minimum zone of a circle in space from at least three non-collinear points: the minimum zone of
+/// the plane, and the minimum zone of a circle for the points projected onto that plane.
 ///
-/// Roundness is a form in a plane section (ISO 1101:2017, 17.4; ISO 12181-1), so the width is that in the plane, and the
-/// plane has its own: its flatness.
+/// Roundness is a form in a plane section (ISO 1101:2017, 17.4; ISO 12181-1). The width is
+/// therefore measured in the plane, and the plane has a width of its own: its flatness.
 fn circle3d(points: &[Vector]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Circle3d, Source::Space(points.into()), &FitSettings::default())?;
     let flat = plane(points)?;
@@ -75,13 +78,16 @@ fn circle3d(points: &[Vector]) -> Result<MinimumZone> {
     })
 }
 
-/// Parts of all places, and points seen from one, that are looked at before a proof is given up.
+/// Maximum number of parts of the search region, and of evaluated points, before a proof is
+/// abandoned.
 const PARTS: usize = 20_000;
 const LOOKS: usize = 10_000_000;
 
-/// Minimum zone of a line in the plane, of at least two different points; it runs from the first point to the last.
+/// Minimum zone of a line in the plane from at least two distinct points, directed from the first
+/// point to the last.
 ///
-/// Two points hold one side and a third between them the other. Every edge of the convex hull was tried.
+/// Two points are in contact on one side, and a third point between them on the other. Every edge
+/// of the convex hull is tried.
 fn line2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Line2d, Source::Plane(points), &FitSettings::default())?;
     let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
@@ -105,7 +111,8 @@ fn line2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     })
 }
 
-/// Whether the points of one side lie on both sides, along the line, of one of the other: no turn makes it narrower.
+/// `true` if the contact points of one side enclose a contact point of the other side along the
+/// line, so that no rotation narrows the zone.
 fn alternate(cloud: &Cloud, direction: Vector, lower: &[usize], upper: &[usize]) -> bool {
     let range = |side: &[usize]| {
         let along = side.iter().map(|&i| dot(cloud.point(i), direction));
@@ -115,15 +122,18 @@ fn alternate(cloud: &Cloud, direction: Vector, lower: &[usize], upper: &[usize])
     lower.0.max(upper.0) <= lower.1.min(upper.1) + SLACK
 }
 
-/// Minimum zone of a plane, of at least three points that are not on one line.
+/// Minimum zone of a plane from at least three non-collinear points.
 ///
-/// Three points hold one side and one between them the other, or two and two that cross (Houle & Toussaint 1988).
+/// Either three points are in contact on one side with one point between them on the other, or two
+/// points on each side whose connections cross (Houle & Toussaint 1988).
 ///
-/// Seen from a direction d, every direction is d + a e1 + b e2, and the heights of the points over the plane square to
-/// it vary by g(a, b) / √(1 + a² + b²), where g is that of a linear Chebyshev problem. Its minimum is narrower still,
-/// until it is where it was sought. There g ≥ w + κ r at a distance r, so that nothing within 2 κ w / (w² − κ²) is
-/// narrower, and nothing at all where κ ≥ w: the points are flat. Otherwise the other directions are proved wider part by
-/// part: in a triangle of directions within ρ of its middle the width is at least that of the linear problem times cos ρ.
+/// Relative to a direction d, every direction is d + a e1 + b e2. The spread of the heights over
+/// the plane perpendicular to it is g(a, b) / √(1 + a² + b²), where g belongs to a linear Chebyshev
+/// problem. The minimum of g gives a narrower zone, until it remains at the same direction. There g
+/// ≥ w + κ r at a distance r, so that no direction within 2 κ w / (w² − κ²) is narrower, and no
+/// direction at all if κ ≥ w, which is the case for flat points. Otherwise the remaining directions
+/// are excluded part by part: in a triangle of directions within ρ of its centre, the width is at
+/// least that of the linear problem times cos ρ.
 fn plane(points: &[Vector]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Plane, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
@@ -141,17 +151,17 @@ fn plane(points: &[Vector]) -> Result<MinimumZone> {
     })
 }
 
-/// A direction that no other near it is narrower than.
+/// Direction of a locally narrowest zone of a plane.
 #[derive(Clone, Copy)]
 struct Slab {
     normal: Vector,
     width: f64,
-    /// Least growth of the variation with the tangent of the angle from here.
+    /// Smallest growth of the spread per tangent of the angle.
     growth: f64,
 }
 
 impl Slab {
-    /// Cosine of the angle within which no direction is narrower than this one.
+    /// Cosine of the angle within which no direction is narrower.
     fn cosine_of_hold(&self) -> f64 {
         let (w, k) = (self.width, self.growth);
         if k >= w {
@@ -173,7 +183,7 @@ fn seen_from(points: &[Vector], chart: &Chart) -> Vec<[f64; 3]> {
     points.iter().map(|&q| chart.coordinates(q)).collect()
 }
 
-/// From one linear problem to the next until the direction stays.
+/// Solves successive linear problems until the direction is stationary.
 fn narrow_slab(points: &[Vector], from: Vector) -> Slab {
     let mut chart = Chart::new(from);
     for _ in 0..100 {
@@ -191,7 +201,7 @@ fn narrow_slab(points: &[Vector], from: Vector) -> Slab {
     Slab { normal: chart.d0, width: high - low, growth: growth(&flat(&upper), &flat(&lower)) }
 }
 
-/// The narrowest place, whether it was proved to be, and how many directions were looked at.
+/// Narrowest zone, whether it was proved, and number of directions examined.
 fn narrowest_slab(points: &[Vector], start: Slab) -> (Slab, bool, usize) {
     let mut best = start;
     if best.width <= SLACK || best.growth >= best.width {
@@ -201,7 +211,7 @@ fn narrowest_slab(points: &[Vector], start: Slab) -> (Slab, bool, usize) {
     let pole = [0.0, 0.0, 1.0];
     let around = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
     let all = Rc::new(points.to_vec());
-    // opposite directions are the same plane: half the octahedron is all
+    // opposite directions give the same plane: half of the octahedron suffices
     let octants = (0..4).map(|k| ([pole, around[k], around[(k + 1) % 4]], Rc::clone(&all)));
     let mut queue: VecDeque<([Vector; 3], Rc<Vec<Vector>>)> = octants.collect();
     let (mut looked_at, mut looks) = (1, 0);
@@ -246,8 +256,9 @@ fn narrowest_slab(points: &[Vector], start: Slab) -> (Slab, bool, usize) {
     (best, true, looked_at)
 }
 
-/// The points that can be highest or lowest seen from a direction whose angle to that of `rows` has at most this
-/// tangent: no farther below the highest than their distance from it times the tangent.
+/// Points that can be extreme in a direction whose angle to that of `rows` has at most this
+/// tangent: their depth below the highest point is at most their distance from it times the
+/// tangent.
 fn extreme_within(points: &[Vector], rows: &[[f64; 3]], tangent: f64) -> Vec<Vector> {
     let (low, high) = extremes(rows, [0.0; 2]);
     let may_reach = |i: usize, end: usize| {
@@ -260,24 +271,21 @@ fn sum(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// Minimum zone of a circle in the plane, of at least three points that are not on one line.
+/// Minimum zone of a circle in the plane from at least three non-collinear points.
 ///
-/// Two points hold the outer circle and two the inner, in turns around it (Rivlin 1979). An error where a line is as
-/// good: the centre would be at infinity.
+/// Two points are in contact with the outer circle and two with the inner, alternating around it
+/// (Rivlin 1979). Fails if a line is as narrow, because the centre would be at infinity.
 ///
-/// R² − r² = max(|p|² − 2 c·p) − min(|p|² − 2 c·p) is a linear Chebyshev problem in the centre c. It grows from its
-/// minimum by at least κ a length, and R + r by at most 2: where κ ≥ 2 (R − r) the ring of least area is the narrowest of
-/// all, which holds for whatever is round. Otherwise the plane is searched square by square. Far away a ring is a strip,
-/// so that the narrowest strip bounds the search.
+/// R² − r² = max(|p|² − 2 c·p) − min(|p|² − 2 c·p) is a linear Chebyshev problem in the centre c.
+/// From its minimum it grows by at least κ per unit length, and R + r by at most 2. If κ ≥ 2 (R −
+/// r), the ring of smallest area is therefore the narrowest, which applies to all round parts.
+/// Otherwise the plane is searched square by square. A distant ring approaches a strip, so that the
+/// narrowest strip bounds the search.
 fn circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Circle2d, Source::Plane(points), &FitSettings::default())?;
     let flat: Vec<[f64; 2]> = cloud.points().map(|q| [q[0], q[1]]).collect();
     let Some((best, verified, iterations)) = narrowest_ring(&flat) else {
-        return Err(refuse(
-            "no minimum zone of a circle: the points lie as close to a line as to any circle",
-            "points on an arc that is higher than its form deviation",
-            "measure a longer arc, or look for the minimum zone of a line",
-        ));
+        return Err(error!("zone-straight").into());
     };
     let distances = distances(&flat, best.center);
     let (zone, middle) = MinimumZone::between(Element::Circle2d, &distances, cloud.scale_mm);
@@ -290,7 +298,7 @@ fn circle2d(points: &[[f64; 2]]) -> Result<MinimumZone> {
     })
 }
 
-/// A centre that no other near it is narrower than.
+/// Centre of a locally narrowest ring.
 #[derive(Clone, Copy)]
 struct Ring {
     center: [f64; 2],
@@ -307,7 +315,8 @@ fn distances(points: &[[f64; 2]], center: [f64; 2]) -> Vec<f64> {
     points.iter().map(|&p| distance(p, center)).collect()
 }
 
-/// Rows of the linear problem about `center`: the distance of a point is d − u·δ to first order and never less.
+/// Rows of the linear problem about `center`: the distance of a point is at least d − u·δ, with
+/// equality to first order.
 fn rows_about(points: &[[f64; 2]], center: [f64; 2]) -> Vec<[f64; 3]> {
     let row = |p: &[f64; 2]| {
         let d = distance(*p, center);
@@ -322,7 +331,8 @@ fn width_of(rows: &[[f64; 3]]) -> (f64, f64) {
     (high - low, low)
 }
 
-/// From one linear problem to the next, with steps halved until the ring is narrower, until the centre stays.
+/// Solves successive linear problems, with steps halved until the ring is narrower, until the
+/// centre is stationary.
 fn narrow_ring(points: &[[f64; 2]], from: [f64; 2]) -> Ring {
     let mut center = from;
     let mut rows = rows_about(points, center);
@@ -339,13 +349,13 @@ fn narrow_ring(points: &[[f64; 2]], from: [f64; 2]) -> Ring {
     }
     let (low, high, lower, upper) = sides(&rows.iter().map(|row| row[2]).collect::<Vec<_>>());
     let flat = |side: &[usize]| side.iter().map(|&i| [rows[i][0], rows[i][1]]).collect::<Vec<_>>();
-    // a distance is bent by at most e²/2 (r − e) at e from here
+    // at a displacement e the second-order term of a distance is at most e²/2 (r − e)
     let k = growth(&flat(&upper), &flat(&lower)).max(0.0);
     Ring { center, width: high - low, hold: 2.0 * k * low / (1.0 + 2.0 * k) }
 }
 
-/// The narrowest place, whether it was proved to be, and how many centres were looked at; `None` where a strip is as
-/// narrow, or the arc too flat.
+/// Narrowest ring, whether it was proved, and number of centres examined; `None` if a strip is as
+/// narrow, or if the arc is too flat.
 fn narrowest_ring(points: &[[f64; 2]]) -> Option<(Ring, bool, usize)> {
     let squared: Vec<[f64; 3]> = points.iter().map(|p| [-2.0 * p[0], -2.0 * p[1], p[0] * p[0] + p[1] * p[1]]).collect();
     let level = least_spread(&squared, f64::INFINITY)?;
@@ -388,12 +398,13 @@ fn search_rings(points: &[[f64; 2]], mut best: Ring) -> Option<(Ring, bool, usiz
         looks += points_here.len();
         let mut rows = rows_about(&points_here, middle);
         let (width, inner) = width_of(&rows);
-        // two unit vectors to points of the cloud differ by what it subtends: so much a width changes with a length
+        // unit vectors to two points of the cloud differ by the angle it subtends, which limits the
+        // change of the width per unit length
         let change = radius * if nearest > size { 2.0 * size / nearest } else { 2.0 };
         if width - change >= goal {
             continue;
         }
-        // only these can be the farthest or nearest from a centre in the square
+        // only these points can be extreme for a centre in the square
         let reach = |row: &[f64; 3]| row[2] <= inner + change + SLACK || row[2] >= inner + width - change - SLACK;
         let within: Vec<[f64; 2]> = points_here.iter().zip(&rows).filter(|(_, r)| reach(r)).map(|(p, _)| *p).collect();
         let within = Rc::new(within);

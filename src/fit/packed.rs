@@ -1,23 +1,23 @@
-//! Points of a scan in half their size, without a loss: decimal texts are whole numbers of their last digit.
+//! Lossless storage of scans in half the memory: decimal numbers as integers of their last digit.
 
 use etalon_base::pose::Vector;
 
-/// Decimals beyond which numbers are kept as they are.
+/// Maximum number of decimals; other numbers are kept as doubles.
 const MOST_DECIMALS: i32 = 9;
 
-/// Points in millimetres, in the order in which they were added.
+/// Points (mm) in the order of addition.
 #[derive(Clone, Debug, Default)]
 pub struct PackedPoints {
     blocks: Vec<Block>,
-    /// How many points the blocks up to each have.
+    /// Cumulative number of points up to each block.
     ends: Vec<usize>,
 }
 
 #[derive(Clone, Debug)]
 enum Block {
-    /// Whole numbers to be divided by `tens`, then multiplied by `in_mm`.
+    /// Integers to be divided by `tens`, then multiplied by `in_mm`.
     Decimal { whole: Vec<[i32; 3]>, tens: f64, in_mm: f64 },
-    /// Values that are not decimals of so few digits.
+    /// Values that are not decimals of at most nine digits.
     Real(Vec<Vector>),
 }
 
@@ -31,8 +31,8 @@ impl Block {
 }
 
 impl PackedPoints {
-    /// Points of these coordinates, in a unit of so many millimetres. What comes back is `coordinate * in_mm` to the last bit,
-    /// but for the sign of a zero.
+    /// Stores points with these coordinates in a unit of `in_mm` millimetres. Retrieved values
+    /// equal `coordinate * in_mm` to the last bit, except for the sign of zero.
     pub fn of([x, y, z]: &[Vec<f64>; 3], in_mm: f64) -> Self {
         let points = || x.iter().zip(y).zip(z).map(|((x, y), z)| [*x, *y, *z]);
         let packed = (0..=MOST_DECIMALS).find_map(|decimals| {
@@ -52,7 +52,7 @@ impl PackedPoints {
         Self { blocks: vec![block], ends: vec![x.len()] }
     }
 
-    /// Adds those of another, behind.
+    /// Appends the points of `other`.
     pub fn append(&mut self, other: Self) {
         let before = self.len();
         self.ends.extend(other.ends.iter().map(|end| before + end));
@@ -64,7 +64,7 @@ impl PackedPoints {
         self.ends.last().copied().unwrap_or_default()
     }
 
-    /// Whether there is none.
+    /// `true` if there are no points.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -75,7 +75,7 @@ impl PackedPoints {
         self.blocks[block].at(i - block.checked_sub(1).map_or(0, |before| self.ends[before]))
     }
 
-    /// Points of a range, one after the other.
+    /// Points of a range.
     pub fn range(&self, range: std::ops::Range<usize>) -> Vec<Vector> {
         let mut points = Vec::with_capacity(range.len());
         let mut block = self.ends.partition_point(|end| *end <= range.start);
@@ -119,7 +119,7 @@ mod tests {
                 all.append(packed);
             }
         }
-        // without the sign of a zero
+        // ignores the sign of zero
         let bits = |p: &Vector| p.map(|v| (v + 0.0).to_bits());
         assert_eq!(all.len(), expected.len());
         assert!((0..all.len()).all(|i| bits(&all.at(i)) == bits(&expected[i])));
@@ -141,7 +141,7 @@ mod tests {
             .map(|i| [50.0 * angle(i).cos() + 300.0, 50.0 * angle(i).sin() - 20.0, i as f64 / 100.0].map(round))
             .collect();
         let column = |k: usize| points.iter().map(|p| p[k]).collect::<Vec<f64>>();
-        // pieces that end within a block of the sums
+        // parts that end within a block of the sums
         let mut packed = PackedPoints::default();
         for from in (0..points.len()).step_by(3000) {
             let to = points.len().min(from + 3000);

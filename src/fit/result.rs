@@ -1,29 +1,32 @@
-//! What every fit answers: the element, its residuals, how well it is known and how the solver ended; and the element
-//! that a probe touched, where the points are the centres of its ball.
+//! Result of a fit: element, residuals, uncertainty and termination of the solver. If the points
+//! are centres of a probe, the result is the touched element.
 //!
-//! The centres of a probe that touches a surface lie on its parallel surface x + r n (do Carmo 1976, "Differential
-//! geometry of curves and surfaces", section 3.5, exercise 11), and orthogonal distances to parallel surfaces differ
-//! by the constant r. So the element is fitted to the centres as they are, and then moved by r: no point is moved,
-//! residuals and their variance stay, and the answer is that of a fit to the contact points.
+//! The centres of a probe that touches a surface lie on its parallel surface x + r n (do Carmo
+//! 1976, "Differential geometry of curves and surfaces", section 3.5, exercise 11). Orthogonal
+//! distances to parallel surfaces differ by the constant r. The element is therefore fitted to the
+//! centres as measured and then offset by r. No point is moved, residuals and their variance are
+//! unchanged, and the result equals a fit to the contact points.
 
 use super::cloud::{Cloud, Gather};
-use super::element::{Element, FitSettings, Probe, Side, refuse};
+use super::element::{Element, FitSettings, Probe, Side};
 use super::f64x8::{F64x8, Points};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, warning};
 use etalon_math::{Termination, symmetric_eigen};
 
-/// Number of quantities in a [`Covariance`].
+/// Number of quantities in an [`ElementCovariance`].
 pub const QUANTITIES: usize = 9;
 
-/// Covariance of point (x, y, z, mm), direction (x, y, z), radius (mm), minor radius (mm) and apex angle (rad), in
-/// this order; rows and columns of what an element does not have, or what was held, are zero.
+/// Covariance of point (x, y, z, mm), direction (x, y, z), radius (mm), minor radius (mm) and apex
+/// angle (rad), in this order. Rows and columns of absent or held quantities are zero.
 ///
-/// It is propagated to first order from σ² (JᵀJ)⁻¹, with σ² the variance of the residuals.
+/// First-order propagation of σ² (JᵀJ)⁻¹, where σ² is the variance of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementCovariance(pub [[f64; QUANTITIES]; QUANTITIES]);
 
-/// G C Gᵀ, with lengths brought from normalised units to mm (JCGM 102:2011, 6.2.1.3).
+/// G C Gᵀ, with lengths converted from normalised units to mm (JCGM 102:2011, 6.2.1.3).
 pub(super) fn propagate<const N: usize>(
     local: &[[f64; N]; N],
     by_parameter: &[[f64; QUANTITIES]; N],
@@ -43,43 +46,43 @@ pub(super) fn propagate<const N: usize>(
     ElementCovariance(covariance)
 }
 
-/// Standard uncertainties, the square roots of the diagonal of a [`Covariance`].
+/// Standard uncertainties: square roots of the diagonal of an [`ElementCovariance`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StandardUncertainty {
-    /// Of each coordinate of the point.
+    /// Standard uncertainty of each coordinate of the point.
     pub point_mm: Vector,
-    /// Of the point in its most uncertain direction.
+    /// Standard uncertainty of the point in its most uncertain direction.
     pub point_largest_mm: f64,
-    /// Of the direction, the angle about its most uncertain axis.
+    /// Standard uncertainty of the direction about its most uncertain axis.
     pub direction_rad: Option<f64>,
-    /// Of the radius.
+    /// Standard uncertainty of the radius.
     pub radius_mm: Option<f64>,
-    /// Of the minor radius of a torus.
+    /// Standard uncertainty of the minor radius of a torus.
     pub minor_radius_mm: Option<f64>,
-    /// Of the full apex angle of a cone.
+    /// Standard uncertainty of the full apex angle of a cone.
     pub apex_angle_rad: Option<f64>,
 }
 
-/// What is left of the points, in mm.
+/// Statistics of the residuals (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residuals {
-    /// Root of the mean square.
+    /// Root mean square.
     pub rms: f64,
-    /// Smallest.
+    /// Smallest residual.
     pub least: f64,
-    /// Largest.
+    /// Largest residual.
     pub most: f64,
-    /// Weighted sum of squares, over all equations.
+    /// Weighted sum of squares over all equations.
     pub squares: f64,
 }
 
 impl Residuals {
-    /// Of all points, by their `K` distances; the first of these is the residual.
+    /// Residuals of all points from their `K` distances; the first distance is the residual.
     pub(super) fn of<const K: usize>(cloud: &Cloud, distances: impl Fn(Points) -> [F64x8; K] + Sync) -> Self {
         Self::and(cloud, distances, ()).0
     }
 
-    /// [`Residuals::of`], and in the same look at the points something else.
+    /// Computes [`Residuals::of`] and another accumulator in one pass over the points.
     pub(super) fn and<const K: usize, G: Gather>(
         cloud: &Cloud,
         distances: impl Fn(Points) -> [F64x8; K] + Sync,
@@ -101,7 +104,8 @@ impl Residuals {
     }
 }
 
-/// Weighted squares of all distances of a point, and squares, smallest and largest of the first.
+/// Accumulates weighted squares of all distances of a point, and squares, minimum and maximum of
+/// the first distance.
 struct Remaining<'a, F> {
     distances: &'a F,
     squares: F64x8,
@@ -142,16 +146,17 @@ impl<const K: usize, F: Fn(Points) -> [F64x8; K] + Sync> Gather for Remaining<'_
 /// An element fitted to points by least squares of orthogonal distances.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// Which element.
+    /// Fitted element.
     pub element: Element,
-    /// Centre of a circle, sphere or torus; for a plane or line the centroid of the points; for a cylinder or cone
-    /// the foot of that centroid on the axis.
+    /// Centre of a circle, sphere or torus; centroid of the points for a plane or line; foot of the
+    /// centroid on the axis for a cylinder or cone.
     pub point_mm: Vector,
-    /// Unit normal of a plane, circle or torus (its largest component is positive); unit direction of a line (from
-    /// the first point to the last); unit axis of a cylinder (largest component positive) or cone (to larger radii).
+    /// Unit normal of a plane, circle or torus (largest component positive); unit direction of a
+    /// line (from the first point to the last); unit axis of a cylinder (largest component
+    /// positive) or cone (towards larger radii).
     pub direction: Option<Vector>,
-    /// Radius of a circle, sphere or cylinder; of a cone the radius of its section at `point_mm` (square to the
-    /// axis); of a torus the radius of the circle that its tube is bent along.
+    /// Radius of a circle, sphere or cylinder; radius of the section of a cone at `point_mm`
+    /// (perpendicular to the axis); radius of the centre line of a torus.
     pub radius_mm: Option<f64>,
     /// Radius of the tube of a torus.
     pub minor_radius_mm: Option<f64>,
@@ -159,33 +164,33 @@ pub struct Fit {
     pub apex_angle_rad: Option<f64>,
     /// Number of points.
     pub points: usize,
-    /// What is left: the orthogonal distances of the points ([`Fit::residual_mm`] gives that of one).
+    /// Orthogonal distances of all points; [`Fit::residual_mm`] returns that of a single point.
     pub residuals: Residuals,
-    /// For a circle in space the root of the mean square of the distances from its plane.
+    /// For a circle in space: root mean square distance of the points from its plane.
     pub out_of_plane_rms_mm: Option<f64>,
-    /// Equations less parameters.
+    /// Number of equations minus number of parameters.
     pub degrees_of_freedom: usize,
-    /// How well the quantities are known; `None` without redundancy.
+    /// Covariance of the quantities; `None` without redundancy.
     pub covariance: Option<ElementCovariance>,
-    /// How much of the circumference has points: the full turn less the largest gap; for a sphere the full angle of
-    /// the cap that holds the points.
+    /// Covered part of the circumference: full turn minus the largest gap; for a sphere the full
+    /// angle of the cap that contains the points.
     pub coverage_rad: Option<f64>,
-    /// Largest over smallest singular value of the Jacobian with columns of length one.
+    /// Condition number of the Jacobian with columns scaled to unit length.
     pub condition: f64,
-    /// Where the points are probe centres: what was fitted to them, before it was moved to what the probe touched.
+    /// Fit to the probe centres before compensation, if the points are probe centres.
     pub compensation: Option<Compensation>,
     /// Name of the method.
     pub method: &'static str,
-    /// Steps of the solver; zero where the solution is closed.
+    /// Number of solver steps; zero for closed-form solutions.
     pub iterations: usize,
-    /// Why the solver stopped.
+    /// Reason of the solver's termination.
     pub termination: Termination,
-    /// What a person must know before using the numbers.
+    /// Warnings for users of the numbers.
     pub warnings: Vec<Message>,
 }
 
 impl Fit {
-    /// A fit with closed solution and nothing but its point; `residuals` in normalised units.
+    /// Creates a closed-form fit with its point only; `residuals` are in normalised units.
     pub(super) fn new(element: Element, cloud: &Cloud, point: Vector, residuals: Residuals) -> Self {
         Self {
             element,
@@ -209,10 +214,10 @@ impl Fit {
         }
     }
 
-    /// Orthogonal distance of a point, positive outside (circle, sphere, cylinder, cone, torus), on the side of
-    /// the normal (plane) or to the left (line in the plane); a line in space has distances without sign. For a
-    /// circle in space the distance from the circle within its plane; in the plane z is not looked at. Of a
-    /// compensated fit it is the distance from what the probe touched.
+    /// Orthogonal distance of a point: positive outside (circle, sphere, cylinder, cone, torus), on
+    /// the side of the normal (plane), or to the left (line in the plane); unsigned for a line in
+    /// space. For a circle in space, the distance from the circle within its plane; in the plane z
+    /// is ignored. For a compensated fit, the distance from the touched surface.
     pub fn residual_mm(&self, point_mm: Vector) -> f64 {
         let mut w = minus(point_mm, self.point_mm);
         if matches!(self.element, Element::Line2d | Element::Circle2d) {
@@ -234,17 +239,18 @@ impl Fit {
         }
     }
 
-    /// Root of the mean square of the residuals.
+    /// Root mean square of the residuals.
     pub fn rms_mm(&self) -> f64 {
         self.residuals.rms
     }
 
-    /// Largest residual without its sign.
+    /// Largest absolute residual.
     pub fn max_mm(&self) -> f64 {
         self.residuals.most.max(-self.residuals.least)
     }
 
-    /// Form deviation, peak to valley: largest less smallest residual; for a line in space the diameter about it.
+    /// Form deviation, peak to valley: largest minus smallest residual; for a line in space the
+    /// diameter of the enclosing cylinder about it.
     pub fn form_mm(&self) -> f64 {
         if self.element == Element::Line {
             return 2.0 * self.max_mm();
@@ -252,7 +258,7 @@ impl Fit {
         self.residuals.most - self.residuals.least
     }
 
-    /// How much of the circumference has points, in degrees.
+    /// Covered part of the circumference (degrees).
     pub fn coverage_deg(&self) -> Option<f64> {
         self.coverage_rad.map(f64::to_degrees)
     }
@@ -284,7 +290,8 @@ impl Fit {
         })
     }
 
-    /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance was found for `axis`.
+    /// Sets the direction to `wanted`, which is `axis` or its opposite; the covariance belongs to
+    /// `axis`.
     pub(super) fn point_along(&mut self, axis: Vector, wanted: Vector) {
         self.direction = Some(wanted);
         let turned = self.covariance.iter_mut().filter(|_| dot(axis, wanted) < 0.0);
@@ -297,46 +304,42 @@ impl Fit {
         }
     }
 
-    /// The answer: of what a probe touched, where there is one, and with its warnings.
+    /// Completes the result: compensates for the probe, if any, and adds warnings.
     pub(super) fn finished(self, settings: &FitSettings) -> Result<Self> {
         Ok(self.compensated(settings.probe)?.with_warnings())
     }
 
-    /// Adds the warnings that follow from redundancy and from how well the radius is known.
+    /// Adds warnings about redundancy and the uncertainty of the radius.
     fn with_warnings(mut self) -> Self {
         if self.degrees_of_freedom == 0 {
-            let what = format!(
-                "the {} has no redundant point: residuals are zero and no uncertainty can be stated",
-                self.element
-            );
-            self.warnings.push(Message::warning(what).hint("measure more points than the minimum"));
+            self.warnings.push(warning!("element-without-redundancy", element = self.element));
         }
         let uncertain = self.standard_uncertainty().and_then(|u| Some((u.radius_mm?, self.radius_mm?)));
-        // k = 2 (95 %) above a tenth of the radius: the size is a guess
+        // U (k = 2, 95 %) above a tenth of the radius: the size is unreliable
         if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > 0.1 * radius) {
-            let covered = self.coverage_deg().map_or(String::new(), |d| format!(" over {d:.0} degrees"));
-            let what = format!(
-                "the radius {radius:.6} mm of the {} has an expanded uncertainty of {:.2e} mm (k = 2){covered}",
-                self.element,
-                2.0 * u
-            );
-            let hint = "measure a longer arc, or hold the radius at its nominal value";
-            self.warnings.push(Message::warning(what).hint(hint));
+            let covered_deg = self.coverage_deg().map_or("none".argument(), |d| d.round().argument());
+            self.warnings.push(warning!(
+                "radius-uncertain",
+                element = self.element,
+                radius_mm = radius,
+                expanded_mm = 2.0 * u,
+                covered_deg,
+            ));
         }
         self
     }
 }
 
-/// `d` or its opposite, so that its largest component is positive.
+/// Returns `d` or its opposite, so that its largest component is positive.
 pub(super) fn largest_component_positive(d: Vector) -> Vector {
     let largest = d.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() + 1e-9 { *x } else { m });
     if largest < 0.0 { d.map(|x| -x) } else { d }
 }
 
-/// What was fitted to the probe centres before compensation.
+/// Fit to the probe centres before compensation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensation {
-    /// The probe.
+    /// Probe.
     pub probe: Probe,
     /// Point of the uncompensated fit.
     pub point_mm: Vector,
@@ -346,19 +349,22 @@ pub struct Compensation {
     pub minor_radius_mm: Option<f64>,
 }
 
-/// A direction that makes less than 5 degrees with a plane (or with a line) does not say on which side of it a probe was.
+/// Sine of the smallest angle (5 degrees) between the stated direction and a plane or line at which
+/// the direction tells the side of the probe.
 const LEAST_SINE: f64 = 0.087;
 
 impl Fit {
-    /// The element that was touched, from the fit to the centres of the probe; the same fit without a probe.
+    /// Compensates a fit to probe centres: returns the touched element, or the fit unchanged
+    /// without a probe.
     ///
     /// # Errors
-    /// If the side does not fit the element, or the probe would not fit on it.
+    ///
+    /// Fails if the side does not apply to the element, or if the probe does not fit inside it.
     pub fn compensated(mut self, probe: Option<Probe>) -> Result<Self> {
         let Some(probe) = probe else { return Ok(self) };
         probe.check(self.element)?;
         if self.compensation.is_some() {
-            return Err(refuse("the fit is compensated already", "a fit to probe centres", "compensate once"));
+            return Err(error!("compensated-twice").into());
         }
         let (point_mm, radius_mm, minor_radius_mm) = (self.point_mm, self.radius_mm, self.minor_radius_mm);
         let moves = self.moves(&probe)?;
@@ -369,7 +375,8 @@ impl Fit {
         Ok(self)
     }
 
-    /// Moves the element by the probe, and gives the derivative of its quantities by those of the uncompensated one.
+    /// Offsets the element by the probe; returns the derivatives of its quantities with respect to
+    /// those of the uncompensated fit.
     fn moves(&mut self, probe: &Probe) -> Result<[[f64; QUANTITIES]; QUANTITIES]> {
         let mut derivative = identity();
         let outwards = probe.outwards_mm();
@@ -379,7 +386,7 @@ impl Fit {
                 if along.abs() < LEAST_SINE {
                     return Err(no_side(self.element, to));
                 }
-                // p' = p - r n, the normal towards the probe
+                // p′ = p − r n, with the normal towards the probe
                 let back = -probe.radius_mm.copysign(along);
                 for k in 0..3 {
                     self.point_mm[k] += back * normal[k];
@@ -395,8 +402,8 @@ impl Fit {
                 if sine < LEAST_SINE {
                     return Err(no_side(self.element, to));
                 }
-                // p' = p - r w, w the part of the direction that is square to the line:
-                // dw = -(1 - w wᵀ)((d to) dd + d (to dd)) / |across|
+                // p′ = p − r w, where w is the component of the direction perpendicular to the
+                // line: dw = −(1 − w wᵀ)((d to) dd + d (to dd)) / |across|
                 let w = across.map(|x| x / sine);
                 for k in 0..3 {
                     self.point_mm[k] -= probe.radius_mm * w[k];
@@ -407,7 +414,8 @@ impl Fit {
                 }
             }
             (Element::Cone, _, Some(d)) => {
-                // the apex moves by r / sin ψ; the point to the foot of the contact points, where the radius is R - r cos ψ
+                // the apex moves by r / sin ψ, the point to the foot of the contact points, where
+                // the radius is R − r cos ψ
                 let (sin, cos) = (self.apex_angle_rad.unwrap_or_default() / 2.0).sin_cos();
                 for k in 0..3 {
                     self.point_mm[k] += outwards * sin * d[k];
@@ -426,26 +434,19 @@ impl Fit {
     }
 }
 
-/// The radius less what the probe adds, which must leave something.
+/// Radius minus the contribution of the probe; fails if the result is not positive.
 fn larger_than_nothing(element: Element, probe: &Probe, radius_mm: Option<f64>, less_mm: f64) -> Result<f64> {
     let centres = radius_mm.unwrap_or_default();
     let radius = centres - less_mm;
     if radius > 0.0 {
         return Ok(radius);
     }
-    Err(refuse(
-        format!("a probe of radius {} mm cannot have touched the {element} from outside", probe.radius_mm),
-        format!("centres farther out than the probe radius; theirs is {centres:.6} mm"),
-        "state the other side: the probe was inside",
-    ))
+    let probe_mm = probe.radius_mm;
+    Err(error!("probe-larger-than-element", element, probe_mm, centres_mm = centres).into())
 }
 
 fn no_side(element: Element, to: Vector) -> Problems {
-    refuse(
-        format!("the direction {to:?} to the probe runs along the {element} and does not give a side"),
-        format!("a direction away from the {element}"),
-        "state the direction from what was touched to the probe",
-    )
+    error!("probe-direction-along-element", element, direction = format!("{to:?}")).into()
 }
 
 type Matrix = [[f64; QUANTITIES]; QUANTITIES];

@@ -1,26 +1,27 @@
-//! Best-fit rigid transform between two sets of the same points.
+//! Best-fit rigid transform between two sets of corresponding points.
 
 use super::cloud::{Cloud, Source};
-use super::element::refuse;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, dot, minus, norm};
+use etalon_base::{error, warning};
 use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
-/// A rigid transform fitted by least squares, with what is left.
+/// A rigid transform fitted by least squares, with its residuals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidFit {
     /// Pose of the `from` frame in the `to` frame: p_to ≈ to_T_from p_from.
     pub to_T_from: Pose,
-    /// p_to - to_T_from p_from of each point, in the `to` frame.
+    /// Residuals p_to − to_T_from p_from of each point, in the `to` frame.
     pub residuals_mm: Vec<Vector>,
-    /// 3 n - 6.
+    /// Degrees of freedom, 3 n − 6.
     pub degrees_of_freedom: usize,
-    /// Standard uncertainty of each coordinate of the centroid of the points in `to`, from the residuals.
+    /// Standard uncertainty of each coordinate of the centroid of the points in `to`, from the
+    /// residuals.
     pub centroid_uncertainty_mm: f64,
     /// Standard uncertainty of the rotation about its most uncertain axis, from the residuals.
     pub rotation_uncertainty_rad: f64,
-    /// What a person must know before using the numbers.
+    /// Warnings for users of the numbers.
     pub warnings: Vec<Message>,
 }
 
@@ -30,41 +31,34 @@ impl RigidFit {
         self.residuals_mm.iter().map(|&r| norm(r)).collect()
     }
 
-    /// Root of the mean square of the distances.
+    /// Root mean square of the distances.
     pub fn rms_mm(&self) -> f64 {
         mean(self.residuals_mm.iter().map(|&r| dot(r, r))).sqrt()
     }
 }
 
-/// Finds the rigid transform that carries `from` onto `to`, point by point: at least three, not on one line.
+/// Finds the rigid transform that maps `from` onto `to`, point by point; at least three
+/// non-collinear points are needed.
 ///
-/// Horn 1987, J. Opt. Soc. Am. A 4, 629: the rotation is the unit quaternion to the largest eigenvalue of a symmetric
-/// 4 × 4 matrix, so it is never a reflection.
+/// The rotation is the unit quaternion of the largest eigenvalue of a symmetric 4 × 4 matrix, so it
+/// is never a reflection (Horn 1987, J. Opt. Soc. Am. A 4, 629).
 pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     if from.len() != to.len() {
-        return Err(refuse(
-            format!("{} points cannot be laid onto {}", from.len(), to.len()),
-            "the same number of points in the same order",
-            "name each target once in both lists",
-        ));
+        return Err(error!("point-counts-differ", from = from.len(), to = to.len()).into());
     }
-    let a = Cloud::centred("rigid transform", 3, Source::Space(from.into()))?;
-    let b = Cloud::centred("rigid transform", 3, Source::Space(to.into()))?;
-    a.spans("rigid transform", 2)?;
-    b.spans("rigid transform", 2)?;
+    let a = Cloud::centred("rigid-transform", 3, Source::Space(from.into()))?;
+    let b = Cloud::centred("rigid-transform", 3, Source::Space(to.into()))?;
+    a.spans("rigid-transform", 2)?;
+    b.spans("rigid-transform", 2)?;
     let (values, vectors) = quaternions(a.points().zip(b.points()));
     let largest = values[3].abs().max(f64::MIN_POSITIVE);
     if (values[3] - values[2]) <= 1e-12 * largest {
-        return Err(refuse(
-            "no rigid transform can be fitted: more than one rotation fits equally well",
-            "two sets of points of the same shape",
-            "check that both lists name the targets in the same order, and that no set is a mirror image",
-        ));
+        return Err(error!("rotation-ambiguous").into());
     }
     let rotation = rotation_of(vectors[3]);
     let turn = Pose { rotation, translation_mm: [0.0; 3] };
     let translation_mm = minus(b.centre_mm, turn.rotate(a.centre_mm));
-    // residuals about the centroids: nothing is lost far from the origin
+    // residuals about the centroids lose no digits far from the origin
     let residual = |(p, q): (Vector, Vector)| {
         let p = turn.rotate(p.map(|x| x * a.scale_mm));
         minus(q.map(|x| x * b.scale_mm), p)
@@ -73,7 +67,8 @@ pub fn rigid(from: &[Vector], to: &[Vector]) -> Result<RigidFit> {
     Ok(with_uncertainty(Pose { rotation, translation_mm }, residuals_mm, &a))
 }
 
-/// The rotation that carries centred points onto others best, pair by pair; one of them where several do.
+/// Rotation that best maps centred points onto others, pair by pair; one of several if it is not
+/// unique.
 pub fn rotation_onto(pairs: impl Iterator<Item = (Vector, Vector)>) -> [[f64; 3]; 3] {
     rotation_of(quaternions(pairs).1[3])
 }
@@ -92,7 +87,7 @@ fn quaternions(pairs: impl Iterator<Item = (Vector, Vector)>) -> ([f64; 4], [[f6
     symmetric_eigen(horn(&s))
 }
 
-/// Horn's N: its quadratic form is the sum of products after the rotation by a quaternion.
+/// Horn's N, whose quadratic form is the sum of products after rotation by a quaternion.
 fn horn(s: &[[f64; 3]; 3]) -> [[f64; 4]; 4] {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *s;
     [
@@ -120,17 +115,11 @@ fn with_uncertainty(to_T_from: Pose, residuals_mm: Vec<Vector>, from: &Cloud) ->
     let degrees_of_freedom = 3 * n - 6;
     let squares: f64 = residuals_mm.iter().map(|&r| dot(r, r)).sum();
     let sigma = (squares / degrees_of_freedom as f64).sqrt();
-    // about the axis of least inertia: Σ of squares of the distances from it
+    // about the axis of smallest inertia: Σ of squared distances from the axis
     let inertia = from.spread[1].hypot(from.spread[2]) * from.scale_mm;
     let mut warnings = Vec::new();
     if sigma > 0.0 && sigma / inertia > 0.01 {
-        let what = format!(
-            "the rotation has an expanded uncertainty of {:.1} degrees (k = 2)",
-            (2.0 * sigma / inertia).to_degrees()
-        );
-        warnings.push(
-            Message::warning(what).hint("use targets farther apart, and check that their names are not mixed up"),
-        );
+        warnings.push(warning!("rotation-uncertain", expanded_deg = (2.0 * sigma / inertia).to_degrees()));
     }
     RigidFit {
         to_T_from,

@@ -1,32 +1,35 @@
-//! Minimum zone of a sphere, cylinder and cone: the two coaxial or concentric ones between which all points lie, with the
-//! least distance between them (ISO 1101:2017, 17; cylindricity ISO 12180-1).
+//! Minimum zones of sphere, cylinder and cone: the smallest distance between two concentric or
+//! coaxial elements that enclose all points (ISO 1101:2017, 17; cylindricity ISO 12180-1).
 //!
-//! Of a sphere and cylinder the difference of two radii; of a cone the distance of two coaxial cones of one angle, which
-//! is free. From a start the problem linear in the parameters is solved ([`best_step`]), the step taken as far as the
-//! zone gets narrower, and so on until no step does. There as many points as parameters and two hold the zone, with multipliers
-//! that prove it the narrowest of its neighbourhood. Of a sphere it is also proved the narrowest of all, by the same inequality as
-//! a circle's: R² − r² is a linear problem in the centre and grows from here by κ a length at least, R + r by at most 2:
-//! where κ ≥ 2 (R − r), no other centre has a narrower zone.
+//! For sphere and cylinder the width is the difference of two radii; for a cone it is the distance
+//! between two coaxial cones of equal, free angle. Each iteration solves the problem linearised in
+//! the parameters ([`best_step`]) and takes the step as far as the zone narrows, until no step
+//! narrows it. Then the number of contact points is two more than the number of parameters, and
+//! their multipliers prove the zone to be locally narrowest. A zone of a sphere is also proved to
+//! be globally narrowest by the inequality used for circles. R² − r² is a linear problem in the
+//! centre, which grows by at least κ per unit length, and R + r by at most 2; if κ ≥ 2 (R − r), no
+//! other centre has a narrower zone.
 
 use super::chart::{Chart, length};
 use super::circle_and_sphere::taubin;
 use super::cloud::{Cloud, SAMPLE, Source};
 use super::cone::cone;
 use super::cylinder::cylinder;
-use super::element::{Element, FitSettings, refuse};
+use super::element::{Element, FitSettings};
 use super::minimax::{Certificate, Row, best_step, certificate};
 use super::result::largest_component_positive;
 use super::zone::{FARTHEST, MinimumZone, Multipliers, SLACK, sides};
+use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, minus, norm};
 
-/// An element whose points have distances that depend on `N` parameters; a constant that is taken off all of them (the radius)
-/// is not one.
+/// Element with distances that depend on `N` parameters. A constant common to all distances (the
+/// radius) is no parameter.
 trait Round<const N: usize>: Sized {
-    /// Distance of a point and its gradient by the parameters, here.
+    /// Distance of a point, and its gradient with respect to the parameters.
     fn row(&self, q: Vector) -> Row<N>;
 
-    /// The element after a step of its parameters; `None` where it is out of range.
+    /// The element after a step of its parameters; `None` if it is out of range.
     fn moved(&self, step: [f64; N]) -> Option<Self>;
 
     fn rows(&self, points: &[Vector]) -> Vec<Row<N>> {
@@ -51,7 +54,7 @@ impl Round<3> for Centre {
     }
 }
 
-/// Axis of a cylinder through (a, b, 0) of the chart, along its d0; parameters a, b, u, v.
+/// Axis of a cylinder through (a, b, 0) of the chart, along d0; parameters a, b, u, v.
 #[derive(Clone, Copy)]
 struct Axis {
     chart: Chart,
@@ -66,7 +69,8 @@ impl Axis {
         Self { chart, a, b }
     }
 
-    /// Distance from the axis and height of a point, and their gradients by a, b, u, v.
+    /// Distance of a point from the axis and height along it, with gradients with respect to a, b,
+    /// u, v.
     fn cylindrical(&self, q: Vector) -> ([f64; 4], f64, [f64; 4], f64) {
         let [x, y, t] = self.chart.coordinates(q);
         let (x, y) = (x - self.a, y - self.b);
@@ -88,7 +92,8 @@ impl Round<4> for Axis {
     }
 }
 
-/// Axis of a cone, and its half angle ψ: a point has the distance ρ cos ψ − t sin ψ, less a constant.
+/// Axis of a cone and its half-angle ψ; the distance of a point is ρ cos ψ − t sin ψ, minus a
+/// constant.
 #[derive(Clone, Copy)]
 struct Funnel {
     axis: Axis,
@@ -110,9 +115,9 @@ impl Round<5> for Funnel {
     }
 }
 
-/// Steps allowed: about ten are used.
+/// Maximum number of steps; about ten suffice in practice.
 const STEPS: usize = 300;
-/// The longest step at first, in sizes of the points.
+/// Largest initial step, relative to the size of the points.
 const REACH: f64 = 0.25;
 
 fn spread<const N: usize>(rows: &[Row<N>]) -> f64 {
@@ -120,8 +125,8 @@ fn spread<const N: usize>(rows: &[Row<N>]) -> f64 {
     high - low
 }
 
-/// From one linear problem to the next, within a reach that shrinks where the zone does not, until no step makes it
-/// narrower; and how many were taken.
+/// Solves successive linear problems until no step narrows the zone; the reach shrinks when the
+/// zone does not. Also returns the number of steps.
 fn narrowest<const N: usize, R: Round<N>>(points: &[Vector], start: R) -> (R, usize) {
     let (mut here, mut reach) = (start, REACH);
     let mut rows = here.rows(points);
@@ -132,7 +137,8 @@ fn narrowest<const N: usize, R: Round<N>>(points: &[Vector], start: R) -> (R, us
         let largest = best.step.iter().fold(0.0f64, |m, s| m.max(s.abs()));
         match next.filter(|(rows, _)| spread(rows) < width) {
             Some((narrower, next)) => {
-                // the linear problem promised twice as much or more: it holds not so far
+                // the zone narrowed by half of the linear prediction or less, which does not hold
+                // as far as this
                 let kept = width - spread(&narrower) > 0.5 * (width - best.spread);
                 reach = if kept { (2.0 * reach).min(1.0) } else { 0.5 * largest };
                 (rows, here) = (narrower, next);
@@ -144,7 +150,7 @@ fn narrowest<const N: usize, R: Round<N>>(points: &[Vector], start: R) -> (R, us
     (here, STEPS)
 }
 
-/// The zone about what was found, with multipliers where they prove it, without its place.
+/// Zone about the final element without its position, with multipliers if they prove the zone.
 fn held<const N: usize, R: Round<N>>(
     element: Element,
     cloud: &Cloud,
@@ -157,22 +163,18 @@ fn held<const N: usize, R: Round<N>>(
     let gradients = |side: &[usize]| side.iter().map(|&i| rows[i].0).collect::<Vec<_>>();
     let proof = certificate(&gradients(&zone.upper), &gradients(&zone.lower));
     zone.multipliers = proof.map(|Certificate { upper, lower, .. }| Multipliers { upper, lower });
-    // nothing is narrower than no width
+    // no zone is narrower than one of zero width
     zone.verified = zone.form_mm <= SLACK * cloud.scale_mm;
     (zone, middle)
 }
 
 pub(super) fn too_flat(element: Element) -> Problems {
-    refuse(
-        format!("no minimum zone of a {element}: the points lie as close to a plane as to any {element}"),
-        "points on a part of the surface that is higher than its form deviation",
-        "measure more of the surface, or look for the minimum zone of a plane",
-    )
+    error!("zone-flat", element).into()
 }
 
-/// Minimum zone of a sphere, of at least four points that are not in one plane.
+/// Minimum zone of a sphere from at least four non-coplanar points.
 ///
-/// Five points hold it at least. An error where the centre is at infinity.
+/// At least five points are in contact. Fails if the centre is at infinity.
 pub(super) fn sphere(points: &[Vector]) -> Result<MinimumZone> {
     let cloud = Cloud::new(Element::Sphere, Source::Space(points.into()), &FitSettings::default())?;
     let normalised: Vec<Vector> = cloud.points().collect();
@@ -191,7 +193,7 @@ pub(super) fn sphere(points: &[Vector]) -> Result<MinimumZone> {
     Ok(zone)
 }
 
-/// By how much R² − r² grows with the distance from a centre, at least; zero where that is not known.
+/// Smallest growth of R² − r² per unit distance from a centre; zero if unknown.
 fn least_area_growth(points: &[Vector], centre: &Vector) -> f64 {
     let from: Vec<Vector> = points.iter().map(|&q| minus(q, *centre)).collect();
     let (_, _, lower, upper) = sides(&from.iter().map(|&w| norm(w)).collect::<Vec<_>>());
@@ -199,9 +201,10 @@ fn least_area_growth(points: &[Vector], centre: &Vector) -> f64 {
     certificate(&gradients(&upper), &gradients(&lower)).map_or(0.0, |proof| proof.growth)
 }
 
-/// Minimum zone of a cylinder, of at least five points that are not in one plane, from that of least squares.
+/// Minimum zone of a cylinder from at least five non-coplanar points, starting at the least-squares
+/// cylinder.
 ///
-/// Six points hold it at least; it is proved the narrowest of its neighbourhood.
+/// At least six points are in contact. The zone is proved to be locally narrowest.
 pub(super) fn cylinder_zone(points: &[Vector]) -> Result<MinimumZone> {
     let fit = cylinder(points, &FitSettings::default())?;
     let cloud = Cloud::new(Element::Cylinder, Source::Space(points.into()), &FitSettings::default())?;
@@ -219,10 +222,10 @@ pub(super) fn cylinder_zone(points: &[Vector]) -> Result<MinimumZone> {
     Ok(zone)
 }
 
-/// Minimum zone of a cone, of at least six points that are not in one plane, from that of least squares; its angle is
-/// free.
+/// Minimum zone of a cone with free angle from at least six non-coplanar points, starting at the
+/// least-squares cone.
 ///
-/// Seven points hold it at least; it is proved the narrowest of its neighbourhood.
+/// At least seven points are in contact. The zone is proved to be locally narrowest.
 pub(super) fn cone_zone(points: &[Vector]) -> Result<MinimumZone> {
     let fit = cone(points, &FitSettings::default())?;
     let cloud = Cloud::new(Element::Cone, Source::Space(points.into()), &FitSettings::default())?;

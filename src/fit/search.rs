@@ -1,55 +1,61 @@
-//! A start for cylinder, cone and torus from the points alone: axes over the hemisphere, each with the element that
-//! a closed solution gives about it; the most promising are followed to their minimum.
+//! Start for cylinder, cone and torus from the points alone: for axes over the hemisphere, a
+//! closed-form element about each axis; the most promising starts are followed to their minimum.
 //!
-//! One start is not enough: on an arc of 90 degrees the sum of squares has several minima over the axes, and a
-//! method that trusts the plane's normal or the longest spread ends in the wrong one.
+//! A single start is not enough: on an arc of 90 degrees the sum of squares has several minima over
+//! the axes. Methods that rely on the normal of the plane or on the longest spread end in the wrong
+//! minimum.
 
 use super::chart::Chart;
 use super::cloud::Cloud;
-use super::element::{Element, refuse};
+use super::element::Element;
 use super::solver::{Refined, Surface, descend};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::{Vector, dot};
+use etalon_base::{error, warning};
 
-/// Directions tried over the hemisphere, 8 degrees apart.
+/// Number of directions over the hemisphere, 8 degrees apart.
 const DIRECTIONS: usize = 300;
-/// Points that the directions are judged by, and that the starts are followed with.
+/// Number of points for judging directions, and for following starts.
 const JUDGED: usize = 64;
 const SEARCHED: usize = 120;
-/// Iterations of the first look.
+/// Number of iterations before starts are compared.
 const GLANCE: usize = 6;
-/// Residuals this many times those of the best are not followed further.
+/// Residuals, relative to those of the best start, beyond which a start is abandoned.
 const HOPELESS: f64 = 100.0;
-/// An axis or radius beyond this, in sizes of the cloud, leaves distances less than eight digits.
+/// Largest axis position or radius, relative to the size of the cloud; beyond it distances lose
+/// eight digits.
 const FARTHEST: f64 = 1e8;
-/// Iterations of those that are.
+/// Number of iterations for starts that are not abandoned.
 const PATIENCE: usize = 80;
 
-/// A surface about an axis, its first parameters (a, b, h, u, v).
+/// A surface about an axis, whose first parameters are (a, b, h, u, v).
 pub(super) trait Axial<const N: usize, const K: usize>: Surface<N, K> {
-    /// The chart that the parameters are in.
+    /// Surface whose parameters are in `chart`.
+    fn on(chart: Chart) -> Self;
+
+    /// Chart of the parameters.
     fn chart(&self) -> &Chart;
 
-    /// Starts that are looked at in the search.
+    /// Number of starts followed in the search.
     const STARTS: usize = 8;
 }
 
-/// Where the search ended.
+/// Result of the search.
 pub(super) struct Found<S, const N: usize> {
     pub surface: S,
     pub start: [f64; N],
-    /// Whether a different element of this kind fits the points as well.
+    /// `true` if a different element of this kind fits the points equally well.
     pub rival: bool,
 }
 
-/// Searches over the axes. `about` gives elements about an axis with their sums of squares, and `upright` brings a solution to its one proper form, or refuses it.
+/// Searches over the axes. `about` returns elements about an axis with their sums of squares;
+/// `upright` brings a solution to its canonical form, or rejects it.
 pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     cloud: &Cloud,
     held: Option<Vector>,
     free: [bool; N],
     about: impl Fn(&[Vector], Chart) -> Vec<(f64, [f64; N])>,
     upright: impl Fn(S, [f64; N]) -> Option<(S, [f64; N])>,
-    element: impl Fn(Chart) -> S,
 ) -> Option<Found<S, N>> {
     let few = cloud.thinned(SEARCHED);
     let judged: Vec<Vector> = cloud.thinned(JUDGED).points().collect();
@@ -59,7 +65,8 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         Some(axis) => about(axis).collect(),
         None => best_apart(hemisphere(DIRECTIONS).chain(cloud.axes).flat_map(about).collect(), S::STARTS),
     };
-    // below this, sums of squares of normalised coordinates are rounding: the more promising start decides
+    // smaller sums of squares of normalised coordinates are rounding: the more promising start
+    // decides
     let rounding = 1e-28 * few.len() as f64;
     let walk = |iterations: usize, surface: S, start: [f64; N]| {
         let refined = descend(surface, &few, start, free, iterations);
@@ -71,8 +78,8 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
         proper.sort_by(|a, b| a.0.total_cmp(&b.0));
         proper
     };
-    // a short walk from each start, and only those that may still win go on to their minimum
-    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, element(Chart::new(axis)), start));
+    // a few iterations from each start; only promising starts continue to their minimum
+    let starts = starts.into_iter().map(|(_, axis, start)| walk(GLANCE, S::on(Chart::new(axis)), start));
     let mut walked = settled(starts.collect());
     let best = walked.first().map_or(0.0, |w| w.0);
     walked.retain(|w| w.0 <= HOPELESS * HOPELESS * best);
@@ -85,28 +92,25 @@ pub(super) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     Some(Found { surface, start: x, rival })
 }
 
-/// Whether two solutions are different elements and not two roads to the same.
+/// `true` if two solutions are different elements, `false` if they are one element reached from two
+/// starts.
 fn differ<const N: usize>(a: (&Vector, &[f64; N]), b: (&Vector, &[f64; N])) -> bool {
     let sizes = a.1.iter().zip(b.1).skip(5).any(|(x, y)| (x.abs() - y.abs()).abs() > 1e-4 * (x.abs() + y.abs()));
     sizes || dot(*a.0, *b.0).abs() < 1.0 - 1e-6
 }
 
-/// What to say where no start led to an element.
+/// Error if no start led to an element.
 pub(super) fn no_start(element: Element) -> Problems {
-    refuse(
-        format!("no {element} could be found through the points"),
-        format!("points on a {element}"),
-        "check that the points belong to this feature; else hold the axis",
-    )
+    error!("element-not-found", element).into()
 }
 
-/// What to say where a rival was found.
+/// Warning if a rival was found.
 pub(super) fn rival_warning(element: Element) -> Message {
-    Message::warning(format!("a different {element} fits the points about as well"))
-        .hint("measure more points where the element is not yet covered, or hold the axis")
+    warning!("element-ambiguous", element)
 }
 
-/// `count` directions spread evenly over a hemisphere (Fibonacci lattice: Swinbank & Purser 2006, Q. J. R. Meteorol. Soc. 132, 1769).
+/// `count` directions spread evenly over a hemisphere (Fibonacci lattice: Swinbank & Purser 2006,
+/// Q. J. R. Meteorol. Soc. 132, 1769).
 fn hemisphere(count: usize) -> impl Iterator<Item = Vector> {
     let golden_rad = std::f64::consts::PI * (3.0 - 5f64.sqrt());
     (0..count).map(move |i| {
@@ -117,7 +121,7 @@ fn hemisphere(count: usize) -> impl Iterator<Item = Vector> {
     })
 }
 
-/// The best of scored starts, lowest first, no two axes of them closer than 15 degrees.
+/// Best scored starts in ascending order, with axes at least 15 degrees apart.
 fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: usize) -> Vec<(f64, Vector, [f64; N])> {
     scored.retain(|s| s.0.is_finite());
     scored.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -131,7 +135,8 @@ fn best_apart<const N: usize>(mut scored: Vec<(f64, Vector, [f64; N])>, count: u
     chosen
 }
 
-/// Cost of a start that led somewhere; infinite of one that did not, or that went off until rounding took its cost away.
+/// Cost of a start; infinite if the start failed, or if it diverged until rounding removed its
+/// cost.
 fn rank<S, const N: usize>(refined: &Refined<S, N>) -> f64 {
     let near = refined.x.iter().all(|x| x.abs() < FARTHEST);
     let usable = near && refined.cost.is_finite() && refined.condition().is_finite();

@@ -1,74 +1,83 @@
-//! From a start to the minimum: Gauss-Newton in a trust region, one look at all points a step; and from there to a fit.
+//! Least squares from a start to the minimum by Gauss-Newton in a trust region, with one pass over
+//! all points per step; and conversion of the minimum to a fit.
 //!
-//! The points pass by in blocks and leave only the sums of the normal equations, so the memory needed does not depend on
-//! their number. Centred, scaled and seen along the element's own axis, the problem is well conditioned, and
-//! the accuracy of the answer is that of the gradient and not of the factor that divides it. Where the normal equations
-//! do lose digits (short arcs), the points pass by again, into an orthogonal factor.
+//! Points are processed in blocks that leave only the sums of the normal equations, so memory does
+//! not depend on their number. Centred, scaled and relative to the element's own axis, the problem
+//! is well conditioned. The accuracy of the result is the accuracy of the gradient, not of the
+//! factor that divides it. Where the normal equations do lose digits (short arcs), a second pass
+//! accumulates an orthogonal factor.
 //!
-//! That is why this is not [`math::solve`](etalon_math), which keeps a row for every equation and its parameters in
-//! one chart. Measured on a cylinder of 100,000 points: 2 ms here, the search for a start included, and 20 ms there from a
-//! good start; of a million points 0.6 s and 6 s. The radii agree to 4e-15 mm. Factor and trust region are the same.
+//! [`math::solve`](etalon_math) is not used because it stores a row for every equation and keeps
+//! its parameters in one chart. For a cylinder of 100,000 points it needs 20 ms from a good start,
+//! compared with 2 ms here including the search for a start; for a million points 6 s and 0.6 s.
+//! The radii agree to 4e-15 mm. Factor and trust region are shared.
 //!
-//! After each step the chart is laid about the element anew, so a surface only states its derivatives in
-//! the middle of its chart (as NPL's LSGE turns the axis to z in each iteration).
+//! After each step the chart is centred again on the element, so that a surface provides
+//! derivatives at the centre of its chart only. (NPL's LSGE similarly rotates the axis to z in each
+//! iteration.)
 
 use super::cloud::{Cloud, Gather, SAMPLE};
 use super::coverage::Coverage;
-use super::element::{Element, refuse};
+use super::element::Element;
 use super::f64x8::{F64x8, LANES, Points};
 use super::result::{Fit, QUANTITIES, Residuals, propagate};
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::{Factor, Termination, TrustRegion, norm, svd};
 
-/// An element with `N` parameters that gives `K` distances a point, in normalised coordinates.
+/// Element with `N` parameters and `K` distances per point, in normalised coordinates.
 pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
-    /// The parameter that is always held, where there is one (a cylinder's point along its axis): no sum is made of it.
+    /// Parameter that is always held, if any (position of a cylinder's point along its axis); no
+    /// sums are computed for it.
     const IDLE: usize = usize::MAX;
 
-    /// Signed distances of the points `q` and their derivatives by the parameters, in the middle of the chart.
+    /// Signed distances of the points `q` and their derivatives with respect to the parameters, at
+    /// the centre of the chart.
     fn distances(&self, x: &[f64; N], q: Points) -> [(F64x8, [F64x8; N]); K];
 
-    /// The same element in the chart about itself.
+    /// Centres the chart on the element.
     fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]);
 
-    /// How point, direction, radius, minor radius and apex angle move with each parameter (order of [`Covariance`]).
+    /// Derivatives of point, direction, radius, minor radius and apex angle with respect to each
+    /// parameter (order of [`ElementCovariance`]).
     fn quantities(&self, x: &[f64; N]) -> [[f64; QUANTITIES]; N];
 }
 
-/// Above this condition of the scaled Jacobian a double has no digit left for the worst-known parameter.
+/// Condition number of the scaled Jacobian above which a double has no correct digit for the least
+/// certain parameter.
 const CONDITION_LIMIT: f64 = 1e12;
 
-/// Points that make it good, at most, and how many there are for one of them.
+/// Maximum size of the sample that improves a start, and ratio of all points to the sample.
 const LARGEST_SAMPLE: usize = 16_384;
 const THINNED: usize = 32;
-/// Below this pivot of the scaled normal equations a step from them has fewer than six digits.
+/// Pivot of the scaled normal equations below which their step has fewer than six correct digits.
 const LEAST_PIVOT: f64 = 1e-9;
-/// Step, relative to the parameters, below which they no longer change.
+/// Convergence tolerance: step relative to the parameters.
 const STEP: f64 = f64::EPSILON;
-/// Cosine between residuals and Jacobian below which they are orthogonal.
+/// Convergence tolerance: cosine of the angle between residuals and Jacobian.
 const GRADIENT: f64 = 1e-15;
-/// Iterations of a fit; a search looks at its starts with fewer.
+/// Maximum number of iterations of a fit; a search uses fewer for each start.
 pub(super) const ITERATIONS: usize = 2000;
 
-/// Where least squares ended.
+/// Final state of least squares.
 pub(super) struct Refined<S, const N: usize> {
     pub surface: S,
     pub x: [f64; N],
-    /// Sum of the weighted squares of the distances.
+    /// Weighted sum of squared distances.
     pub cost: f64,
-    /// Indices of the parameters that were free.
+    /// Indices of the free parameters.
     pub free: Vec<usize>,
-    /// Factor of the Jacobian by these, its columns divided by `scale`.
+    /// Factor of the Jacobian of the free parameters, with columns divided by `scale`.
     pub factor: Option<Factor>,
     pub scale: Vec<f64>,
-    /// Weighted sums of the products of derivatives, by all parameters.
+    /// Weighted sums of products of derivatives with respect to all parameters.
     pub products: [[f64; N]; N],
     pub iterations: usize,
     pub termination: Termination,
 }
 
-/// Minimises the sum of squared distances from `start`, the parameters marked in `free` moving.
+/// Minimises the sum of squared distances from `start` over the parameters marked in `free`.
 pub(super) fn refine<S: Surface<N, K>, const N: usize, const K: usize>(
     surface: S,
     cloud: &Cloud,
@@ -84,7 +93,7 @@ pub(super) fn refine<S: Surface<N, K>, const N: usize, const K: usize>(
     descend(surface, cloud, start, free, ITERATIONS)
 }
 
-/// [`refine`] on all points from the first step, with at most so many iterations.
+/// Like [`refine`] on all points from the first step, with at most `iterations` iterations.
 pub(super) fn descend<S: Surface<N, K>, const N: usize, const K: usize>(
     surface: S,
     cloud: &Cloud,
@@ -111,7 +120,7 @@ pub(super) fn descend<S: Surface<N, K>, const N: usize, const K: usize>(
 }
 
 impl<S, const N: usize> Refined<S, N> {
-    /// Steps until one of them is the last.
+    /// Iterates until convergence.
     fn converge<const K: usize>(&mut self, cloud: &Cloud, iterations: usize) -> Termination
     where
         S: Surface<N, K>,
@@ -134,7 +143,7 @@ impl<S, const N: usize> Refined<S, N> {
             let Some(step) = region.step(factor) else { return Termination::RankDeficient };
             let size = step.length / (extent + f64::MIN_POSITIVE);
             if !step.is_damped && size >= last && last < 1e-6 {
-                // steps are rounding
+                // steps have reached rounding
                 return Termination::StepVanished;
             }
             let mut trial = self.x;
@@ -142,19 +151,23 @@ impl<S, const N: usize> Refined<S, N> {
                 trial[i] -= p / d;
             }
             let (surface, trial) = self.surface.recharted(&trial);
-            // what the next step would be: steps shrink as the last ones did, and no faster than residuals bend the way
+            // expected next step: steps shrink at the previous rate, but no faster than the
+            // curvature of the residuals allows
             let bend = (self.cost / cloud.len() as f64).sqrt();
-            // (those of many points that are noise, and not form, make up for each other: √n of them are left of n)
+            // for noise rather than form deviation, the curvature terms of n points partly cancel:
+            // a share of 1/√n remains
             let noise = bend / (cloud.len() as f64).sqrt();
             let left = size * f64::max(size / last, noise);
             if !step.is_damped && left <= STEP && size * bend <= 16.0 * STEP && size < 1e-6 {
-                // no look at the points is needed to know what is left: the linear model is exact for such a step
+                // the linear model is exact for such a step, so that its remaining cost needs no
+                // pass over the points
                 (self.surface, self.x, self.cost) = (surface, trial, factor.rest);
                 self.iterations += 1;
                 return Termination::StepVanished;
             }
             let (cost, linear) = linearise(&surface, &trial, cloud, &self.free);
-            // near the minimum the cost is too flat to judge a step: there it is enough that steps shrink
+            // near the minimum the cost is too flat to judge a step: decreasing steps are
+            // sufficient
             let close = !step.is_damped && size < 1e-6 && size < last && cost <= self.cost * (1.0 + 1e-6);
             if close {
                 region.open(&step);
@@ -176,12 +189,12 @@ impl<S, const N: usize> Refined<S, N> {
         (self.factor, self.scale, self.products) = (linear.factor, linear.scale, linear.products);
     }
 
-    /// Largest over smallest singular value of the Jacobian with columns of length one.
+    /// Condition number of the Jacobian with columns scaled to unit length.
     pub fn condition(&self) -> f64 {
         self.factor.as_ref().map_or(f64::INFINITY, |f| svd(f).condition())
     }
 
-    /// Covariance of x, held parameters with zeros; `None` without redundancy.
+    /// Covariance of x, with zeros for held parameters; `None` without redundancy.
     pub fn covariance(&self, degrees_of_freedom: usize) -> Option<[[f64; N]; N]> {
         let inverse = self.factor.as_ref().filter(|_| degrees_of_freedom > 0)?.inverse_normal()?;
         let variance = self.cost / degrees_of_freedom as f64;
@@ -195,7 +208,7 @@ impl<S, const N: usize> Refined<S, N> {
         Some(covariance)
     }
 
-    /// The result so far, or why there is none.
+    /// Converts the result to a fit, or returns the reason for failure.
     pub fn to_fit<const K: usize, C: Coverage>(
         &self,
         element: Element,
@@ -209,13 +222,9 @@ impl<S, const N: usize> Refined<S, N> {
         let condition = self.condition();
         let known = condition <= CONDITION_LIMIT;
         if !self.termination.is_success() || !known || self.x.iter().any(|x| !x.is_finite()) {
-            cloud.numbers(element)?;
-            let ended = if known { self.termination } else { Termination::RankDeficient };
-            return Err(refuse(
-                format!("no {element} could be fitted: {ended}"),
-                format!("points that determine a {element}"),
-                "look at the points: too short an arc, too straight, or another element; else hold the radius or the axis",
-            ));
+            cloud.numbers(element.name())?;
+            let termination = if known { self.termination } else { Termination::RankDeficient };
+            return Err(error!("element-not-determined", element, termination = termination.to_string()).into());
         }
         let by_parameter = self.surface.quantities(&self.x);
         let degrees_of_freedom = (K * cloud.len()).saturating_sub(self.free.len());
@@ -226,7 +235,7 @@ impl<S, const N: usize> Refined<S, N> {
             coverage,
         );
         if !(residuals.squares * cloud.scale_mm).is_finite() {
-            cloud.numbers(element)?;
+            cloud.numbers(element.name())?;
         }
         let covariance = self.covariance(degrees_of_freedom);
         Ok(Fit {
@@ -242,8 +251,8 @@ impl<S, const N: usize> Refined<S, N> {
     }
 }
 
-/// The same for each index below a constant of at most seven, written out before the compiler looks for loops: it would
-/// otherwise take the sums apart and keep them in memory.
+/// Repeats a block for each index below a constant of at most seven. The repetition is expanded
+/// before loop optimisations, which would otherwise split the sums and keep them in memory.
 macro_rules! each {
     ($i:ident < $n:ident, $body:block) => {
         each!($i < $n, $body, 0, 1, 2, 3, 4, 5, 6)
@@ -256,7 +265,8 @@ macro_rules! each {
     };
 }
 
-/// Sums over the points of the products of derivatives, of derivative and distance, and of distances.
+/// Accumulates products of derivatives, of derivative and distance, and of distances over the
+/// points.
 #[derive(Clone)]
 struct Normal<'a, S, const N: usize, const K: usize> {
     surface: &'a S,
@@ -297,8 +307,8 @@ impl<S: Surface<N, K>, const N: usize, const K: usize> Gather for Normal<'_, S, 
     }
 }
 
-/// The Jacobian, as what is left of it: sums of products by all parameters, and the factor by the free ones with the norms
-/// of its columns. No factor where a number in it is not finite.
+/// Condensed Jacobian: sums of products of all parameters, and the factor of the free parameters
+/// with the norms of its columns; no factor if a number in it is non-finite.
 struct Linear<const N: usize> {
     products: [[f64; N]; N],
     factor: Option<Factor>,
@@ -329,7 +339,7 @@ fn linearise<S: Surface<N, K>, const N: usize, const K: usize>(
     (squares, Linear { products, factor: Some(factor), scale })
 }
 
-/// The factor by Householder reflections, block by block of the points.
+/// Factor by Householder reflections, block by block of the points.
 fn orthogonal_factor<S: Surface<N, K>, const N: usize, const K: usize>(
     surface: &S,
     x: &[f64; N],
@@ -340,7 +350,7 @@ fn orthogonal_factor<S: Surface<N, K>, const N: usize, const K: usize>(
     cloud.gather(Rows { surface, x: *x, free, scale, rows: Vec::new(), right: Vec::new() })
 }
 
-/// The rows of the Jacobian of a block, weighted, and the distances.
+/// Weighted rows of the Jacobian of a block, with the distances.
 #[derive(Clone)]
 struct Rows<'a, S, const N: usize, const K: usize> {
     surface: &'a S,

@@ -1,4 +1,4 @@
-//! Torus: a tube bent along a circle, whole or a piece of it.
+//! Torus: a tube bent along a circle, complete or in part.
 
 use super::chart::{Chart, length};
 use super::circle_and_sphere::taubin;
@@ -13,10 +13,11 @@ use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::symmetric_eigen;
 
-/// Fits a torus to at least seven points that are not in one plane.
+/// Fits a torus to at least seven non-coplanar points.
 ///
-/// Orthogonal distance (ISO 10360-6:2001 tests it so). The start is searched over the hemisphere of axes, for each a
-/// circle through the points seen along the axis, and a circle through them seen along the tube.
+/// Minimises orthogonal distances, as tested by ISO 10360-6:2001. Starts are searched over the
+/// hemisphere of axes, with a circle through the points projected along the axis and a circle
+/// through their section along the tube for each axis.
 pub fn torus(points: &[Vector], settings: &FitSettings) -> Result<Fit> {
     torus_of(points.into(), settings)
 }
@@ -25,8 +26,8 @@ pub(super) fn torus_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     let held = settings.check(Element::Torus)?;
     let cloud = Cloud::new(Element::Torus, points, settings)?;
     let free = [true, true, true, held.is_none(), held.is_none(), true, true];
-    let upright = |bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
-    let found = search(&cloud, held, free, torus_along, upright, |chart| Bend { chart });
+    let upright = |bend: Bend, x: [f64; 7]| (x[5] > 0.0 && x[6] > 0.0).then_some((bend, x));
+    let found = search(&cloud, held, free, torus_along, upright);
     let found = found.ok_or_else(|| no_start(Element::Torus))?;
     let refined = refine(found.surface, &cloud, found.start, free);
     let chart = refined.surface.chart;
@@ -40,19 +41,21 @@ pub(super) fn torus_of(points: Source, settings: &FitSettings) -> Result<Fit> {
     fit.finished(settings)
 }
 
-/// Distances of the centre from the middle of the points that are tried, to all four sides, in units of the length
-/// of the piece (root mean square): seen along the axis, a short piece of a thick tube is not an arc.
+/// Trial distances of the centre from the mean of the points, in all four directions, relative to
+/// the length of the piece (root mean square). Seen along the axis, a short piece of a thick tube
+/// is not an arc.
 const REACHES: [f64; 10] = [0.7, -0.7, 1.2, -1.2, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0];
 
-/// A circle through the points seen along the axis, or a step square to the tube, gives the centre; a circle through
-/// them seen along the tube then gives both radii.
+/// Elements about an axis. The centre is that of a circle through the points projected along the
+/// axis, or a step perpendicular to the tube; a circle through the section along the tube then
+/// gives both radii.
 fn torus_along(points: &[Vector], chart: Chart) -> Vec<(f64, [f64; 7])> {
     let points: Vec<[f64; 3]> = points.iter().map(|&q| chart.coordinates(q)).collect();
     let (suggested, _) = taubin::<3>(&points.iter().map(|&[x, y, _]| [x, y, 0.0]).collect::<Vec<_>>());
     let sums = points.iter().fold([0.0; 3], |s, [x, y, _]| [s[0] + x * x, s[1] + x * y, s[2] + y * y]);
     let (values, directions) = symmetric_eigen([[sums[0], sums[1]], [sums[1], sums[2]]]);
     let extent = (values[1] / points.len().max(1) as f64).sqrt();
-    // a piece shorter than it is thick lies across its own length
+    // a piece shorter than its thickness extends across the tube
     let stepped = directions.into_iter().flat_map(|d| REACHES.map(|reach| d.map(|x| x * reach * extent)));
     let about = |centre: [f64; 2]| {
         let section = points.iter().map(|&[x, y, t]| [length(x - centre[0], y - centre[1]), t, 0.0]);
@@ -65,8 +68,8 @@ fn torus_along(points: &[Vector], chart: Chart) -> Vec<(f64, [f64; 7])> {
     std::iter::once([suggested[0], suggested[1]]).chain(stepped).map(about).collect()
 }
 
-/// Parameters a, b, h, u, v of the axis through the centre, the radius R and the radius r of the tube: a point has
-/// the distance √((ρ - R)² + t²) - r.
+/// Torus. Parameters: axis (a, b, h, u, v) through the centre, radius R of the centre line and
+/// radius r of the tube. The distance of a point is √((ρ − R)² + t²) − r.
 #[derive(Clone, Copy)]
 pub(super) struct Bend {
     pub(super) chart: Chart,
@@ -102,8 +105,12 @@ impl Surface<7, 1> for Bend {
 }
 
 impl Axial<7, 1> for Bend {
-    // a dozen points on a tube look like many things
+    // a dozen points on a tube are ambiguous
     const STARTS: usize = 24;
+
+    fn on(chart: Chart) -> Self {
+        Self { chart }
+    }
 
     fn chart(&self) -> &Chart {
         &self.chart

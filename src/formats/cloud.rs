@@ -72,7 +72,8 @@ fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -
     files::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
     let Some(plain) = format.plain(&start) else { return Ok(None) };
     let part = |bytes: &mut Vec<u8>, k: u64| {
-        let part = plain.part(path, unit.in_mm(), k * BLOCK, size, bytes)?;
+        read_block(path, k * BLOCK, bytes)?;
+        let part = plain.part(bytes, k * BLOCK, size, unit);
         Ok(part.map(|part| (part.angles, made(part))))
     };
     let parts: std::io::Result<Vec<Option<(bool, T)>>> =
@@ -119,23 +120,27 @@ fn together(mut parts: Vec<Part>) -> Result<Cloud> {
     Ok(Cloud { labels, table: crate::table::frame(height, columns)? })
 }
 
+/// First byte that is read of the block from `start`: one before it shows whether a line begins
+/// with the block.
+fn first_byte(start: u64) -> u64 {
+    start.saturating_sub(1)
+}
+
+/// Reads into `bytes` the block from `start` with the rest of its last line.
+fn read_block(path: &Path, start: u64, bytes: &mut Vec<u8>) -> std::io::Result<()> {
+    bytes.clear();
+    bytes.reserve_exact(BLOCK as usize + LONGEST_LINE + 2);
+    let mut file = File::open(path)?;
+    file.seek(SeekFrom::Start(first_byte(start)))?;
+    file.take(BLOCK + LONGEST_LINE as u64 + 1).read_to_end(bytes)?;
+    Ok(())
+}
+
 impl Plain {
-    /// Points of the lines that begin in a block, which is read into `bytes`; none if one of them is not plain.
-    fn part(
-        self,
-        path: &Path,
-        in_mm: f64,
-        start: u64,
-        size: u64,
-        bytes: &mut Vec<u8>,
-    ) -> std::io::Result<Option<Part>> {
-        // one byte before shows whether a line begins with the block
-        let from = start.saturating_sub(1);
-        bytes.clear();
-        bytes.reserve_exact(BLOCK as usize + LONGEST_LINE + 2);
-        let mut file = File::open(path)?;
-        file.seek(SeekFrom::Start(from))?;
-        file.take(BLOCK + LONGEST_LINE as u64 + 1).read_to_end(bytes)?;
+    /// Points of the lines that begin in the block from `start` of a file of `size` bytes; `None`
+    /// if one of them is not plain.
+    fn part(self, bytes: &[u8], start: u64, size: u64, unit: Unit) -> Option<Part> {
+        let (from, in_mm) = (first_byte(start), unit.in_mm());
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {
             0 => 0,
@@ -155,7 +160,7 @@ impl Plain {
                 // an empty line
                 let mut line = Scanner { bytes, at, delimiter: self.delimiter };
                 if !line.end(true) {
-                    return Ok(None);
+                    return None;
                 }
                 at = line.at;
                 continue;
@@ -163,7 +168,7 @@ impl Plain {
             if self.labelled && label != before.0 || before.1 == u32::MAX {
                 let (id, new) = known.place(label);
                 if new && self.labelled {
-                    let Ok(text) = std::str::from_utf8(label) else { return Ok(None) };
+                    let text = std::str::from_utf8(label).ok()?;
                     part.labels.push_str(text);
                     part.labels.push('\n');
                 }
@@ -176,7 +181,7 @@ impl Plain {
             }
             at = line.at;
         }
-        Ok(Some(part))
+        Some(part)
     }
 }
 

@@ -1,12 +1,13 @@
-//! What a text could be: how its rows could be split into numbers, every delimiter with every pair of marks, weighed; and
-//! what its columns may contain, by their names or by their values.
+//! How the rows of a text could be split into numbers: every delimiter with every pair of marks, weighed.
 
 use super::lexer::{Row, marked, split};
 use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
 use std::borrow::Cow;
 
-/// Rows that are weighed; a proposal is then tried on all.
+/// Rows by which ways to split are ranked; the best are then weighed on more.
 const SAMPLE: usize = 2000;
+/// Rows on which the best ways are weighed.
+const MOST: usize = 200_000;
 /// Lines that start like this may be comments.
 const COMMENTS: [&str; 4] = ["//", "#", "%", "$$"];
 /// Words that end files.
@@ -32,8 +33,10 @@ pub(super) struct Guess<'t> {
     pub dialect: Dialect,
     /// Rows before the data.
     pub header: usize,
-    /// The last of them.
+    /// The last of them, or the last comment before the data where that has as many words as the data have columns.
     pub names: Option<Row<'t>>,
+    /// `true` if the names are those of a comment.
+    pub commented: bool,
     /// Rows of data that were looked at, and those that have as many fields as most, two of them numbers.
     pub rows: usize,
     pub read: usize,
@@ -41,8 +44,6 @@ pub(super) struct Guess<'t> {
     pub unread: Option<usize>,
     /// Of each column, whether it holds numbers alone (or cells that mean "not measured").
     pub numeric: Vec<bool>,
-    /// The first row of data.
-    pub first: Row<'t>,
     /// Numbers, those with a decimal mark, and those with it before exactly three digits.
     pub numbers: usize,
     pub fractions: usize,
@@ -86,6 +87,14 @@ pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> 
     guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
     let best = guesses.first().map_or(0.0, |g| g.score);
     guesses.retain(|g| g.score > 0.99 * best);
+    if sample.len() < text.len() {
+        let more = &text[..text.split_inclusive('\n').take(MOST).map(str::len).sum()];
+        guesses = guesses
+            .into_iter()
+            .filter_map(|g| guess(more, Dialect { header: Header::default(), ..g.dialect }))
+            .collect();
+        guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
+    }
     guesses
 }
 
@@ -112,7 +121,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
             && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && missing.says(f)))
     };
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
-    let first = (*good.first()?).clone();
+    let first = good.first()?.line;
     let used: Vec<&Cow<str>> = good.iter().flat_map(|row| &row.fields).filter(|f| is_number(f)).collect();
     let mark = if dialect.decimal == Decimal::Point { '.' } else { ',' };
     let fractions = used.iter().filter(|f| f.contains(mark)).count();
@@ -134,20 +143,47 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
         .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));
     dialect.header = Header::Rows(header);
+    let numeric: Vec<bool> = numeric.collect();
+    let mut names = header.checked_sub(1).map(|i| all[i].clone());
+    let worded = names.as_ref().is_some_and(|row| row.fields.len() >= numeric.len());
+    let comment = dialect.comment.as_deref().filter(|_| !worded);
+    let named = comment.and_then(|comment| named_by_comment(sample, &dialect, comment, (first, numeric.len())));
+    let commented = named.is_some();
+    names = named.or(names);
     Some(Guess {
         header,
-        names: header.checked_sub(1).map(|i| all[i].clone()),
+        names,
+        commented,
         rows: data.len(),
         read: good.len(),
         unread: data.iter().find(|row| !fits(row)).map(|row| row.line),
-        numeric: numeric.collect(),
+        numeric,
         numbers: used.len(),
         fractions,
         threes,
         score,
-        first,
         dialect,
     })
+}
+
+/// The last comment before the data, if it has as many words as the data have columns.
+fn named_by_comment<'t>(
+    text: &'t str,
+    dialect: &Dialect,
+    comment: &str,
+    (first, columns): (usize, usize),
+) -> Option<Row<'t>> {
+    let lines: Vec<(usize, &str)> = text.lines().take(first.saturating_sub(1)).enumerate().collect();
+    let (at, line) = lines.into_iter().rev().find(|(_, line)| !line.trim().is_empty())?;
+    let words = line.trim_start().strip_prefix(comment)?;
+    let plain = Dialect { comment: None, ..dialect.clone() };
+    let (mut rows, _) = split("", words, &plain);
+    let mut row = rows.pop().filter(|row| row.fields.len() == columns)?;
+    let is_number = |field: &Cow<str>| marked(field, dialect.decimal, dialect.thousands).is_ok();
+    let worded =
+        row.fields.iter().any(|field| field.contains(char::is_alphabetic)) && !row.fields.iter().any(is_number);
+    row.line = at + 1;
+    worded.then_some(row)
 }
 
 /// The count that occurs most often; of several the largest.
@@ -157,126 +193,35 @@ fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
     times.into_iter().max_by_key(|&(count, times)| (times, count)).map(|(count, _)| count)
 }
 
-/// Roles by the names of the header, where it names every column and x and y; else by position: leading texts are the
-/// label, the first numbers x, y, z, and a direction behind them i, j, k. A whole number before numbers with a decimal mark is
-/// none of them.
-pub(super) fn roles(guess: &Guess) -> Vec<ColumnRole> {
-    let named: Vec<ColumnRole> = names(guess).into_iter().flatten().map(role_of).collect();
-    let once = |role| named.iter().filter(|r| **r == role).count() == 1;
-    match once(ColumnRole::X) && once(ColumnRole::Y) {
-        true => single(named),
-        false => by_position(guess),
-    }
-}
-
-/// Roles of which each but the label is there once; what is there again is not read.
-fn single(roles: Vec<ColumnRole>) -> Vec<ColumnRole> {
-    let again = |i: usize| roles[..i].contains(&roles[i]) && roles[i] != ColumnRole::Skip;
-    let axes = [ColumnRole::I, ColumnRole::J, ColumnRole::K].iter().all(|r| roles.contains(r));
-    let partial = |role: ColumnRole| matches!(role, ColumnRole::I | ColumnRole::J | ColumnRole::K) && !axes;
-    (0..roles.len()).map(|i| if again(i) || partial(roles[i]) { ColumnRole::Skip } else { roles[i] }).collect()
-}
-
-/// The names of all columns, if the header has as many as the data.
-pub(super) fn names<'g>(guess: &'g Guess) -> Option<Vec<&'g str>> {
-    let names = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref);
-    let names: Vec<&str> = names.collect();
-    // a header of words, not of numbers
-    (names.len() >= guess.numeric.len() && names.iter().any(|n| n.contains(char::is_alphabetic)))
-        .then(|| names[..guess.numeric.len()].to_vec())
-}
-
-/// A name without its unit, in small letters: `X [mm]`, `x_mm` and `X` are one.
-fn plain(name: &str) -> String {
-    let name = name.split(['[', '(']).next().unwrap_or("").trim().to_lowercase();
-    let name = ["_mm", "_m", "_inch", " mm"].iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(&name);
-    name.to_owned()
-}
-
-fn role_of(name: &str) -> ColumnRole {
-    match plain(name).as_str() {
-        "x" => ColumnRole::X,
-        "y" => ColumnRole::Y,
-        "z" => ColumnRole::Z,
-        "i" | "nx" => ColumnRole::I,
-        "j" | "ny" => ColumnRole::J,
-        "k" | "nz" => ColumnRole::K,
-        "label" | "name" | "point" | "point_name" | "point name" | "id" => ColumnRole::Label,
-        "target" => ColumnRole::Target,
-        "pose" => ColumnRole::Pose,
-        "cycle" | "run" | "repeat" => ColumnRole::Cycle,
-        "time_s" => ColumnRole::TimeS,
-        _ => ColumnRole::Skip,
-    }
-}
-
-fn by_position(guess: &Guess) -> Vec<ColumnRole> {
-    let count = guess.numeric.iter().filter(|n| **n).count();
-    let directed = count == 6 && direction(guess);
-    let mut axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].iter().chain(if directed {
-        &[ColumnRole::I, ColumnRole::J, ColumnRole::K][..]
-    } else {
-        &[]
-    });
-    let mut before = usize::from(count % 3 == 1 && counted(guess));
-    let leading = guess.numeric.iter().position(|n| *n).unwrap_or(0);
-    let role = |(i, numeric): (usize, &bool)| match numeric {
-        true if before > 0 => {
-            before -= 1;
-            ColumnRole::Skip
+/// The names of all columns, if the header has as many as the data. Units in brackets that blanks part from their names belong to them.
+pub(super) fn names<'g>(guess: &'g Guess) -> Option<Vec<String>> {
+    let fields: Vec<&str> = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref).collect();
+    let columns = guess.numeric.len();
+    let mut names: Vec<String> = Vec::new();
+    if guess.dialect.delimiter == Some(Delimiter::Blank) && fields.len() > columns {
+        for field in fields {
+            match names.last_mut().filter(|_| field.starts_with(['[', '('])) {
+                Some(name) => name.extend([" ", field]),
+                None => names.push(field.to_owned()),
+            }
         }
-        true => axes.next().copied().unwrap_or(ColumnRole::Skip),
-        false if i < leading && !guess.first.fields.get(i).is_some_and(|field| is_time(field)) => ColumnRole::Label,
-        false => ColumnRole::Skip,
-    };
-    guess.numeric.iter().enumerate().map(role).collect()
-}
-
-/// Whether the first number is whole, and the next three are not.
-fn counted(guess: &Guess) -> bool {
-    let mark = if guess.dialect.decimal == Decimal::Point { '.' } else { ',' };
-    let numbers = guess.first.fields.iter().zip(&guess.numeric).filter(|(_, numeric)| **numeric);
-    let marked: Vec<bool> = numbers.map(|(field, _)| field.contains(mark)).take(4).collect();
-    marked == [false, true, true, true]
+        names.retain(|name| !name.is_empty());
+        if names.len() != columns {
+            return None;
+        }
+    } else {
+        names = fields.into_iter().map(str::to_owned).collect();
+    }
+    // a header of words, not of numbers
+    (names.len() >= columns && names.iter().any(|n| n.contains(char::is_alphabetic))).then(|| {
+        names.truncate(columns);
+        names
+    })
 }
 
 /// A date or a time of day.
-fn is_time(cell: &str) -> bool {
+pub(super) fn is_time(cell: &str) -> bool {
     let digits = cell.bytes().filter(u8::is_ascii_digit).count();
     digits >= 4
         && cell.bytes().all(|b| b.is_ascii_digit() || matches!(b, b':' | b'-' | b'.' | b'/' | b' ' | b'T' | b'Z'))
-}
-
-/// Whether the last three numbers of the first row are a direction.
-fn direction(guess: &Guess) -> bool {
-    let number = |field: &Cow<str>| marked(field, guess.dialect.decimal, guess.dialect.thousands).ok();
-    let numbers: Vec<f64> = guess.first.fields.iter().filter_map(number).collect();
-    let [.., i, j, k] = numbers[..] else { return false };
-    (etalon_base::pose::norm([i, j, k]) - 1.0).abs() < 0.01
-}
-
-/// Whether the rows are joint values rather than points, and by what one sees it.
-pub(super) fn looks_like_a_log(guess: &Guess) -> Option<String> {
-    let names = names(guess).unwrap_or_default();
-    let joints: Vec<&str> = names.iter().copied().filter(|name| is_joint(name)).collect();
-    if joints.len() >= 2 {
-        return Some(format!("the header names joints: {}", joints[..joints.len().min(6)].join(", ")));
-    }
-    let only_numbers = guess.numeric.iter().all(|n| *n) && names.is_empty();
-    match guess.numeric.len() {
-        n @ (6 | 7) if only_numbers && !direction(guess) => {
-            Some(format!("every row is {n} numbers, and no direction among them"))
-        }
-        _ => None,
-    }
-}
-
-/// `q1`, `J2`, `A3`, `joint_4`, `lbr_joint_0`, `actual_q_5`, `RP1`, `theta1`, `enc 2` and the like.
-pub(super) fn is_joint(name: &str) -> bool {
-    let name = name.split(['[', '(']).next().unwrap_or("").trim().to_lowercase();
-    let name = ["_deg", "_rad", "_mm"].iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(&name);
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let word = stem.trim_end_matches(['_', ' ', '-', '.']);
-    let stems = ["q", "j", "a", "rp", "rho", "theta", "axis", "enc", "encoder", "motor"];
-    stem.len() < name.len() && (stems.contains(&word) || word.ends_with("joint") || word.ends_with("_q"))
 }

@@ -2,7 +2,7 @@
 //! points take labels and numbers straight from the scanner, at the speed of the disk. And lines as these read them.
 
 use crate::dialect::{Decimal, Delimiter, Dialect, Thousands};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose_name::PoseName;
 use std::borrow::Cow;
 
@@ -46,13 +46,6 @@ impl<'t> Row<'t> {
         let width = self.fields.get(index).map_or(1, |f| f.chars().count());
         self.place(file).at(if index < self.fields.len() { column } else { 1 }, width)
     }
-}
-
-/// Splits a text into rows; empty lines are not rows.
-pub(super) fn rows<'t>(file: &str, text: &'t str, delimiter: Delimiter) -> Result<Vec<Row<'t>>> {
-    let (rows, problems) = split(file, text, &Dialect { delimiter: Some(delimiter), ..Dialect::default() });
-    problems.check()?;
-    Ok(rows)
 }
 
 /// The rows of a text in a dialect, and those that do not split; empty lines and comment lines are not rows.

@@ -37,6 +37,10 @@ pub struct Point {
     pub standard_uncertainty_mm: Option<Box<Vector>>,
     /// Direction of surface or probe, of length 1, where the file states it.
     pub direction: Option<Box<Vector>>,
+    /// Orientation of the measured body in the frame of the file, as a quaternion with the scalar first, where the file states it.
+    pub orientation: Option<Box<[f64; 4]>>,
+    /// Temperature during the measurement (°C), where the file states it.
+    pub temperature_c: Option<f64>,
     /// The rule that refuses it.
     pub refused: Option<String>,
 }

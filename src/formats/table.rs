@@ -24,6 +24,9 @@ pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 /// Columns of a quaternion, scalar first: a body in the world.
 pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 
+/// Columns of a rotation matrix, row by row: a body in the world.
+pub const MATRIX: [&str; 9] = ["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"];
+
 /// Column of a point's label; in a log, of the point that the robot touches.
 pub const LABEL: &str = "label";
 
@@ -105,6 +108,53 @@ pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64
 pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
     let column = column(table, name)?.cast(&DataType::String).map_err(failed)?;
     Ok(column.str().map_err(failed)?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
+}
+
+/// The rows of two tables, one behind the other; a cell of a column that one does not have is missing.
+pub fn stacked(above: &DataFrame, below: &DataFrame) -> Result<DataFrame> {
+    let mut names: Vec<&str> = Vec::new();
+    for name in above.get_column_names().into_iter().chain(below.get_column_names()) {
+        if !names.contains(&name.as_str()) {
+            names.push(name);
+        }
+    }
+    let both = [above, below];
+    let column = |name: &&str| -> Result<Column> {
+        let parts: Vec<Option<&Column>> = both.iter().map(|table| table.column(name).ok()).collect();
+        if *name == "pose" {
+            let of = |table: &DataFrame| -> Result<Vec<Option<PoseName>>> {
+                if table.column("pose").is_err() {
+                    return Ok(vec![None; table.height()]);
+                }
+                let named = |text: String| if text.is_empty() { Ok(None) } else { PoseName::new(&text).map(Some) };
+                Ok(texts(table, "pose")?.into_iter().map(named).collect::<std::result::Result<_, _>>()?)
+            };
+            return Ok(pose_column("pose", &[of(above)?, of(below)?].concat()));
+        }
+        let text = parts.iter().flatten().any(|column| column.dtype().is_string());
+        let whole = parts.iter().flatten().all(|column| column.dtype().is_integer());
+        let dtype = if text {
+            DataType::String
+        } else if whole {
+            DataType::Int64
+        } else {
+            DataType::Float64
+        };
+        let mut all: Option<Column> = None;
+        for (part, table) in parts.into_iter().zip(both) {
+            let part = match part {
+                Some(part) => part.cast(&dtype).map_err(failed)?,
+                None => Column::full_null((*name).into(), table.height(), &dtype),
+            };
+            match &mut all {
+                Some(all) => drop(all.append(&part).map_err(failed)?),
+                None => all = Some(part),
+            }
+        }
+        all.ok_or_else(|| failed("no column"))
+    };
+    let columns = names.iter().map(column).collect::<Result<Vec<Column>>>()?;
+    frame(above.height() + below.height(), columns)
 }
 
 /// The three coordinates in millimetres; a table without `z_mm`, or with an empty one, has z = 0.

@@ -159,7 +159,8 @@ impl<'a> Elements<'a> {
         Message::error(what).at(self.place(at))
     }
 
-    fn place(&self, at: usize) -> Place {
+    /// Line of the byte `at`.
+    pub fn place(&self, at: usize) -> Place {
         let number = self.lines.partition_point(|start| *start <= at).max(1);
         let start = self.lines.get(number - 1).copied().unwrap_or(0);
         let end = self.lines.get(number).copied().unwrap_or(self.text.len());

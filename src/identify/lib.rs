@@ -13,6 +13,7 @@ pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
+pub use judgement::excitation::left_to_tolerances;
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::reliability::{
@@ -21,7 +22,7 @@ pub use judgement::reliability::{
 pub use judgement::robust::{PoseWeight, RobustChange, RobustComparison, robust_comparison};
 pub use judgement::significance::{Variance, holm};
 pub use judgement::stability::{Stability, halves, stability};
-pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, held};
+pub use judgement::tool::{Held, ToolError, ToolFrame, ToolPoint, ToolPrediction, held};
 pub use judgement::uncertainty::UncertaintyFrom;
 pub use judgement::verification::{
     Comparison, Detectable, EXPLAINED, Explanation, GivenParameters, Moved, NAMING, POWER, SIGNIFICANCE, Test,
@@ -33,7 +34,7 @@ pub use model::frame_error::FrameError;
 use model::kinds::tied_to_world;
 pub use model::kinds::{
     Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Surface,
-    mounted_misfit_rad,
+    mounted_misfit_rad, mounted_misfits_rad,
 };
 pub use model::observation::{
     AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,
@@ -42,6 +43,7 @@ pub use model::prior::Prior;
 pub use model::residuals::{OF_MEDIAN, ResidualKind};
 pub use model::rigid_part::{Contradicted, RigidPart, TargetPair};
 pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
+pub use solution::apart::{Placement, place_apart};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
@@ -333,6 +335,54 @@ fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     let solution = solve(problem, x, Options::default());
     let regular = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == x.len());
     (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
+}
+
+/// A fit from near its solution, without uncertainties: to be compared with one of fewer parameters.
+#[derive(Clone, Debug)]
+pub struct NestedFit {
+    /// All parameters (mm, rad, 1).
+    pub values: Vec<f64>,
+    /// Sum of squares of what was measured, over the variances that are stated.
+    pub squares: f64,
+    /// Equations minus parameters that the data determine.
+    pub degrees_of_freedom: f64,
+    /// How many parameters the data determine.
+    pub determined: f64,
+    free: Vec<usize>,
+    prior: Prior,
+    weight: f64,
+}
+
+impl NestedFit {
+    /// Fits what `settings` ask for, from `start`.
+    ///
+    /// # Errors
+    /// Settings and observations that do not go together, or a solver that fails.
+    pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings, start: &[f64]) -> Result<Self> {
+        let wanted = wanted_parameters(robot, observations, settings)?;
+        let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
+        let as_found = Settings { prior: found.prior, ..settings.with_weight(found.weight) };
+        let problem = Residuals::new(robot, observations, &as_found, &found.free, &found.values)?;
+        let degrees_of_freedom = problem.degrees_of_freedom(&found.solution);
+        Ok(Self {
+            squares: problem.squares(&found.solution),
+            determined: found.free.len() as f64 - problem.undetermined(&found.solution),
+            degrees_of_freedom,
+            values: found.values,
+            free: found.free,
+            prior: found.prior,
+            weight: found.weight,
+        })
+    }
+
+    /// All parameters from part of the observations, with the same parameters held; `None` where the solver fails or they do not determine
+    /// the parameters.
+    pub fn again(&self, robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Vec<f64>> {
+        let settings = Settings { prior: self.prior, ..settings.with_weight(self.weight) };
+        let problem = Residuals::new(robot, observations, &settings, &self.free, &self.values).ok()?;
+        let x: Vec<f64> = self.free.iter().map(|&i| self.values[i]).collect();
+        solved_from(&problem, &x)
+    }
 }
 
 /// [`identify_again`] from measurements that differ from one by their errors alone, many times.

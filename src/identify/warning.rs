@@ -51,12 +51,12 @@ pub enum Origin {
     Named,
 }
 
-/// The change of a set-up with which the nominal robot explains the measurements.
+/// The change of a set-up that explains the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetUpError {
     /// The change, and others that explain the data as well: "`q7` reversed".
     pub changes: Vec<(String, Origin)>,
-    /// Root mean square error (mm) of the nominal robot with the set-up as stated; infinite if a pose is out of reach.
+    /// Root mean square error (mm) after an identification with the set-up as stated; infinite if a pose is out of reach.
     pub stated_mm: f64,
     /// Root mean square error (mm) with the change.
     pub changed_mm: f64,
@@ -73,9 +73,11 @@ impl SetUpError {
             others => format!(" (as well {})", others.join(", ")),
         };
         let stated = match self.stated_mm.is_finite() {
-            true => format!("falls from {:.3} to {:.3} mm", self.stated_mm, self.changed_mm),
-            false => format!("is {:.3} mm; without that its poses are out of reach", self.changed_mm),
+            true if self.stated_mm > 2.0 * self.changed_mm => format!(" instead of {:.3} mm", self.stated_mm),
+            true => ", and parameters that are no longer beyond their tolerances".to_owned(),
+            false => "; without that poses are out of reach".to_owned(),
         };
-        format!("{first}{others}, the root mean square error of the nominal robot {stated}: check that first")
+        let left = format!("an identification leaves {:.3} mm (root mean square){stated}", self.changed_mm);
+        format!("{first}{others}, {left}: check that first")
     }
 }

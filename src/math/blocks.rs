@@ -1,44 +1,48 @@
-//! Jacobians of which most columns belong to few rows: a target that is seen at each pose is unknown in its own rows alone.
+//! Jacobians in which most columns occur in few rows only, such as the coordinates of a target,
+//! which occur in its own rows alone.
 //!
-//! Such columns come in blocks. The rows of a block are factored with its columns first; what is left below them depends on the
-//! common columns only (Triggs et al. 2000, "Bundle adjustment - a modern synthesis", 6.1, by orthogonal factors instead of normal
-//! equations, which keeps the digits). Memory and time grow with the number of blocks, and not with its square and cube.
+//! Such columns form blocks. The rows of a block are factored with the columns of the block first;
+//! the remaining rows depend on the common columns only (Triggs et al. 2000, "Bundle adjustment - a
+//! modern synthesis", 6.1; with orthogonal factors instead of normal equations, which preserves
+//! accuracy). Memory and time grow linearly with the number of blocks.
 
 use super::Factor;
 use rayon::prelude::*;
 
-/// Columns that a block has at most: the coordinates of a point.
+/// Maximum number of columns of a block: the coordinates of a point.
 pub const OWN: usize = 3;
-/// Blocks that one thread takes: fixed, so that the result does not depend on the number of threads.
+/// Number of blocks per task; constant, so that the result does not depend on the number of
+/// threads.
 const TASK_BLOCKS: usize = 16;
 
-/// Which columns belong to blocks, and which rows to which block.
+/// Assignment of columns and rows to blocks.
 ///
-/// A row of such a Jacobian is [`OWN`] numbers of its block, zero where that has fewer columns, and then the common columns.
+/// A row of such a Jacobian has [`OWN`] numbers for its block, padded with zeros, followed by the
+/// common columns.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blocks {
-    /// Columns that any row may have.
+    /// Columns that may occur in any row.
     pub common: Vec<usize>,
     /// Columns of each block, at most [`OWN`].
     pub own: Vec<Vec<usize>>,
-    /// The block of each row.
+    /// Block of each row.
     pub of_row: Vec<Option<usize>>,
 }
 
 impl Blocks {
-    /// Numbers of a row.
+    /// Number of elements of a row.
     pub fn width(&self) -> usize {
         OWN + self.common.len()
     }
 
-    /// Block and place in the row of a column; no block for a common one.
+    /// Block and position of a column in a row; the block is `None` for common columns.
     pub fn place_of(&self, column: usize) -> Option<(Option<usize>, usize)> {
         let of = |(block, own): (usize, &Vec<usize>)| Some((Some(block), own.iter().position(|&j| j == column)?));
         let common = || Some((None, OWN + self.common.iter().position(|&j| j == column)?));
         self.own.iter().enumerate().find_map(of).or_else(common)
     }
 
-    /// One more row for each of these `columns`, of which it has no other.
+    /// Adds one row for each of `columns`, with that column as its only entry.
     pub fn with_single_rows(&self, columns: impl Iterator<Item = usize>) -> Self {
         let mut with = self.clone();
         with.of_row.extend(columns.map(|j| self.place_of(j).and_then(|place| place.0)));
@@ -46,24 +50,24 @@ impl Blocks {
     }
 }
 
-/// Rows of a Jacobian of `n` columns, one behind the other.
+/// Rows of a Jacobian with `n` columns, one after the other.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a> {
-    /// The numbers.
+    /// Elements of the rows.
     pub numbers: &'a [f64],
-    /// Columns.
+    /// Number of columns.
     pub n: usize,
-    /// How a row is kept; `None`: all columns.
+    /// Storage of the rows; `None` if all columns are stored.
     pub blocks: Option<&'a Blocks>,
 }
 
 impl<'a> Rows<'a> {
-    /// Numbers of a row.
+    /// Number of elements of a row.
     pub fn width(&self) -> usize {
         self.blocks.map_or(self.n, Blocks::width)
     }
 
-    /// The numbers of each row with their columns.
+    /// Elements of each row, with their columns.
     fn entries(&self) -> impl Iterator<Item = impl Iterator<Item = (usize, f64)> + 'a> + 'a {
         let (blocks, n) = (self.blocks, self.n);
         self.numbers.chunks_exact(self.width().max(1)).enumerate().map(move |(i, row)| {
@@ -76,7 +80,7 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// Norm of each column; 1 for a column of zeros.
+    /// Norm of each column; 1 for a zero column.
     pub fn norms(&self) -> Vec<f64> {
         let mut squares = vec![0.0; self.n];
         match self.blocks {
@@ -90,7 +94,7 @@ impl<'a> Rows<'a> {
         squares.into_iter().map(|s: f64| if s > 0.0 { s.sqrt() } else { 1.0 }).collect()
     }
 
-    /// The transposed matrix times the columns of `by`, which has as many rows.
+    /// Product of the transposed matrix and the columns of `by`, which has as many rows.
     pub fn transposed_times<const N: usize>(&self, by: &[f64]) -> Vec<[f64; N]> {
         let mut product = vec![[0.0; N]; self.n];
         let add = |p: &mut [f64; N], v: f64, by: &[f64]| p.iter_mut().zip(by).for_each(|(p, b)| *p += v * b);
@@ -106,6 +110,11 @@ impl<'a> Rows<'a> {
         product
     }
 
+    /// Product of the matrix and `x`, one number per row.
+    pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
+        self.entries().map(|row| row.map(|(j, v)| v * x[j]).sum()).collect()
+    }
+
     /// All columns of all rows.
     pub fn dense(&self) -> Vec<f64> {
         if self.blocks.is_none() {
@@ -118,7 +127,7 @@ impl<'a> Rows<'a> {
         dense
     }
 
-    /// The factor of these rows, their columns divided by `scale`, beside the right-hand side `b`.
+    /// Factors the rows, with columns divided by `scale`, together with the right-hand side `b`.
     pub fn factor(&self, b: &[f64], scale: &[f64]) -> Factor {
         let Some(blocks) = self.blocks else { return Factor::new(self.numbers, b, scale) };
         let mut rows: Vec<Vec<usize>> = vec![Vec::new(); blocks.own.len() + 1];
@@ -137,7 +146,8 @@ impl<'a> Rows<'a> {
         common.under(heads.concat(), blocks.common.clone())
     }
 
-    /// The rows of a block with the columns `own`, and what they leave to the common columns.
+    /// Factors the rows of a block with the columns `own`, and returns the remaining rows of the
+    /// common columns.
     fn eliminate(&self, own: &[usize], rows: &[usize], b: &[f64], scale: &[f64]) -> (Head, Factor) {
         let common = self.blocks.map_or(&[][..], |blocks| &blocks.common);
         let width = self.width();
@@ -153,19 +163,21 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The rows of a triangular factor at the columns of one block.
+/// Rows of a triangular factor for the columns of one block.
 #[derive(Clone, Debug)]
 pub(super) struct Head {
-    /// The columns.
+    /// Columns of the block.
     pub columns: Vec<usize>,
-    /// As many rows: of these columns, upper triangular, and then the common ones.
+    /// One row per column: elements of the block's columns (upper triangular), followed by the
+    /// common columns.
     pub rows: Vec<Vec<f64>>,
-    /// The same of Qᵀb.
+    /// Elements of Qᵀb for these rows.
     pub qtb: Vec<f64>,
 }
 
 impl Head {
-    /// Solves for the columns of the block where the common ones are `common`, beside the right-hand side `b`.
+    /// Back substitution for the columns of the block, given the solution `common` of the common
+    /// columns and the right-hand side `b`.
     pub fn back(&self, b: &[f64], common: &[f64]) -> Option<Vec<f64>> {
         let w = self.columns.len();
         let mut x = vec![0.0; w];
@@ -180,7 +192,8 @@ impl Head {
         Some(x)
     }
 
-    /// Solves with the transposed triangle, and takes what the block has of the common columns from `rest`.
+    /// Forward substitution with the transposed triangle; subtracts the contribution of the block
+    /// to the common columns from `rest`.
     pub fn forward(&self, b: impl Fn(usize) -> f64, rest: &mut [f64]) -> Option<Vec<f64>> {
         let w = self.columns.len();
         let mut x = vec![0.0; w];
@@ -196,11 +209,11 @@ impl Head {
     }
 }
 
-/// Covariance of all columns, row by row, from that of the common ones, where rows of blocks have this `variance`; `None` where a block is
-/// singular.
+/// Covariance of all columns, row by row, from the covariance of the common columns; the rows of
+/// blocks have the given `variance`. `None` if a block is singular.
 pub(super) fn with_heads(heads: &[Head], common: &[usize], of_common: &[f64], variance: f64) -> Option<Vec<f64>> {
     let p = common.len();
-    // each column: how it follows the common ones, and that times their inverse
+    // for each column: its dependence on the common columns, and the product with their inverse
     let mut follows: Vec<(usize, Vec<f64>, Vec<f64>)> = Vec::new();
     for head in heads {
         let w = head.columns.len();
@@ -250,7 +263,8 @@ pub(super) fn with_heads(heads: &[Head], common: &[usize], of_common: &[f64], va
 mod tests {
     use super::*;
 
-    /// Blocks of 3, 1 and 2 columns between common ones, rows in any order, one block without enough rows.
+    /// Blocks of 3, 1 and 2 columns between common columns, with rows in arbitrary order and one
+    /// block with too few rows.
     fn example() -> (Vec<f64>, Vec<f64>, Blocks) {
         let own = vec![vec![1, 2, 3], vec![6], vec![7, 5]];
         let mut blocks = Blocks { common: vec![0, 4, 8], own, of_row: Vec::new() };

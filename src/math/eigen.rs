@@ -1,8 +1,9 @@
-//! Eigenvectors of small symmetric matrices by cyclic Jacobi rotations (Golub & Van Loan, 4th ed., 8.5).
+//! Eigenvectors of small symmetric matrices by cyclic Jacobi rotations (Golub & Van Loan, 4th ed.,
+//! 8.5).
 
 use etalon_base::pose::{cross, dot};
 
-/// Eigenvalues in ascending order and, at the same index, their unit eigenvectors.
+/// Eigenvalues in ascending order with their unit eigenvectors, at equal indices.
 pub fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut v = [[0.0; N]; N];
     for (i, row) in v.iter_mut().enumerate() {
@@ -16,7 +17,7 @@ pub fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64
                     continue;
                 }
                 rotated = true;
-                // rows of v are the eigenvectors: rotating them is rotating rows p and q
+                // rows of v are the eigenvectors, so that rows p and q are rotated
                 let (sin, cos) = symmetric_schur(a[p][p], a[p][q], a[q][q]);
                 rotate_rows(&mut v, p, q, sin, cos);
                 rotate_rows(&mut a, p, q, sin, cos);
@@ -37,14 +38,15 @@ pub fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64
     (order.map(|i| a[i][i]), order.map(|i| v[i]))
 }
 
-/// Eigenvector of the smallest eigenvalue of a positive semidefinite matrix of three rows, in less time than
-/// [`symmetric_eigen`], to which it turns where two eigenvalues lie too close together for a product of rows.
+/// Eigenvector of the smallest eigenvalue of a positive semidefinite 3 × 3 matrix. Faster than
+/// [`symmetric_eigen`], which is the fallback if two eigenvalues are too close for a cross product
+/// of rows.
 pub fn smallest_eigenvector(a: [[f64; 3]; 3]) -> [f64; 3] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = a;
     let trace = xx + yy + zz;
     let minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
     let determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-    // Newton's steps from below all roots rise to the smallest and do not pass it
+    // Newton's iteration from below all roots increases monotonically to the smallest
     let mut value = 0.0;
     for _ in 0..20 {
         let at = ((value - trace) * value + minors) * value - determinant;
@@ -55,7 +57,7 @@ pub fn smallest_eigenvector(a: [[f64; 3]; 3]) -> [f64; 3] {
         }
         value -= step;
     }
-    // what is square to all rows is square to the two that are the most apart
+    // the eigenvector is perpendicular to all rows, hence parallel to the largest cross product
     let rows = [[xx - value, xy, xz], [xy, yy - value, yz], [xz, yz, zz - value]];
     let products = [cross(rows[0], rows[1]), cross(rows[1], rows[2]), cross(rows[2], rows[0])];
     let squares = products.map(|p| dot(p, p));
@@ -65,10 +67,10 @@ pub fn smallest_eigenvector(a: [[f64; 3]; 3]) -> [f64; 3] {
     if length > 1e-5 * trace * trace { products[largest].map(|x| x / length) } else { symmetric_eigen(a).1[0] }
 }
 
-/// Sine and cosine that make the off-diagonal element zero (Golub & Van Loan, algorithm 8.5.1).
+/// Sine and cosine that eliminate the off-diagonal element (Golub & Van Loan, algorithm 8.5.1).
 pub(super) fn symmetric_schur(app: f64, apq: f64, aqq: f64) -> (f64, f64) {
     let tau = (aqq - app) / (2.0 * apq);
-    // a square that overflows leaves an angle of zero, which is right; hypot would be slow
+    // an overflowing square correctly gives an angle of zero; `hypot` would be slow
     let t = tau.signum() / (tau.abs() + (1.0 + tau * tau).sqrt());
     let cos = 1.0 / (1.0 + t * t).sqrt();
     (t * cos, cos)
@@ -87,7 +89,7 @@ mod tests {
 
     #[test]
     fn eigenvectors_of_a_known_matrix() {
-        // eigenvalues 1, 3 of [[2,1],[1,2]], and 5 alone
+        // eigenvalues 1 and 3 of [[2, 1], [1, 2]], and a separate 5
         let (values, vectors) = symmetric_eigen([[2.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.0, 0.0, 5.0]]);
         for (value, expected) in values.iter().zip([1.0, 3.0, 5.0]) {
             assert!((value - expected).abs() < 1e-15);
@@ -111,7 +113,7 @@ mod tests {
                 assert!(dot(found, expected).abs() > 1.0 - 1e-14, "{a:?}: {found:?}, {expected:?}");
             }
         }
-        // two that are equal, and nothing at all
+        // two equal eigenvalues, and a zero matrix
         for a in [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 5.0]], [[0.0; 3]; 3]] {
             assert_eq!(smallest_eigenvector(a), symmetric_eigen(a).1[0]);
         }

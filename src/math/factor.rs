@@ -1,38 +1,41 @@
-//! The triangular factor of a tall matrix by Householder reflections, block of rows by block of rows.
+//! Triangular factor of a tall matrix by Householder reflections, in blocks of rows.
 //!
-//! Each block fits in the cache and is factored on its own (in parallel); the factors are stacked in the order of
-//! the blocks, so the result has the same bytes for any number of threads (tall-skinny QR: Demmel et al. 2012).
+//! Each block fits in the cache and is factored separately (in parallel). The factors are stacked
+//! in the order of the blocks, so the result is bit-identical for any number of threads
+//! (tall-skinny QR: Demmel et al. 2012).
 
 use super::blocks::{Head, OWN, Rows, with_heads};
 use pulp::Arch;
 use rayon::prelude::*;
 
-/// Rows that one thread takes: fixed, so that the result does not depend on the number of threads.
+/// Number of rows per task; constant, so that the result does not depend on the number of threads.
 const TASK_ROWS: usize = 1536;
-/// Rows reduced at a time: with 50 columns they stay in the fastest cache.
+/// Number of rows reduced at a time; with 50 columns they fit in the first-level cache.
 const BLOCK_ROWS: usize = 96;
 
-/// R and Qᵀb of a least-squares problem min ‖A x − b‖, with the sum of squares that no x removes.
+/// R and Qᵀb of a least-squares problem min ‖A x − b‖, with the residual sum of squares.
 ///
-/// Where A has columns in blocks, those come first, block by block, and R has the common ones behind.
+/// If columns of A form blocks, these columns come first, block by block, followed by the common
+/// columns.
 #[derive(Clone, Debug)]
 pub struct Factor {
-    /// Number of common columns of A: all, where it has no blocks.
+    /// Number of common columns of A; all columns if there are no blocks.
     n: usize,
-    /// Upper triangular R of these, column by column: n × n.
+    /// Upper triangular R of the common columns, column by column: n × n.
     r: Vec<f64>,
-    /// As many elements of Qᵀb as A has columns.
+    /// Elements of Qᵀb, one per column of A.
     pub qtb: Vec<f64>,
-    /// Sum of squares of the rest of Qᵀb.
+    /// Residual sum of squares: sum of squares of the remaining elements of Qᵀb.
     pub rest: f64,
-    /// The rows of the blocks, above R.
+    /// Rows of the blocks, above R.
     heads: Vec<Head>,
-    /// The common columns of A; empty where it has no blocks.
+    /// Common columns of A; empty if there are no blocks.
     common: Vec<usize>,
 }
 
 impl Factor {
-    /// Factors `a` (m × n, row by row) with its columns divided by `scale`, beside the right-hand side `b` (m).
+    /// Factors `a` (m × n, row by row) with columns divided by `scale`, together with the
+    /// right-hand side `b` (m).
     pub fn new(a: &[f64], b: &[f64], scale: &[f64]) -> Self {
         let n = scale.len();
         let inverse: Vec<f64> = scale.iter().map(|s| 1.0 / s).collect();
@@ -61,20 +64,21 @@ impl Factor {
         tasks.into_iter().reduce(Self::stack).unwrap_or_else(|| Self::zero(n))
     }
 
-    /// Whether every number of it is one.
+    /// `true` if all elements are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let heads = self.heads.iter().flat_map(|head| head.rows.iter().flatten().chain(&head.qtb));
         self.qtb.iter().chain(&self.r).chain(heads).all(|x| x.is_finite())
     }
 
-    /// The factor of no rows.
+    /// Factor of a matrix without rows.
     fn zero(n: usize) -> Self {
         Self { n, r: vec![0.0; n * n], qtb: vec![0.0; n], rest: 0.0, heads: Vec::new(), common: Vec::new() }
     }
 
-    /// The factor of the same problem from its normal equations by Cholesky: `normal` is AᵀA (n × n, row by row), with
-    /// its columns divided by `scale`, `right` is Aᵀb and `squares` bᵀb. Half the digits are lost that the condition of A takes, so
-    /// `None` where a pivot of the scaled matrix falls below `least_pivot`.
+    /// Factor from normal equations by Cholesky decomposition. `normal` is AᵀA (n × n, row by row),
+    /// whose columns are divided by `scale`; `right` is Aᵀb and `squares` is bᵀb. The condition
+    /// number is squared, so the result is `None` if a pivot of the scaled matrix is below
+    /// `least_pivot`.
     pub fn from_normal(normal: &[f64], right: &[f64], squares: f64, scale: &[f64], least_pivot: f64) -> Option<Self> {
         let n = scale.len();
         let mut r = vec![0.0; n * n];
@@ -97,7 +101,7 @@ impl Factor {
         Some(factor)
     }
 
-    /// The factor of the rows behind `self` and of those behind `other`.
+    /// Factor of the combined rows of `self` and `other`.
     pub fn stack(mut self, mut other: Self) -> Self {
         let n = self.n;
         other.r.extend_from_slice(&other.qtb);
@@ -106,7 +110,7 @@ impl Factor {
         self
     }
 
-    /// Takes up `m` more rows, given column by column with the right-hand side last.
+    /// Adds `m` rows, stored column by column with the right-hand side last.
     fn absorb(&mut self, columns: &mut [f64], m: usize) {
         Arch::new().dispatch(
             #[inline(always)]
@@ -114,7 +118,7 @@ impl Factor {
         );
     }
 
-    /// Householder reflections of [R; rows], in which the part above the rows is one element a column.
+    /// Householder reflections of [R; rows], where each column has a single element above the rows.
     #[inline(always)]
     fn reflect(&mut self, columns: &mut [f64], m: usize) {
         let n = self.n;
@@ -123,7 +127,7 @@ impl Factor {
             let v = &head[k * m..];
             let top = self.r[k * n + k];
             let below = inner(v, v);
-            // a square that is not a normal number has no inverse
+            // a subnormal square has no finite inverse
             if below < f64::MIN_POSITIVE {
                 continue;
             }
@@ -143,7 +147,7 @@ impl Factor {
         self.rest += inner(b, b);
     }
 
-    /// The first rows as those of a block of the columns `own`, and the rest of the factor.
+    /// Splits off the first rows as those of a block with the columns `own`.
     pub(super) fn split(self, own: &[usize]) -> (Head, Self) {
         let (w, n) = (own.len(), self.n);
         let row = |i: usize| (0..n).map(|j| if i <= j { self.r(i, j) } else { 0.0 }).collect();
@@ -157,24 +161,24 @@ impl Factor {
         (head, rest)
     }
 
-    /// This factor of the `common` columns below the rows of blocks.
+    /// Places this factor of the `common` columns below the rows of blocks.
     pub(super) fn under(mut self, heads: Vec<Head>, common: Vec<usize>) -> Self {
         let own = heads.iter().flat_map(|h| &h.qtb).copied();
         self.qtb = own.chain(self.qtb).collect();
         Self { heads, common, ..self }
     }
 
-    /// The columns of A that R has here: all, where it has no blocks.
+    /// Columns of A that R covers; all columns if there are no blocks.
     pub fn common(&self) -> Vec<usize> {
         if self.heads.is_empty() { (0..self.n).collect() } else { self.common.clone() }
     }
 
-    /// The columns of blocks.
+    /// Columns of blocks.
     pub fn own(&self) -> Vec<usize> {
         self.heads.iter().flat_map(|head| head.columns.iter().copied()).collect()
     }
 
-    /// Columns of A.
+    /// Number of columns of A.
     pub fn columns(&self) -> usize {
         self.qtb.len()
     }
@@ -184,7 +188,7 @@ impl Factor {
         self.r[j * self.n + i]
     }
 
-    /// Of each block its columns, and the factor of these.
+    /// Columns of each block with their triangular factor.
     pub fn blocks(&self) -> impl Iterator<Item = (&[usize], Vec<Vec<f64>>)> {
         self.heads.iter().map(|head| {
             let w = head.columns.len();
@@ -192,8 +196,8 @@ impl Factor {
         })
     }
 
-    /// How the columns of blocks follow the common ones by `common`, so that the rows of the blocks stay zero; `None` where a block is
-    /// singular.
+    /// Columns of blocks as functions of the common columns such that the rows of the blocks remain
+    /// zero; `None` if a block is singular.
     pub fn follow(&self, common: &[f64]) -> Option<Vec<(usize, f64)>> {
         let mut own = Vec::new();
         for head in &self.heads {
@@ -217,7 +221,8 @@ impl Factor {
         squares.into_iter().map(f64::sqrt).collect()
     }
 
-    /// The factor of the same rows without right-hand side, of the columns `kept` alone, in this order of the common ones.
+    /// Factor of the same rows with the columns `kept` only, without right-hand side; common
+    /// columns are in the order of `kept`.
     pub fn keeping(&self, kept: &[usize]) -> Self {
         let at = |column: &usize| kept.iter().position(|j| j == column);
         let number: Vec<Option<usize>> = (0..self.columns()).map(|j| at(&j)).collect();
@@ -249,12 +254,12 @@ impl Factor {
         }
     }
 
-    /// Solves R x = Qᵀb; `None` where R is singular.
+    /// Solves R x = Qᵀb; `None` if R is singular.
     pub fn solve(&self) -> Option<Vec<f64>> {
         self.back_substitute(self.qtb.clone())
     }
 
-    /// Solves R x = b in place of `b`; `None` where R is singular.
+    /// Solves R x = b in place of `b`; `None` if R is singular.
     pub fn back_substitute(&self, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let mut own = b;
         b = own.split_off(self.columns() - self.n);
@@ -283,7 +288,7 @@ impl Factor {
         Some(x)
     }
 
-    /// Solves Rᵀ x = b in place of `b`; `None` where R is singular.
+    /// Solves Rᵀ x = b in place of `b`; `None` if R is singular.
     pub fn forward_substitute(&self, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let mut x = Vec::new();
         if !self.heads.is_empty() {
@@ -304,7 +309,7 @@ impl Factor {
         Some(x)
     }
 
-    /// R x.
+    /// Product R x.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let common = self.common();
         let of_row = |(columns, row): (&[usize], &Vec<f64>)| -> f64 {
@@ -315,7 +320,7 @@ impl Factor {
         own.map(of_row).chain((0..self.n).map(below)).collect()
     }
 
-    /// Rᵀ x.
+    /// Product Rᵀ x.
     pub fn multiply_transposed(&self, x: &[f64]) -> Vec<f64> {
         let common = self.common();
         let (own, below) = x.split_at(self.columns() - self.n);
@@ -330,8 +335,8 @@ impl Factor {
         product
     }
 
-    /// The descent step −(RᵀR)⁻¹ Jᵀr for another Jacobian (columns divided by `scale` as this factor's were) and its
-    /// residuals, in unscaled parameters; `None` where R is singular.
+    /// Descent step −(RᵀR)⁻¹ Jᵀr in unscaled parameters for another Jacobian and its residuals; its
+    /// columns are divided by `scale` as for this factor. `None` if R is singular.
     pub fn solve_normal(&self, jacobian: Rows, residuals: &[f64], scale: &[f64]) -> Option<Vec<f64>> {
         let g = jacobian.transposed_times::<1>(residuals);
         let g = self.forward_substitute(g.iter().zip(scale).map(|([g], d)| -g / d).collect())?;
@@ -340,7 +345,7 @@ impl Factor {
         Some(step)
     }
 
-    /// The factor of the same problem with `damping` · I below it: the Levenberg-Marquardt step.
+    /// Factor with `damping` · I appended: the Levenberg-Marquardt step.
     pub fn damped(&self, damping: f64) -> Self {
         let n = self.n;
         let mut r = vec![0.0; n * n];
@@ -368,12 +373,13 @@ impl Factor {
         common.under(heads, self.common.clone())
     }
 
-    /// (RᵀR)⁻¹ row by row, of all columns; `None` where R is singular.
+    /// (RᵀR)⁻¹ of all columns, row by row; `None` if R is singular.
     pub fn inverse_normal(&self) -> Option<Vec<f64>> {
         self.covariance_with(self.common_inverse()?, 1.0)
     }
 
-    /// Covariance of all columns, row by row, where that of the common ones is `of_common` and the rows of blocks have this `variance`.
+    /// Covariance of all columns, row by row, where `of_common` is the covariance of the common
+    /// columns and the rows of blocks have the given `variance`.
     pub fn covariance_with(&self, of_common: Vec<f64>, variance: f64) -> Option<Vec<f64>> {
         if self.heads.is_empty() {
             Some(of_common)
@@ -382,11 +388,11 @@ impl Factor {
         }
     }
 
-    /// (RᵀR)⁻¹ of the common columns, row by row; `None` where their R is singular.
+    /// (RᵀR)⁻¹ of the common columns, row by row; `None` if their R is singular.
     pub fn common_inverse(&self) -> Option<Vec<f64>> {
         let n = self.n;
         let dense = Self { qtb: vec![0.0; n], heads: Vec::new(), common: Vec::new(), ..self.clone() };
-        let mut inverse = vec![0.0; n * n]; // column by column: R⁻¹
+        let mut inverse = vec![0.0; n * n]; // R⁻¹, column by column
         for j in 0..n {
             let mut e = vec![0.0; n];
             e[j] = 1.0;
@@ -404,7 +410,7 @@ impl Factor {
     }
 }
 
-/// Scalar product in eight running sums: a fixed order that vectorises.
+/// Dot product in eight partial sums: a fixed order that vectorises.
 #[inline(always)]
 fn inner(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
@@ -425,7 +431,7 @@ fn inner(a: &[f64], b: &[f64]) -> f64 {
     sum + tail
 }
 
-/// Adds a multiple of `v`.
+/// Adds a multiple of `v` to `to`.
 #[inline(always)]
 fn add(to: &mut [f64], factor: f64, v: &[f64]) {
     for k in 0..to.len().min(v.len()) {
@@ -439,7 +445,7 @@ mod tests {
 
     #[test]
     fn blocks_give_the_least_squares_solution() {
-        // exact solution (1, -2, 3) with a residual orthogonal to the columns, over several blocks
+        // exact solution (1, −2, 3) with a residual orthogonal to the columns, over several blocks
         let m = 3 * TASK_ROWS + BLOCK_ROWS + 17;
         let (mut a, mut b) = (Vec::new(), Vec::new());
         for i in 0..m {

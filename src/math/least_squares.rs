@@ -1,40 +1,42 @@
-//! The way from a start to the minimum: steps in a trust region, then an undamped finish.
+//! Solver from a start to the minimum: damped steps in a trust region, followed by undamped steps.
 //!
-//! Far from the minimum: Levenberg-Marquardt in Moré's trust region (1978, as in MINPACK) on scaled columns; a step is
-//! accepted by the true cost. Near it the cost is too flat to judge a step: undamped Gauss-Newton stops on the step alone.
+//! Far from the minimum: Levenberg-Marquardt in Moré's trust region (1978, as in MINPACK) on scaled
+//! columns, where steps are accepted by the true cost. Near the minimum the cost is too flat to
+//! judge a step: undamped Gauss-Newton terminates by the length of the step alone.
 
 use super::{Blocks, Factor, Loss, Options, Problem, Rows, Termination, TrustRegion, norm};
 
-/// Where the solver ended, and how.
+/// Result of the solver.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// The parameters.
+    /// Parameters.
     pub x: Vec<f64>,
     /// Residuals at `x`.
     pub residuals: Vec<f64>,
-    /// Sum of squares of the residuals, or of their losses: what was minimised. A chi-square where residuals were divided
-    /// by their standard uncertainties.
+    /// Minimised cost: sum of squares of the residuals, or of their losses. If residuals are
+    /// divided by their standard uncertainties, it is a chi-square.
     pub cost: f64,
-    /// Factor of the Jacobian at `x`, its columns divided by `scale`; `None` if none could be formed, and with a loss, where
-    /// it would not be that of the residuals.
+    /// Factor of the Jacobian at `x`, with columns divided by `scale`; `None` if it could not be
+    /// computed, and with a loss, where it would not belong to the residuals.
     pub factor: Option<Factor>,
     /// Norms of the columns of the Jacobian.
     pub scale: Vec<f64>,
-    /// Steps taken.
+    /// Number of steps.
     pub iterations: usize,
-    /// Why it stopped.
+    /// Reason of the termination.
     pub termination: Termination,
 }
 
 impl Solution {
-    /// (JᵀJ)⁻¹, n × n row by row: the covariance where residuals were divided by their standard uncertainties. `None`
-    /// where the rank is not full.
+    /// (JᵀJ)⁻¹, n × n row by row: the covariance if residuals are divided by their standard
+    /// uncertainties. `None` if J is rank-deficient.
     pub fn covariance(&self) -> Option<Vec<f64>> {
         covariance(self.factor.as_ref()?, &self.scale)
     }
 }
 
-/// (JᵀJ)⁻¹, row by row, from the factor of J with its columns divided by `scale`; `None` where the rank is not full.
+/// (JᵀJ)⁻¹, row by row, from the factor of J with columns divided by `scale`; `None` if J is
+/// rank-deficient.
 pub fn covariance(factor: &Factor, scale: &[f64]) -> Option<Vec<f64>> {
     let n = factor.columns();
     let local = factor.inverse_normal()?;
@@ -47,7 +49,8 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     let mut run = Run::new(problem, start, options);
     let mut termination = Termination::TooFewEquations;
     if run.residuals.len() >= n {
-        // undamped steps take over early where the linear model is good; where they do not shrink, damped ones go on
+        // undamped steps start early if the linear model is good; if they do not shrink, damped
+        // steps continue
         for near in [1e-3, 1e-8] {
             termination = damped(&mut run, near);
             if !termination.is_success() || n == 0 || termination == Termination::ResidualsZero {
@@ -70,9 +73,10 @@ pub fn solve(problem: &impl Problem, start: &[f64], options: Options) -> Solutio
     }
 }
 
-/// The solution of a problem that differs little from one whose Jacobian at `start` has this factor, with its columns divided by these
-/// scales: undamped steps by the gradient at hand and that factor, until one is less than `near` of the first. `None` where they do not
-/// shrink tenfold.
+/// Solution of a problem that differs little from a problem with this factor of the Jacobian at
+/// `start`, whose columns are divided by `scale`. Takes undamped steps by the current gradient and
+/// that factor, until a step is below `near` times the first. `None` if steps do not shrink
+/// tenfold.
 pub fn solve_near(
     problem: &impl Problem,
     start: &[f64],
@@ -101,14 +105,16 @@ pub fn solve_near(
     }
 }
 
-/// Steps in a trust region until one is shorter than 1e-8, or shorter than `near`, undamped, and as good as predicted.
+/// Steps in a trust region until a step is shorter than 1e-8, or shorter than `near`, undamped, and
+/// as good as predicted.
 fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
     let mut trial_residuals = vec![0.0; run.residuals.len()];
     let mut largest = vec![0.0; run.x.len()];
     let (mut region, mut fresh): (Option<TrustRegion>, bool) = (None, false);
     while run.iterations < run.options.iterations {
         if !fresh {
-            // scales only grow (Moré, eq. 6.1), so that the region does not open where a column fades
+            // scales only grow (Moré, eq. 6.1), so that the region does not expand when a column
+            // vanishes
             run.differentiate();
             if let Err(stopped) = run.factorise(Some(&mut largest)) {
                 return stopped;
@@ -126,7 +132,13 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
         let Some(step) = region.step(factor) else { return Termination::RankDeficient };
         let unscaled: Vec<f64> = step.p.iter().zip(&run.scale).map(|(p, d)| p / d).collect();
         let size = run.relative(&unscaled);
-        let trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
+        let mut trial: Vec<f64> = run.x.iter().zip(&unscaled).map(|(x, s)| x - s).collect();
+        if step.is_damped
+            && run.iterations >= CURVED
+            && let Some(bend) = bend(run, &step.factor(factor), &unscaled)
+        {
+            trial.iter_mut().zip(bend).for_each(|(x, bend)| *x += bend);
+        }
         run.problem.residuals(&trial, &mut trial_residuals);
         let trial_cost = run.cost_of(&trial_residuals);
         let ratio = region.judge(&step, run.cost, trial_cost);
@@ -143,10 +155,36 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
     Termination::LostPatience
 }
 
-/// Goes on while every step is shorter than the one before.
+/// Number of damped steps after which the path counts as curved.
+const CURVED: usize = 20;
+/// Share of a step at which the second derivative along the step is evaluated.
+const AHEAD: f64 = 0.1;
+/// Largest ratio of correction to step; beyond it the second order adds no information.
+const MOST_BEND: f64 = 0.75;
+
+/// Correction of a step in a curved valley: half the geodesic acceleration along the step
+/// (Transtrum & Sethna 2012, arXiv:1201.5885, eq. 10 and 15). `step` is to be subtracted, `factor`
+/// belongs to the damped problem. `None` if the second order is no improvement.
+fn bend<P: Problem>(run: &Run<'_, P>, factor: &Factor, step: &[f64]) -> Option<Vec<f64>> {
+    if run.options.loss != Loss::Squares {
+        return None;
+    }
+    let ahead: Vec<f64> = run.x.iter().zip(step).map(|(x, s)| x - AHEAD * s).collect();
+    let mut second = vec![0.0; run.residuals.len()];
+    run.problem.residuals(&ahead, &mut second);
+    let along = run.rows().multiply(step);
+    for ((second, now), along) in second.iter_mut().zip(&run.residuals).zip(along) {
+        *second = 2.0 / AHEAD * ((*second - now) / AHEAD + along);
+    }
+    let acceleration = factor.solve_normal(run.rows(), &second, &run.scale)?;
+    let bends = 2.0 * run.scaled_length(&acceleration) <= MOST_BEND * run.scaled_length(step);
+    bends.then(|| acceleration.iter().map(|a| 0.5 * a).collect())
+}
+
+/// Continues with undamped steps while each step is shorter than the previous step.
 ///
-/// The gradient is always that of the Jacobian at hand; its factor is taken over from an earlier point as long as steps
-/// shrink tenfold with it.
+/// The gradient always belongs to the current Jacobian; its factor is reused from an earlier point
+/// while steps shrink tenfold.
 fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
     let mut last = f64::INFINITY;
     let mut residuals = vec![0.0; run.residuals.len()];
@@ -187,27 +225,27 @@ fn finish<P: Problem>(run: &mut Run<'_, P>) -> Termination {
             break;
         }
     }
-    // the Jacobian at hand is that of the solution, or of a point closer to it than rounding
+    // the current Jacobian is at the solution, or at a point within rounding of it
     run.factorise(None).err().unwrap_or(termination)
 }
 
-/// The step that solves the factor at hand, in unscaled parameters; the sign makes it a descent.
+/// Undamped step from the current factor in unscaled parameters, with the sign of a descent.
 fn fresh_step<P>(run: &Run<'_, P>) -> Option<Vec<f64>> {
     let step = run.factor.as_ref()?.solve()?;
     Some(step.iter().zip(&run.scale).map(|(s, d)| -s / d).collect())
 }
 
-/// Norm of each of the `n` columns of a row-by-row matrix; 1 for a column of zeros.
+/// Norms of the `n` columns of a row-by-row matrix; 1 for a zero column.
 pub fn column_norms(jacobian: &[f64], n: usize) -> Vec<f64> {
     Rows { numbers: jacobian, n, blocks: None }.norms()
 }
 
-/// The factor of the Jacobian of `problem` at `x`, with its columns divided by their norms, and these.
+/// Factor of the Jacobian of `problem` at `x` with columns divided by their norms, and the norms.
 pub fn factor_at(problem: &impl Problem, x: &[f64]) -> (Factor, Vec<f64>) {
     linearised_at(problem, x, &vec![0.0; problem.residual_count()])
 }
 
-/// The same beside a right-hand side, one number a residual.
+/// Like [`factor_at`], with a right-hand side of one number per residual.
 pub fn linearised_at(problem: &impl Problem, x: &[f64], right: &[f64]) -> (Factor, Vec<f64>) {
     let width = problem.blocks().map_or(x.len(), Blocks::width);
     let mut jacobian = vec![0.0; problem.residual_count() * width];
@@ -217,16 +255,16 @@ pub fn linearised_at(problem: &impl Problem, x: &[f64], right: &[f64]) -> (Facto
     (rows.factor(right, &norms), norms)
 }
 
-/// The point at hand while the solver runs, with all that was computed there.
+/// State of the solver: the current point, and everything computed there.
 struct Run<'a, P> {
     problem: &'a P,
     options: Options,
     x: Vec<f64>,
     residuals: Vec<f64>,
     cost: f64,
-    /// Jacobian at `x`, its rows weighed by the loss.
+    /// Jacobian at `x`, with rows weighted by the loss.
     jacobian: Vec<f64>,
-    /// Residuals at `x`, weighed by the loss; empty where there is none.
+    /// Residuals at `x`, weighted by the loss; empty without a loss.
     weighed: Vec<f64>,
     /// Factor of the Jacobian at `x` or, near the end, at an earlier point.
     factor: Option<Factor>,
@@ -259,7 +297,7 @@ impl<'a, P: Problem> Run<'a, P> {
         self.options.loss.sum(residuals, self.problem.prior_count())
     }
 
-    /// Goes to `x`, where the residuals are in `residuals`; these take the old ones.
+    /// Moves to `x`, where the residuals are `residuals`; swaps in the old residuals.
     fn go_to(&mut self, x: Vec<f64>, residuals: &mut Vec<f64>, cost: f64) {
         self.x = x;
         std::mem::swap(&mut self.residuals, residuals);
@@ -267,7 +305,7 @@ impl<'a, P: Problem> Run<'a, P> {
         self.iterations += 1;
     }
 
-    /// The Jacobian at `x`.
+    /// Computes the Jacobian at `x`.
     fn differentiate(&mut self) {
         self.problem.jacobian(&self.x, &mut self.jacobian);
         let loss = self.options.loss;
@@ -278,18 +316,18 @@ impl<'a, P: Problem> Run<'a, P> {
         }
     }
 
-    /// The Jacobian at hand.
+    /// Rows of the current Jacobian.
     fn rows(&self) -> Rows<'_> {
         Rows { numbers: &self.jacobian, n: self.x.len(), blocks: self.problem.blocks() }
     }
 
-    /// Right-hand side that goes with `jacobian`.
+    /// Right-hand side for the rows of `jacobian`.
     fn target(&self) -> &[f64] {
         if self.options.loss == Loss::Squares { &self.residuals } else { &self.weighed }
     }
 
-    /// Factors the Jacobian at hand, with columns divided by their norms or, if `largest` is given, by the largest
-    /// norms so far; an error if a number in it is not finite.
+    /// Factors the current Jacobian with columns divided by their norms or, if `largest` is given,
+    /// by the largest norms so far; an error if an element is non-finite.
     fn factorise(&mut self, largest: Option<&mut Vec<f64>>) -> Result<(), Termination> {
         self.scale = self.rows().norms();
         if self.scale.iter().any(|s| !s.is_finite()) || !self.cost.is_finite() {
@@ -320,7 +358,8 @@ impl<'a, P: Problem> Run<'a, P> {
 mod tests {
     use super::*;
 
-    /// Rosenbrock's valley: the first full step from (-1.2, 1) raises the cost and must be rejected.
+    /// Rosenbrock's valley: the first full step from (-1.2, 1) raises the cost and must be
+    /// rejected.
     struct Rosenbrock;
 
     impl Problem for Rosenbrock {
@@ -336,7 +375,7 @@ mod tests {
         }
     }
 
-    /// y = exp(b x) fitted to data it cannot meet: a nonzero residual at the minimum.
+    /// Fit of y = exp(b x) to data that it cannot match: non-zero residuals at the minimum.
     struct Exponential;
 
     impl Problem for Exponential {
@@ -356,6 +395,30 @@ mod tests {
                 j.copy_from_slice(&[e, x[0] * t * e]);
             }
         }
+    }
+
+    /// A narrow circular valley with a gentle slope, as for the unknown base of an arm that was
+    /// measured along a line.
+    struct Ring;
+
+    impl Problem for Ring {
+        fn residual_count(&self) -> usize {
+            3
+        }
+        fn residuals(&self, x: &[f64], r: &mut [f64]) {
+            r.copy_from_slice(&[1e3 * (x[0].hypot(x[1]) - 1.0), 1e-2 * (x[0] - 1.0), 1e-2 * x[1]]);
+        }
+        fn jacobian(&self, x: &[f64], j: &mut [f64]) {
+            let radius = x[0].hypot(x[1]);
+            j.copy_from_slice(&[1e3 * x[0] / radius, 1e3 * x[1] / radius, 1e-2, 0.0, 0.0, 1e-2]);
+        }
+    }
+
+    #[test]
+    fn a_curved_valley_is_followed() {
+        let solution = solve(&Ring, &[-0.8, 0.6], Options { iterations: 300, ..Options::default() });
+        assert!(solution.termination.is_success(), "{}", solution.termination);
+        assert!((solution.x[0] - 1.0).abs() < 1e-9 && solution.x[1].abs() < 1e-6, "{:?}", solution.x);
     }
 
     #[test]

@@ -1,10 +1,12 @@
-//! Nonlinear least squares: a [`Problem`] gives residuals and their exact Jacobian, [`solve`] finds the parameters,
-//! and the answer states in words how it ended ([`Termination`]), with its covariance.
+//! Nonlinear least squares: a [`Problem`] provides residuals and their exact Jacobian, and
+//! [`solve`] finds the parameters. The result includes the reason of the termination
+//! ([`Termination`]) and the covariance.
 //!
-//! Every step is solved on a triangular factor with scaled columns, from an orthogonal factorisation; the fits of
-//! elements, which are well conditioned, take it from normal equations where that loses nothing. ParameterPrior knowledge adds
-//! rows ([`WithPriors`]), a [`Loss`] reduces the influence of outliers.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! Every step is solved with a triangular factor of the scaled columns from an orthogonal
+//! factorisation. The fits of elements, which are well conditioned, use normal equations where no
+//! accuracy is lost. Prior knowledge adds rows ([`WithPriors`]); a [`Loss`] reduces the influence
+//! of outliers.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod blocks;
 mod eigen;
@@ -28,40 +30,43 @@ pub use trust_region::{TrustRegion, norm};
 
 use std::fmt;
 
-/// Residuals r(x) of `m` equations in `n` parameters and their Jacobian; the sum of squares of r is minimised.
+/// Residuals r(x) of `m` equations in `n` parameters, and their Jacobian; the sum of squares of r
+/// is minimised.
 ///
-/// Residuals are divided by their standard uncertainties, so that the sum of squares is a chi-square.
+/// Residuals are divided by their standard uncertainties, so that the sum of squares is a
+/// chi-square.
 pub trait Problem {
-    /// Number of residuals, m.
+    /// Number m of residuals.
     fn residual_count(&self) -> usize;
 
     /// Writes the m residuals at `x` into `r`.
     fn residuals(&self, x: &[f64], r: &mut [f64]);
 
-    /// Writes the m × n Jacobian dr/dx at `x` into `jacobian`, row by row; of a problem with [`Self::blocks`] as these say.
+    /// Writes the m × n Jacobian dr/dx at `x` into `jacobian`, row by row; in the layout of
+    /// [`Self::blocks`] if there are blocks.
     fn jacobian(&self, x: &[f64], jacobian: &mut [f64]);
 
-    /// Columns that only few rows have.
+    /// Blocks of columns that occur in few rows only.
     fn blocks(&self) -> Option<&Blocks> {
         None
     }
 
-    /// How many of the residuals, the last ones, are prior knowledge: no [`Loss`] weighs them down.
+    /// Number of residuals at the end that are prior knowledge, which no [`Loss`] reduces.
     fn prior_count(&self) -> usize {
         0
     }
 }
 
-/// When to stop, and how a residual counts.
+/// Termination criteria, and loss of a residual.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Iterations allowed.
+    /// Maximum number of iterations.
     pub iterations: usize,
-    /// Relative step below which the parameters no longer change.
+    /// Convergence tolerance: relative step.
     pub step: f64,
-    /// Cosine between residuals and Jacobian columns below which they are orthogonal.
+    /// Convergence tolerance: cosine of the angle between residuals and Jacobian columns.
     pub gradient: f64,
-    /// What a residual costs: its square, unless outliers are to have less influence.
+    /// Loss of a residual; a loss other than its square reduces the influence of outliers.
     pub loss: Loss,
 }
 
@@ -71,29 +76,30 @@ impl Default for Options {
     }
 }
 
-/// Why the solver stopped.
+/// Reason of the solver's termination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Termination {
-    /// The last step no longer changed the parameters.
+    /// Converged: the last step did not change the parameters.
     StepVanished,
-    /// The residuals are orthogonal to every column of the Jacobian: a stationary point.
+    /// Converged to a stationary point: the residuals are orthogonal to every column of the
+    /// Jacobian.
     GradientVanished,
-    /// The residuals are zero to rounding.
+    /// Converged: the residuals are zero to rounding.
     ResidualsZero,
-    /// No shorter step lowers the sum of squares: rounding limits the result.
+    /// Converged to rounding: no shorter step lowers the sum of squares.
     NoImprovementPossible,
-    /// The iterations allowed were used up.
+    /// Iteration limit reached.
     LostPatience,
-    /// A residual or derivative is not a number at the start or on the way.
+    /// A residual or derivative is not finite, at the start or on the way.
     NotANumber,
-    /// The Jacobian has dependent columns: not all parameters are separately identifiable.
+    /// Rank-deficient Jacobian: not all parameters are separately identifiable.
     RankDeficient,
-    /// There are fewer equations than parameters.
+    /// Fewer equations than parameters.
     TooFewEquations,
 }
 
 impl Termination {
-    /// Whether the parameters may be used.
+    /// `true` if the parameters may be used.
     pub fn is_success(self) -> bool {
         use Termination::{GradientVanished, NoImprovementPossible, ResidualsZero, StepVanished};
         matches!(self, StepVanished | GradientVanished | ResidualsZero | NoImprovementPossible)

@@ -1,24 +1,27 @@
-//! What a residual costs: its square, or less where outliers are to have less influence.
+//! Loss of a residual: its square, or a smaller value that reduces the influence of outliers.
 //!
-//! The sum of ρ(r²) is minimised by weighing the rows of each linear problem so that its gradient is that of the
-//! robust cost and its curvature that of ρ (Triggs et al. 2000, "Bundle adjustment - a modern synthesis", 4.3). Where
-//! ρ bends down the curvature is kept at a hundredth of the weight, so that the linear problem has a minimum.
+//! The sum of ρ(r²) is minimised by weighting the rows of each linear problem such that its
+//! gradient is that of the robust cost and its curvature that of ρ (Triggs et al. 2000, "Bundle
+//! adjustment - a modern synthesis", 4.3). Where the curvature of ρ would be smaller or negative,
+//! it is kept at a hundredth of the weight, so that the linear problem has a minimum.
 
-/// The loss ρ of a residual r, which is in units of its standard uncertainty.
+/// Loss ρ of a residual r in units of its standard uncertainty.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Loss {
     /// r²: least squares.
     #[default]
     Squares,
-    /// c² ln(1 + r²/c²): the influence of far outliers falls to zero, and there may be several minima. Usual: 2.385.
+    /// c² ln(1 + r²/c²): the influence of large outliers tends to zero, and there may be several
+    /// minima. The usual constant is 2.385.
     Cauchy(f64),
 }
 
-/// Curvature kept, as part of the weight: less makes the weighed residuals of outliers large beside the others.
+/// Smallest curvature relative to the weight; smaller values would make the weighted residuals of
+/// outliers dominate the others.
 const CURVATURE_KEPT: f64 = 0.01;
 
 impl Loss {
-    /// ρ(r²); not a number where the constant of the loss is not positive.
+    /// Loss ρ(r²); NaN if the constant of the loss is not positive.
     pub fn of(self, residual: f64) -> f64 {
         let square = residual * residual;
         match self {
@@ -28,7 +31,7 @@ impl Loss {
         }
     }
 
-    /// Half the derivative of ρ by r: the influence of a residual, ψ.
+    /// Influence ψ of a residual: half the derivative of ρ with respect to r.
     pub fn influence(self, residual: f64) -> f64 {
         match self {
             Self::Squares => residual,
@@ -36,7 +39,7 @@ impl Loss {
         }
     }
 
-    /// Half the second derivative of ρ by r, ψ'.
+    /// Derivative ψ′: half the second derivative of ρ with respect to r.
     pub fn curvature(self, residual: f64) -> f64 {
         match self {
             Self::Squares => 1.0,
@@ -47,7 +50,7 @@ impl Loss {
         }
     }
 
-    /// Sum over `residuals`, the last `priors` of which count as squares.
+    /// Sum over `residuals`; the last `priors` residuals count as squares.
     pub(super) fn sum(self, residuals: &[f64], priors: usize) -> f64 {
         let (measured, priors) = residuals.split_at(residuals.len().saturating_sub(priors));
         let squares = |r: &[f64]| r.iter().map(|r| r * r).sum::<f64>();
@@ -57,7 +60,8 @@ impl Loss {
         }
     }
 
-    /// Weighs `residuals` and the rows of the Jacobian but for the last `priors`: Triggs et al. 2000, eq. 11.
+    /// Weights `residuals` and the rows of the Jacobian, except for the last `priors` (Triggs et
+    /// al. 2000, eq. 11).
     pub(super) fn weigh(self, residuals: &mut [f64], jacobian: &mut [f64], columns: usize, priors: usize) {
         let measured = residuals.len().saturating_sub(priors);
         if self == Self::Squares {

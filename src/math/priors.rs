@@ -1,20 +1,20 @@
-//! Prior knowledge as more rows of a problem.
+//! Prior knowledge as additional rows of a problem.
 
 use super::{Blocks, Problem};
 
-/// What is known of a parameter before the measurement.
+/// Knowledge about a parameter before the measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterPrior {
     /// Index of the parameter.
     pub parameter: usize,
-    /// Its expected value.
+    /// Expected value of the parameter.
     pub value: f64,
-    /// One over the standard uncertainty of that.
+    /// Inverse of the standard uncertainty of the value.
     pub weight: f64,
 }
 
-/// A problem with one row (x − value) / u more for every prior: it counts as a residual in chi-square and degrees of
-/// freedom.
+/// A problem with an additional row (x − value) / u for every prior, which counts as a residual in
+/// chi-square and degrees of freedom.
 #[derive(Clone, Debug)]
 pub struct WithPriors<'a, P> {
     problem: &'a P,
@@ -23,7 +23,7 @@ pub struct WithPriors<'a, P> {
 }
 
 impl<'a, P: Problem> WithPriors<'a, P> {
-    /// `problem` and what is known before it.
+    /// Adds priors to `problem`.
     pub fn new(problem: &'a P, priors: &[ParameterPrior]) -> Self {
         let blocks = problem.blocks().map(|b| b.with_single_rows(priors.iter().map(|prior| prior.parameter)));
         Self { problem, priors: priors.to_vec(), blocks }

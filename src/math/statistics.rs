@@ -12,20 +12,22 @@ pub fn rms(values: impl IntoIterator<Item = f64>) -> f64 {
     mean(values.into_iter().map(|v| v * v)).sqrt()
 }
 
-/// Variance about the mean, with n − 1 degrees of freedom (GUM 4.2.2); zero for fewer than two values.
+/// Variance about the mean, with n − 1 degrees of freedom (GUM 4.2.2); zero for fewer than two
+/// values.
 pub fn variance(values: &[f64]) -> f64 {
     let mean = mean(values.iter().copied());
     let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
     squares / values.len().saturating_sub(1).max(1) as f64
 }
 
-/// Standard deviation about the mean, with n − 1 degrees of freedom (GUM 4.2.2); zero for fewer than two values.
+/// Standard deviation about the mean, with n − 1 degrees of freedom (GUM 4.2.2); zero for fewer
+/// than two values.
 pub fn standard_deviation(values: &[f64]) -> f64 {
     variance(values).sqrt()
 }
 
-/// Quantile of values in ascending order, linear between order statistics (definition 7 of Hyndman & Fan 1996, as in spreadsheets);
-/// `None` without values.
+/// Quantile of values in ascending order, interpolated linearly between order statistics
+/// (definition 7 of Hyndman & Fan 1996, as in spreadsheets); `None` without values.
 pub fn quantile(ascending: &[f64], share: f64) -> Option<f64> {
     let rank = share * ascending.len().saturating_sub(1) as f64;
     let (low, part) = (*ascending.get(rank.floor() as usize)?, rank.fract());
@@ -33,14 +35,16 @@ pub fn quantile(ascending: &[f64], share: f64) -> Option<f64> {
     Some(low + part * (high - low))
 }
 
-/// The two middle values in order, equal for an odd number of values; `None` without values.
+/// The two middle values in ascending order, equal for an odd number of values; `None` without
+/// values.
 pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     let mut values: Vec<f64> = values.into_iter().collect();
     values.sort_by(f64::total_cmp);
     Some([*values.get(values.len().saturating_sub(1) / 2)?, *values.get(values.len() / 2)?])
 }
 
-/// The median as one of the values: of an even number the larger of the middle pair; `None` without values.
+/// Median as one of the values: the larger one of the middle pair for an even number; `None`
+/// without values.
 pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     middle_pair(values).map(|[_, upper]| upper)
 }

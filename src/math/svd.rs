@@ -1,7 +1,8 @@
-//! Singular values and right singular vectors, right also on rank-deficient matrices.
+//! Singular values and right singular vectors, correct for rank-deficient matrices too.
 //!
-//! nalgebra 0.35's dynamic decomposition is not (dimforge/nalgebra#1172); this is one-sided Jacobi on the triangular
-//! factor, which has the best known relative accuracy for small singular values (Demmel & Veselić 1992).
+//! The dynamic decomposition of nalgebra 0.35 is wrong for such matrices (dimforge/nalgebra#1172).
+//! One-sided Jacobi on the triangular factor has the best known relative accuracy for small
+//! singular values (Demmel & Veselić 1992).
 
 use super::Factor;
 
@@ -10,7 +11,7 @@ use super::Factor;
 pub struct Svd {
     /// Singular values, descending.
     pub values: Vec<f64>,
-    /// `vectors[k]` is the unit right singular vector of `values[k]`.
+    /// Unit right singular vectors in the order of `values`.
     pub vectors: Vec<Vec<f64>>,
 }
 
@@ -21,7 +22,7 @@ impl Svd {
         self.values.iter().filter(|&&v| v > limit).count()
     }
 
-    /// Largest over smallest singular value; infinite where the smallest is zero.
+    /// Largest over smallest singular value; infinite if the smallest is zero.
     pub fn condition(&self) -> f64 {
         match (self.values.first(), self.values.last()) {
             (Some(largest), Some(smallest)) => largest / smallest,
@@ -30,8 +31,9 @@ impl Svd {
     }
 }
 
-/// Decomposes the triangular factor R of a matrix: same singular values and right singular vectors as the matrix; where that has blocks,
-/// as what they leave of its common columns.
+/// Decomposes the triangular factor R of a matrix, which has the singular values and right singular
+/// vectors of the matrix; for a matrix with blocks, of its common columns after elimination of the
+/// blocks.
 pub fn svd(factor: &Factor) -> Svd {
     let n = factor.common().len();
     // columns of R are rotated to be orthogonal: R V = U S
@@ -84,14 +86,14 @@ mod tests {
 
     #[test]
     fn singular_values_of_a_known_matrix() {
-        // [[3, 0], [4, 5]] has singular values sqrt(45), sqrt(5)
+        // [[3, 0], [4, 5]] has the singular values √45 and √5
         let s = decompose(&[3.0, 0.0, 4.0, 5.0], 2);
         assert!((s.values[0] - 45f64.sqrt()).abs() < 1e-14 && (s.values[1] - 5f64.sqrt()).abs() < 1e-14);
     }
 
     #[test]
     fn an_exactly_planar_cloud_has_the_trace_of_its_gram_matrix() {
-        // where nalgebra's decomposition is off by up to 16 %
+        // nalgebra's decomposition is wrong by up to 16 % here
         for seed in 0..200u32 {
             let mut a = Vec::new();
             for i in 0..40u32 {

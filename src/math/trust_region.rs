@@ -1,9 +1,9 @@
-//! How far the linear model of a problem is trusted, and the step that lowers it most within.
+//! Trust region of the linear model of a problem, and the best step within it.
 
 use super::Factor;
 
-/// The region of Moré 1978, "The Levenberg-Marquardt algorithm: implementation and theory", as in MINPACK: a ball about
-/// the point at hand, in parameters scaled by the columns of the Jacobian.
+/// Trust region of Moré 1978, "The Levenberg-Marquardt algorithm: implementation and theory", as in
+/// MINPACK: a ball about the current point in parameters scaled by the columns of the Jacobian.
 #[derive(Debug)]
 pub struct TrustRegion {
     radius: f64,
@@ -13,30 +13,38 @@ pub struct TrustRegion {
 /// A step within the region.
 #[derive(Debug)]
 pub struct BoundedStep {
-    /// What is to be subtracted from the scaled parameters.
+    /// Step, to be subtracted from the scaled parameters.
     pub p: Vec<f64>,
     /// Length of `p`.
     pub length: f64,
-    /// Whether the region limits the step: it is not the whole step to the minimum of the linear model.
+    /// `true` if the region limits the step, so that it does not reach the minimum of the linear
+    /// model.
     pub is_damped: bool,
     damping: f64,
-    /// ‖R p‖², by which the linear model falls on the way.
+    /// ‖R p‖², a part of the predicted decrease.
     moved: f64,
 }
 
+impl BoundedStep {
+    /// Factor of the problem that the step solves, from the factor of the linear model.
+    pub fn factor(&self, factor: &Factor) -> Factor {
+        factor.damped(self.damping.sqrt())
+    }
+}
+
 impl TrustRegion {
-    /// A region as large as the parameters, whose scaled length is `extent`.
+    /// Creates a region of the size of the parameters, whose scaled length is `extent`.
     pub fn new(extent: f64) -> Self {
         Self { radius: if extent > 0.0 { extent } else { 1.0 }, damping: 0.0 }
     }
 
-    /// Whether a step within the region can still be represented.
+    /// `true` if a step within the region is representable.
     pub fn is_open(&self) -> bool {
         self.radius.is_normal()
     }
 
-    /// The step within the region (to a tenth) that lowers the linear model most; `None` if no damping makes the factor
-    /// regular.
+    /// Step within the region (to a tenth) that minimises the linear model; `None` if no damping
+    /// makes the factor regular.
     pub fn step(&mut self, factor: &Factor) -> Option<BoundedStep> {
         let (p, damping) = damped_step(factor, self.radius, self.damping)?;
         self.damping = damping;
@@ -44,15 +52,16 @@ impl TrustRegion {
         Some(BoundedStep { length: norm(&p), p, is_damped: damping != 0.0, damping, moved })
     }
 
-    /// Adapts the region to what a step did to the cost. The answer is the decrease over the predicted one.
+    /// Adapts the region to the cost after a step; returns the ratio of actual to predicted
+    /// decrease.
     pub fn judge(&mut self, step: &BoundedStep, cost: f64, trial_cost: f64) -> f64 {
         let lowered = cost - trial_cost;
         let damped = step.damping * step.length * step.length;
-        // decrease of the linear model: ‖r‖² − ‖r − J p‖² = ‖R p‖² + 2 λ ‖p‖² for this p (Moré, eq. 4.5)
+        // predicted decrease: ‖r‖² − ‖r − J p‖² = ‖R p‖² + 2 λ ‖p‖² for this p (Moré, eq. 4.5)
         let ratio = if trial_cost.is_finite() { lowered / (step.moved + 2.0 * damped) } else { f64::NEG_INFINITY };
         if ratio < 0.25 {
             let shorten = if trial_cost.is_finite() && trial_cost < 100.0 * cost {
-                // minimum of the parabola through both costs and the slope (MINPACK's choice)
+                // minimum of the parabola through both costs and the slope (as in MINPACK)
                 let slope = step.moved + damped;
                 (if ratio >= 0.0 { 0.5 } else { 0.5 * slope / (slope - 0.5 * lowered) }).clamp(0.1, 0.5)
             } else {
@@ -66,14 +75,14 @@ impl TrustRegion {
         ratio
     }
 
-    /// Opens the region to twice a step that was a good one.
+    /// Expands the region to twice the length of a successful step.
     pub fn open(&mut self, step: &BoundedStep) {
         self.radius = 2.0 * step.length;
         self.damping *= 0.5;
     }
 }
 
-/// The scaled step of at most `radius` (to a tenth) that lowers the linear model most, and its damping λ
+/// Scaled step of at most `radius` (to a tenth) that minimises the linear model, and its damping λ
 /// (Moré 1978, algorithm 5.5); `None` if no damping makes the factor regular.
 fn damped_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f64>, f64)> {
     let direction = |f: &Factor, p: &[f64], length: f64| {
@@ -122,7 +131,7 @@ fn damped_step(factor: &Factor, radius: f64, last_damping: f64) -> Option<(Vec<f
     None
 }
 
-/// Root of the sum of squares.
+/// Euclidean norm.
 pub fn norm(v: &[f64]) -> f64 {
     sum_of_squares(v).sqrt()
 }

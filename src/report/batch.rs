@@ -1,5 +1,6 @@
-//! The page over all campaigns of a batch: a table to sort and filter, trends, and what is unlike the rest. Its rows are data that a
-//! script draws, as ten thousand of them are no page; without a script it shows the worst as a plain table.
+//! Overview page of all campaigns of a batch: a table to sort and filter, trends, and outliers. The
+//! rows are data that a script draws, because a page with ten thousand rows is unusable; without a
+//! script the page shows the worst campaigns as a plain table.
 
 use super::html;
 use super::number::{quantile, significant, with_uncertainty};
@@ -12,20 +13,22 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Component, Path};
 
-/// Rows of the plain table.
+/// Number of rows of the plain table.
 const WORST: usize = 200;
-/// Campaigns of one robot, below which all robots are compared.
+/// Minimum number of campaigns of a robot for comparisons within the robot; otherwise all robots
+/// are compared.
 const FEWEST: usize = 8;
-/// Modified z-score of an outlier (B. Iglewicz and D. C. Hoaglin, How to Detect and Handle Outliers, ASQC, 1993, 3.5).
+/// Modified z-score of an outlier (B. Iglewicz and D. C. Hoaglin, How to Detect and Handle
+/// Outliers, ASQC, 1993, 3.5).
 const OUTLIER: f64 = 3.5;
 /// Median absolute deviation of a normal distribution, in standard deviations.
 const MAD_NORMAL: f64 = 0.674_490;
-/// Characters of a message.
+/// Maximum length of a message (characters).
 const LONGEST: usize = 300;
-/// Where the template has the data, which are longer than what a template engine should hold.
+/// Placeholder of the data in the template; the data are too long for a template engine.
 const DATA: &str = "{data}";
 
-/// What the template fills in.
+/// Values of the template.
 #[derive(Serialize)]
 struct Page<'a> {
     version: &'static str,
@@ -55,19 +58,20 @@ struct Figure {
     outlier: bool,
 }
 
-/// A campaign as the page has it.
+/// A campaign on the page.
 struct Row<'a> {
     entry: &'a BatchEntry,
     report: Option<String>,
     message: String,
-    /// a value and its modified z-score by quantity
+    /// Value and modified z-score of each quantity.
     figures: Vec<Option<(BatchValue, f64)>>,
 }
 
-/// Writes the page that is going to be in `folder`.
+/// Writes the page for `folder`.
 ///
 /// # Errors
-/// If a template does not work, or the page cannot be written.
+///
+/// Fails if a template is invalid, or if the page cannot be written.
 pub fn write(
     document: &BatchDocument,
     figures: &BatchFigures,
@@ -103,7 +107,7 @@ pub fn write(
     Ok(())
 }
 
-/// JSON that ends no script.
+/// Converts data to JSON that cannot end a script element.
 fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
     Ok(serde_json::to_string(data)?.replace('<', "\\u003c"))
 }
@@ -117,7 +121,8 @@ fn ended(end: BatchEnd, words: &Words) -> String {
     }
 }
 
-/// A value to the second digit of its uncertainty; errors, of which none is stated, with four digits.
+/// Value to the second digit of its uncertainty; errors, which have no stated uncertainty, with
+/// four digits.
 fn digits(value: BatchValue) -> String {
     match value.standard_uncertainty {
         Some(u) if u > 0.0 => with_uncertainty(value.value, Some(u)),
@@ -125,7 +130,7 @@ fn digits(value: BatchValue) -> String {
     }
 }
 
-/// A quantity word by word: "validation position max".
+/// Translates the name of a quantity word by word: "validation position max".
 fn named(quantity: &str, words: &Words) -> String {
     quantity.split(' ').map(|word| words.say(word)).collect::<Vec<_>>().join(" ")
 }
@@ -135,14 +140,15 @@ impl Row<'_> {
         self.figures[quantity].is_some_and(|(_, score)| score > OUTLIER)
     }
 
-    /// Failed first, then limits not met, then by the greatest outlier.
+    /// Order of the rows: failed campaigns, then campaigns beyond a limit, then by the largest
+    /// outlier.
     fn badness(&self) -> f64 {
         let end = match self.entry.ended {
             BatchEnd::Failed => 2e9,
             BatchEnd::NotMet => 1e9,
             BatchEnd::Done | BatchEnd::Skipped => 0.0,
         };
-        // in steps that JSON spells shortly
+        // rounded for shorter JSON
         end + self.figures.iter().flatten().map(|f| f.1.min(1e6)).fold(0.0, f64::max).round()
     }
 }
@@ -173,7 +179,7 @@ fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) 
     rows
 }
 
-/// Fills in the modified z-scores of a quantity in a group of campaigns.
+/// Computes the modified z-scores of a quantity in a group of campaigns.
 fn score(rows: &mut [Row], group: &[usize], quantity: usize) {
     let values = || group.iter().filter_map(|&i| Some(rows[i].figures[quantity]?.0.value));
     let median = quantile(values(), 0.5);
@@ -217,7 +223,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     }
 }
 
-/// The address of a file for a page in `folder`.
+/// Address of a file relative to a page in `folder`.
 fn link(folder: &Path, file: &Path) -> String {
     let whole = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let (folder, file) = (whole(folder), whole(file));
@@ -230,7 +236,7 @@ fn link(folder: &Path, file: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
-/// A name in an address (RFC 3986, 2.1 and 2.3).
+/// Encodes a name for an address (RFC 3986, 2.1 and 2.3).
 fn encoded(name: &str) -> String {
     let byte = |b: u8| match b {
         b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => char::from(b).to_string(),
@@ -244,7 +250,7 @@ mod tests {
     use super::*;
     use etalon_documents::Language;
 
-    /// A hundred campaigns of two robots, one of them unlike the rest, one that failed; names that want to be markup.
+    /// A hundred campaigns of two robots with one outlier and one failure; names resemble markup.
     fn batch() -> (BatchDocument, BatchFigures) {
         let mut figures = BatchFigures::default();
         let campaigns = (0..100).map(|i| {
@@ -281,7 +287,7 @@ mod tests {
         assert_eq!(rows[42][0], "c42</script><b>");
         let outliers: Vec<usize> = (0..100).filter(|&i| rows[i][7] == json!([0])).collect();
         assert_eq!(outliers, [42]);
-        // the plain table has the failed one first, then the outlier, and no markup of names
+        // the plain table has the failed campaign first, then the outlier, and no markup from names
         let plain = page.split("<tbody>").nth(1).unwrap();
         let first = plain.split("</tr>").next().unwrap();
         assert!(first.contains("c7&lt;") && first.contains("failed") && first.contains("&lt;i&gt;no"), "{first}");

@@ -1,4 +1,4 @@
-//! What a laboratory dresses its reports in: a logo and templates, read from files.
+//! Logo and templates of a laboratory, read from files.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -7,10 +7,10 @@ use etalon_base::message::{Message, Result};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A larger logo has no place in every report, bytes.
+/// Maximum size of a logo (bytes).
 const LOGO_BYTES: usize = 1 << 20;
 
-/// A logo (SVG or PNG) as a data URI.
+/// Reads a logo (SVG or PNG) as a data URI.
 pub fn logo(path: &Path) -> Result<String> {
     let bytes = files::read(path)?;
     let wrong = |what: &str| {
@@ -28,14 +28,14 @@ pub fn logo(path: &Path) -> Result<String> {
     Ok(format!("data:image/{kind};base64,{}", STANDARD.encode(&bytes)))
 }
 
-/// Ending and bytes of a logo that was read by [`logo`].
+/// File extension and bytes of a logo that was read by [`logo`].
 pub fn logo_file(uri: &str) -> Option<(&'static str, Vec<u8>)> {
     let (kind, text) = uri.strip_prefix("data:image/")?.split_once(";base64,")?;
     let ending = if kind == "png" { "png" } else { "svg" };
     Some((ending, STANDARD.decode(text).ok()?))
 }
 
-/// All templates of a folder (`.html`, `.css`, and `report.typ` of report.pdf) by their names.
+/// Reads all templates of a folder (`.html`, `.css`, and `report.typ` of report.pdf) by file name.
 pub fn templates(folder: &Path) -> Result<BTreeMap<String, String>> {
     let entries = std::fs::read_dir(folder)
         .map_err(|e| Message::error(format!("cannot read the folder `{}`: {e}", folder.display())))?;

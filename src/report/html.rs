@@ -1,4 +1,5 @@
-//! The report as one HTML page that needs no network: layout by templates, which a laboratory may replace by its own.
+//! Report as a single HTML page without network access, laid out by templates that a laboratory may
+//! replace.
 
 use super::TYPESET;
 use super::model::Contents;
@@ -16,7 +17,7 @@ use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::error::Error;
 
-/// Every template by its name; the ending turns escaping on.
+/// Built-in templates by file name, whose extension enables escaping.
 pub(super) const BUILT_IN: [(&str, &str); 7] = [
     ("report.html", include_str!("html/report.html")),
     ("batch.html", include_str!("html/batch.html")),
@@ -27,17 +28,17 @@ pub(super) const BUILT_IN: [(&str, &str); 7] = [
     ("picture.css", include_str!("html/picture.css")),
 ];
 
-/// What makes marks answer; the page's policy lets no other script run.
+/// Script for interactive marks; the policy of the page allows no other script.
 pub(super) const SCRIPT: &str = include_str!("html/script.js");
-/// The same of the page over all campaigns of a batch.
+/// Script of the overview page of a batch.
 const BATCH_SCRIPT: &str = include_str!("html/batch.js");
 
-/// The page; of control characters, which no name is known to need, line feeds and tabs stay.
+/// Page of a report. Control characters except line feeds and tabs are removed.
 pub(super) fn html(contents: &Contents, presentation: &Presentation, words: &Words) -> Result<String> {
     page("report.html", SCRIPT, contents, presentation, words)
 }
 
-/// The page over all campaigns of a batch.
+/// Overview page of all campaigns of a batch.
 pub(super) fn batch(contents: &impl Serialize, presentation: &Presentation, words: &Words) -> Result<String> {
     page("batch.html", BATCH_SCRIPT, contents, presentation, words)
 }
@@ -71,10 +72,11 @@ fn filled(
     Ok(if page.len() > LARGE { marks_by_number(&page) } else { page })
 }
 
-/// A page of more bytes has the text of each mark once, where its script finds it; its tables have the numbers without a script.
+/// Size (bytes) above which a page holds the text of each mark once, for its script. Without a
+/// script the tables contain the numbers.
 const LARGE: usize = 600_000;
 
-/// The page with the number of its text in place of the title of every mark, and these texts as data.
+/// Replaces the titles of all marks by the numbers of their texts, and appends the texts as data.
 fn marks_by_number(page: &str) -> String {
     let (mut texts, mut numbers) = (Vec::new(), BTreeMap::new());
     let mut out = String::with_capacity(page.len());
@@ -94,12 +96,12 @@ fn marks_by_number(page: &str) -> String {
         let end = tail.strip_prefix("</").map_or(tail, |_| "/>\n");
         out.push_str(&format!("{head} data-i=\"{number}\"{end}"));
     }
-    // already escaped for HTML, where a template is read as text
+    // the texts are escaped HTML, as the content of a template is
     let data = format!("<template id=\"texts\">{}</template>\n<script>", texts.join("\n"));
     out.replacen("<script>", &data, 1)
 }
 
-/// Whether the laboratory's templates read, without a page to fill.
+/// Checks the syntax of the laboratory's templates without filling them.
 pub(super) fn check(presentation: &Presentation) -> Result<()> {
     environment(presentation, &Words::default()).map(|_| ())
 }
@@ -128,9 +130,9 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     Ok(environment)
 }
 
-/// What is wrong with a template, with its line where it is the laboratory's.
+/// Error of a template, with its line for a template of the laboratory.
 fn failure(error: &minijinja::Error, presentation: &Presentation) -> Message {
-    // of a template within a template the innermost is wrong
+    // the innermost of nested templates is wrong
     if let Some(inner) = error.source().and_then(|inner| inner.downcast_ref()) {
         return failure(inner, presentation);
     }

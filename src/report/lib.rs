@@ -1,9 +1,10 @@
-//! The report: sections made once from the documents, and drawn as a page that needs no network, typeset to be signed, as a
-//! workbook, and on the terminal.
+//! Report of a campaign. Sections are created once from the documents, and rendered as a page
+//! without network access, as a PDF to be signed, as a workbook, and on the terminal.
 //!
-//! Every face is a pure function: it reads nothing but its arguments and writes the same bytes for the same documents. To
-//! add a section: its file in `sections`, a line in `sections::ALL`, and its words in `words`.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! Every renderer is a pure function: it reads only its arguments and writes equal bytes for equal
+//! documents. A new section needs a file in `sections`, a line in `sections::ALL`, and its texts in
+//! `words`.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 pub mod batch;
 pub mod branding;
@@ -31,48 +32,49 @@ use model::{Contents, Section, Verdict};
 use serde::Serialize;
 use words::{Words, isolated};
 
-/// The template of report.pdf, in the language of typst.
+/// Template of report.pdf for typst.
 const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
 
-/// The documents that a report is made from.
+/// Documents of a report.
 pub struct Report<'a> {
-    /// What the campaign states about itself.
+    /// Statements of the campaign about itself.
     pub campaign: &'a CampaignSummary,
-    /// What was read and refused.
+    /// Imported and rejected rows.
     pub import: &'a ImportDocument,
     /// Fitted elements.
     pub features: &'a FeaturesDocument,
-    /// Frames made from them.
+    /// Frames made from the elements.
     pub frames: &'a FramesDocument,
-    /// What was identified; absent where a campaign only tests by ISO 9283.
+    /// Identification; absent if a campaign only tests by ISO 9283.
     pub identified: Option<Identified<'a>>,
-    /// What geometry alone found, where the campaign asks for it.
+    /// Results of the geometric method, if requested by the campaign.
     pub geometric: Option<&'a GeometricDocument>,
-    /// Controller files of formats that leave identified parameters out.
+    /// Controller files with formats that leave identified parameters out.
     pub controllers: Option<&'a ControllersDocument>,
-    /// Characteristics of ISO 9283, where the campaign tests any.
+    /// Characteristics of ISO 9283.
     pub tested: &'a Characteristics,
 }
 
-/// The documents of an identification.
+/// Documents of an identification.
 #[derive(Clone, Copy)]
 pub struct Identified<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
-    /// Errors before and after.
+    /// Errors before and after calibration.
     pub accuracy: &'a AccuracyDocument,
-    /// The errors that the pictures show.
+    /// Errors of single points for the figures.
     pub errors: &'a [PointError],
 }
 
 impl<'a> Report<'a> {
-    /// `true` if every limit is met, the result is plausible, and every controller file is written. Makes no report.
+    /// `true` if all limits are met, the result is plausible, and all controller files are written.
+    /// Creates no report.
     pub fn is_met(&self) -> bool {
         sections::verdict::met(self.identified.as_ref(), self.tested)
             && self.controllers.is_none_or(ControllersDocument::is_complete)
     }
 
-    /// Every warning and error of its documents.
+    /// Warnings and errors of all documents.
     fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
         let geometric = self.geometric.iter().flat_map(|g| &g.messages);
@@ -85,7 +87,7 @@ impl<'a> Report<'a> {
             .collect()
     }
 
-    /// What the numbers come from.
+    /// Origin of the numbers.
     fn provenance(&self) -> Provenance {
         let imported = || {
             let version = env!("CARGO_PKG_VERSION").to_owned();
@@ -94,7 +96,7 @@ impl<'a> Report<'a> {
         self.identified.map_or_else(imported, |i| i.parameters.provenance.clone())
     }
 
-    /// The sections and what surrounds them.
+    /// Sections with title, verdict and further contents.
     fn contents(&self, words: &Words) -> Contents {
         let subtitle = match self.identified {
             Some(i) => match sections::conditions::robot_name(self) {
@@ -120,7 +122,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// Verdict of the first box.
+    /// Verdict in the first box.
     fn verdict(&self, words: &Words) -> Verdict {
         let mut verdict = sections::verdict::verdict(self.identified.as_ref(), self.tested, words);
         if self.controllers.is_some_and(|c| !c.is_complete()) {
@@ -130,7 +132,7 @@ impl<'a> Report<'a> {
         verdict
     }
 
-    /// The documents that go along with the PDF.
+    /// Documents attached to the PDF.
     fn attachments(&self) -> Result<Vec<Attachment>> {
         let mut all = Vec::new();
         if let Some(i) = self.identified {
@@ -151,21 +153,21 @@ impl<'a> Report<'a> {
     }
 }
 
-/// The title of a calibration of a robot without a name.
+/// Title of the calibration of a robot without a name.
 fn of_model(document: &ParametersDocument, words: &Words) -> String {
     words.fill("Calibration report of a robot of model {0}", &[&isolated(&one_line(&document.robot))])
 }
 
-/// What an answer is about.
+/// Subject of an answer.
 fn named(robot: &str, words: &Words) -> String {
     words.fill("Robot of model {0}", &[&isolated(&one_line(robot))])
 }
 
-/// A document that goes with a PDF.
+/// A document attached to a PDF.
 #[derive(Debug, Serialize)]
 struct Attachment {
     name: &'static str,
-    /// how it relates to the report (ISO 19005-3, 6.8)
+    /// Relationship to the report (ISO 19005-3, 6.8).
     relationship: &'static str,
     description: &'static str,
     mime: &'static str,
@@ -185,10 +187,10 @@ impl Attachment {
     }
 }
 
-/// A file of a report: its name and its bytes.
+/// Name and bytes of a file.
 pub type File = (&'static str, Vec<u8>);
 
-/// The files of a report by their endings.
+/// Files of a report by file extension.
 const FILES: &[(&str, &str)] = &[
     ("html", "report.html"),
     #[cfg(feature = "pdf")]
@@ -196,23 +198,23 @@ const FILES: &[(&str, &str)] = &[
     ("xlsx", "report.xlsx"),
 ];
 
-/// The files of a certificate by their endings.
+/// Files of a certificate by file extension.
 const CERTIFICATE: &[(&str, &str)] = &[
     ("html", "certificate.html"),
     #[cfg(feature = "pdf")]
     ("pdf", "certificate.pdf"),
 ];
 
-/// The kinds of a report by the endings of their files.
+/// Kinds of report files, by file extension.
 pub fn kinds() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|(kind, _)| *kind)
 }
 
-/// A report made once from its documents, to be drawn as files and on the terminal.
+/// A report created once from its documents, to be rendered to files and on the terminal.
 #[derive(Debug)]
 pub struct Faces {
     contents: Contents,
-    /// Only a PDF carries them.
+    /// Attached to the PDF only.
     attachments: Vec<Attachment>,
     presentation: Presentation,
     words: Words,
@@ -223,14 +225,14 @@ impl Faces {
         Self { contents: contents.in_language(&words), attachments, presentation, words }
     }
 
-    /// The report of a campaign.
+    /// Creates the report of a campaign.
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language)?;
         Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
     }
 
-    /// The report of a comparison of campaigns.
+    /// Creates the report of a comparison of campaigns.
     pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
         use sections::changes::{lead, sections, verdict};
         let words = Words::of(presentation.language)?;
@@ -252,7 +254,7 @@ impl Faces {
         Ok(Self::new(contents, attachments, presentation, words))
     }
 
-    /// The report of a plan.
+    /// Creates the report of a plan.
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
         let words = Words::of(presentation.language)?;
@@ -269,7 +271,7 @@ impl Faces {
         Ok(Self::new(contents, attachments, presentation, words))
     }
 
-    /// Characteristics of ISO 9283 without a campaign.
+    /// Creates the report of ISO 9283 characteristics without a campaign.
     pub fn test(tested: &Characteristics) -> Self {
         let words = Words::default();
         let title = sections::verdict::title(tested, &words);
@@ -277,7 +279,7 @@ impl Faces {
         Self::without_campaign(title, verdict, sections::tested(tested, &words), words)
     }
 
-    /// Given parameters judged on the data of a campaign.
+    /// Creates the report of given parameters that were judged on the data of a campaign.
     pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
         let words = Words::of(presentation.language)?;
         let verdict = sections::verdict::of_validation(document, &words);
@@ -289,7 +291,7 @@ impl Faces {
         Ok(Self::answer(Contents { title, verdict, sections, ..Contents::default() }, attached, presentation, words))
     }
 
-    /// Whether given parameters still hold.
+    /// Creates the report on whether given parameters still apply.
     pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{still_valid, verification};
         let words = Words::of(presentation.language)?;
@@ -304,7 +306,7 @@ impl Faces {
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
-    /// Which poses to measure to verify parameters.
+    /// Creates the report of poses that verify parameters.
     pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{chosen, poses_to_verify};
         let words = Words::of(presentation.language)?;
@@ -319,7 +321,7 @@ impl Faces {
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
-    /// Which parameters deserve to be loaded.
+    /// Creates the report of recommended parameters.
     pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{recommendation, recommended};
         let words = Words::of(presentation.language)?;
@@ -334,13 +336,13 @@ impl Faces {
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
-    /// An answer of a command that somebody may keep.
+    /// Report of a command's answer.
     fn answer(contents: Contents, attached: Attachment, presentation: Presentation, words: Words) -> Self {
         let version = env!("CARGO_PKG_VERSION").to_owned();
         Self::new(Contents { version, ..contents }, vec![attached], presentation, words)
     }
 
-    /// The certificate of a campaign: one page of its report, for the customer.
+    /// Creates the certificate of a campaign: one page of its report, for the customer.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language)?;
@@ -348,7 +350,7 @@ impl Faces {
         Ok(Self::new(contents, report.attachments()?, presentation, words))
     }
 
-    /// An identification without a campaign.
+    /// Creates the report of an identification without a campaign.
     pub fn identification(document: &ParametersDocument) -> Self {
         let words = Words::default();
         let title = of_model(document, &words);
@@ -358,7 +360,7 @@ impl Faces {
         Self::without_campaign(title, verdict, sections, words)
     }
 
-    /// Distributions of a campaign's results.
+    /// Creates the report of distributions of a campaign's results.
     pub fn uncertainty(document: &UncertaintyDocument) -> Self {
         use sections::distributions::{sections, verdict};
         let words = Words::default();
@@ -371,12 +373,12 @@ impl Faces {
         Self { contents, attachments: Vec::new(), presentation: Presentation::default(), words }
     }
 
-    /// Whether every limit is met, and the result can be that of a robot.
+    /// `true` if all limits are met and the result is plausible.
     pub fn is_met(&self) -> bool {
         self.contents.verdict.met
     }
 
-    /// With the digital calibration certificate of the same results, an XML file, attached to the PDF.
+    /// Attaches the digital calibration certificate of the same results, an XML file, to the PDF.
     pub fn with_certificate(mut self, name: &'static str, xml: Option<&[u8]>) -> Self {
         let attached = |xml| Attachment {
             name,
@@ -389,22 +391,22 @@ impl Faces {
         self
     }
 
-    /// What a terminal shows.
+    /// Text for the terminal.
     pub fn terminal(&self) -> String {
         terminal::terminal(&self.contents, &self.words)
     }
 
-    /// The certificate's files.
+    /// Files of the certificate.
     pub fn certificate_files(&self) -> Result<Vec<File>> {
         CERTIFICATE.iter().map(|(kind, name)| Ok((*name, self.file(kind)?))).collect()
     }
 
-    /// All files.
+    /// Files of the report.
     pub fn files(&self) -> Result<Vec<File>> {
         FILES.iter().map(|(kind, name)| Ok((*name, self.file(kind)?))).collect()
     }
 
-    /// The file of one of the [`kinds`].
+    /// File of one of the [`kinds`].
     pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
         match kind {
             "xlsx" => workbook::workbook(&self.contents, &self.words),
@@ -415,12 +417,12 @@ impl Faces {
     }
 }
 
-/// The built-in templates by their names.
+/// Built-in templates by file name.
 pub fn templates() -> impl Iterator<Item = (&'static str, &'static str)> {
     html::BUILT_IN.into_iter().chain([TYPESET])
 }
 
-/// Whether the laboratory's templates read, without a report to fill.
+/// Checks the syntax of the laboratory's templates without a report.
 pub fn check_templates(presentation: &Presentation) -> Result<()> {
     if presentation.templates.is_empty() {
         return Ok(());

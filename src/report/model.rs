@@ -1,6 +1,7 @@
-//! What a report is, before anything draws it: sections of paragraphs, tables, figures and notices, all worded and typed.
+//! Contents of a report before rendering: sections with paragraphs, tables, figures and notices,
+//! all worded and typed.
 //!
-//! Its JSON is what the templates of the page and of the PDF lay out.
+//! The JSON form of the contents is the input of the templates of page and PDF.
 
 use super::number;
 use super::words::Words;
@@ -8,9 +9,9 @@ use etalon_base::message::one_line;
 use etalon_base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
 
-/// Rows of a table that a page shows; the workbook and the documents have all.
+/// Maximum number of rows of a table on a page; the workbook and the documents contain all rows.
 pub(super) const ROWS: usize = 500;
-/// Characters of a text that takes a share of the width that other columns leave.
+/// Minimum length (characters) of texts whose columns share the width left by other columns.
 const LONG: usize = 22;
 
 /// A whole report.
@@ -18,27 +19,28 @@ const LONG: usize = 22;
 pub(crate) struct Contents {
     pub title: String,
     pub subtitle: String,
-    /// why the data are synthetic; empty where they are measured
+    /// Explanation of synthetic data; empty for measured data.
     pub synthetic: Vec<String>,
     pub date: Option<String>,
-    /// Number of the report, on every page
+    /// Number of the report, shown on every page.
     pub number: Option<String>,
-    /// To what the results relate; empty where nobody signs them
+    /// Scope of the results; empty for unsigned reports.
     pub statement: String,
     pub version: String,
     pub verdict: Verdict,
     pub sections: Vec<Section>,
-    /// whether somebody signs it
+    /// `true` if the report is to be signed.
     pub signed: bool,
-    /// whether it has to fit on one page
+    /// `true` if the report has to fit on one page.
     pub compact: bool,
-    /// whether the terminal leaves out what a page folds
+    /// `true` if the terminal omits parts that a page folds.
     #[serde(skip)]
     pub brief: bool,
 }
 
 impl Contents {
-    /// The same in one notation a column and with the decimal mark of a language: in cells, headlines and pictures; sentences have theirs.
+    /// Applies a common notation to each column, and the decimal mark of the language to cells,
+    /// headlines and figures; sentences contain it already.
     pub fn in_language(mut self, words: &Words) -> Self {
         self.sections.iter_mut().flat_map(|s| &mut s.blocks).for_each(Block::one_notation);
         self.verdict.sentences.iter_mut().for_each(|text| *text = sentence(text));
@@ -57,7 +59,7 @@ impl Contents {
     }
 }
 
-/// A text with a capital at its beginning and a full stop at its end.
+/// Adds a capital at the beginning and a full stop at the end.
 fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
@@ -65,20 +67,20 @@ fn sentence(text: &str) -> String {
     first.chain(letters).chain(end.chars()).collect()
 }
 
-/// The first box: is everything met, and how much better is the robot.
+/// First box: compliance with all limits, and improvement of the robot.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Verdict {
     pub class: Grade,
-    /// what the exit code follows
+    /// Basis of the exit code.
     #[serde(skip)]
     pub met: bool,
     pub sentences: Vec<String>,
-    /// what the headlines are of
+    /// Subject of the headlines.
     pub about: String,
     pub headlines: Vec<Headline>,
 }
 
-/// How a verdict looks.
+/// Style of a verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Grade {
@@ -89,13 +91,13 @@ pub(crate) enum Grade {
 }
 
 impl Grade {
-    /// Good where `met`, bad otherwise.
+    /// Good if `met`, otherwise bad.
     pub fn of(met: bool) -> Self {
         if met { Self::Good } else { Self::Bad }
     }
 }
 
-/// One number before and after.
+/// A number before and after calibration.
 #[derive(Debug, Serialize)]
 pub(crate) struct Headline {
     pub what: String,
@@ -104,24 +106,24 @@ pub(crate) struct Headline {
     pub unit: &'static str,
 }
 
-/// A section; its `id` names it in links and for templates.
+/// A section; its `id` names it in links and templates.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Section {
     pub id: String,
     pub title: String,
     pub blocks: Vec<Block>,
-    /// tables that only the workbook has
+    /// Tables for the workbook only.
     #[serde(skip)]
     pub data: Vec<Table>,
-    /// lines of the first sheet of the workbook
+    /// Lines of the first sheet of the workbook.
     #[serde(skip)]
     pub summary: Vec<Fact>,
-    /// whether the terminal shows it
+    /// `true` if the terminal shows the section.
     #[serde(skip)]
     pub on_terminal: bool,
 }
 
-/// A line of facts: a name and its value.
+/// A name with its value.
 #[derive(Debug, Serialize)]
 pub(crate) struct Fact {
     pub what: String,
@@ -129,7 +131,7 @@ pub(crate) struct Fact {
     pub unit: &'static str,
 }
 
-/// What a section is made of.
+/// Part of a section.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(crate) enum Block {
@@ -147,31 +149,31 @@ pub(crate) enum Block {
     Figures {
         figures: Vec<Figure>,
     },
-    /// a warning or an error: its class, and its lines
+    /// A warning or an error: class and lines.
     Notice {
         class: &'static str,
         lines: Vec<Text>,
     },
-    /// what only some readers want: folded on a page, an annex on paper
+    /// Optional reading: folded on a page, in an annex on paper.
     Aside {
         title: String,
         blocks: Vec<Block>,
     },
 }
 
-/// How a paragraph is set.
+/// Style of a paragraph.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Tone {
     Plain,
-    /// plain, and left out where a terminal is brief
+    /// Plain, omitted on a brief terminal.
     #[serde(rename = "plain")]
     Detail,
     Strong,
     Note,
 }
 
-/// A paragraph, or the text of a cell: pieces in the report's language, names, and texts that are always English.
+/// Text of a paragraph or cell: pieces in the report's language, names, and English texts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub(crate) struct Text(Vec<Run>);
 
@@ -184,7 +186,7 @@ struct Run {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Mark {
-    /// worded by the report
+    /// Worded by the report.
     Own,
     Name,
     English,
@@ -196,17 +198,18 @@ impl Text {
         Self(vec![Run { text, mark }])
     }
 
-    /// A name, kept apart from its surroundings.
+    /// A name, isolated from its surroundings.
     pub fn name(text: &str) -> Self {
         Self::of(one_line(text), Mark::Name)
     }
 
-    /// A text of a document, English in every language.
+    /// A text of a document, in English in every language.
     pub fn english(text: &str) -> Self {
         Self::of(text.to_owned(), Mark::English)
     }
 
-    /// A text of a document in the language of the report; one without translation is marked as English.
+    /// A text of a document in the language of the report; texts without translation are marked as
+    /// English.
     pub fn document(text: &str, words: &Words) -> Self {
         words.of_document(text).map_or_else(|| Self::english(text), Self::from)
     }
@@ -216,13 +219,13 @@ impl Text {
         Self::of(one_line(text), Mark::Code)
     }
 
-    /// Sentences without full stop as one sentence.
+    /// Joins sentences without full stops to one sentence.
     pub fn conventions(all: &[String], words: &Words) -> Self {
         let joined = all.iter().map(|c| Self::document(c, words)).reduce(|a, b| a.and("; ").and(b));
         joined.map_or_else(Self::default, |text| text.and("."))
     }
 
-    /// The same with more behind it.
+    /// Appends more text.
     pub fn and(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
@@ -245,45 +248,46 @@ impl From<&str> for Text {
     }
 }
 
-/// A picture, made once; `svg` describes it to those who cannot see it.
+/// A figure; `svg` contains a description for people who cannot see it.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Figure {
     pub title: String,
     pub svg: String,
     pub caption: String,
-    /// wide figures get a row of their own
+    /// Wide figures occupy a whole row.
     pub wide: bool,
-    /// name that the figures before and after share, and which of them this is; empty where there is no other
+    /// Name shared by the figures before and after, and position of this figure; empty for single
+    /// figures.
     pub pair: String,
     pub side: &'static str,
-    /// what the two are called; "before" and "after" where this is absent
+    /// Names of the two figures; "before" and "after" if absent.
     pub sides: Option<[&'static str; 2]>,
-    /// its colours have a scale that both figures share, and one of its own
+    /// `true` if colours have a common scale of both figures and a separate one.
     pub scaled: bool,
-    /// the numbers behind it; empty where another table has them
+    /// Numbers of the figure; empty if another table contains them.
     pub table_title: String,
     pub header: Vec<String>,
     pub rows: Vec<Vec<String>>,
 }
 
-/// The content of a cell.
+/// Content of a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Cell {
     Missing,
-    /// in the unit of the documents, and as a page shows it
+    /// Value in the unit of the documents, and text on a page.
     Number {
         value: f64,
         shown: String,
     },
     Count(i64),
     Text(Text),
-    /// a term of the report: English where programs read it
+    /// A term of the report; in English where programs read it.
     Term {
         english: String,
         shown: String,
         strong: bool,
     },
-    /// several numbers in one cell
+    /// Several numbers in one cell.
     Numbers(String),
 }
 
@@ -292,14 +296,14 @@ impl Cell {
         *self == Self::Missing
     }
 
-    /// With the decimal mark of a language.
+    /// Applies the decimal mark of a language.
     fn numbers(&mut self, words: &Words) {
         if let Some(shown) = self.shown_mut() {
             *shown = words.number(shown);
         }
     }
 
-    /// The numbers as a page shows them.
+    /// Numbers as shown on a page.
     fn shown_mut(&mut self) -> Option<&mut String> {
         match self {
             Self::Number { value, shown } => {
@@ -317,7 +321,7 @@ impl Cell {
         matches!(self, Self::Number { .. } | Self::Count(_) | Self::Numbers(_))
     }
 
-    /// What a page shows.
+    /// Text on a page.
     pub fn shown(&self) -> Text {
         match self {
             Self::Missing => Text::default(),
@@ -328,7 +332,7 @@ impl Cell {
         }
     }
 
-    /// What a workbook holds where it holds no number.
+    /// Text in a workbook, for cells without a number.
     pub fn plain(&self) -> String {
         match self {
             Self::Term { english, .. } => english.clone(),
@@ -417,17 +421,17 @@ pub(crate) fn with_uncertainty(value: impl Into<Option<f64>>, u: Option<f64>) ->
     shown(value, |v| number::with_uncertainty(v, u))
 }
 
-/// Millimetres, shown in micrometres.
+/// A length in mm, shown in µm.
 pub(crate) fn um(mm: impl Into<Option<f64>>) -> Cell {
     shown(mm, |mm| number::fixed(1e3 * mm, 1))
 }
 
-/// A number and how it is shown.
+/// A number with its text.
 pub(crate) fn shown(value: impl Into<Option<f64>>, text: impl Fn(f64) -> String) -> Cell {
     value.into().map_or(Cell::Missing, |value| Cell::Number { value, shown: text(value) })
 }
 
-/// Several numbers, of which nothing is shown where there are none.
+/// Several numbers; an empty cell without numbers.
 pub(crate) fn numbers(shown: impl Into<Option<String>>) -> Cell {
     shown.into().filter(|s| !s.is_empty()).map_or(Cell::Missing, Cell::Numbers)
 }
@@ -437,12 +441,12 @@ pub(crate) fn term(words: &Words, english: &str) -> Cell {
     Cell::Term { english: english.to_owned(), shown: words.say(english), strong: false }
 }
 
-/// The same, in bold letters.
+/// A term in bold letters.
 pub(crate) fn strong_term(words: &Words, english: &str) -> Cell {
     Cell::Term { english: english.to_owned(), shown: words.say(english), strong: true }
 }
 
-/// Who shows a column.
+/// Renderers that show a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum On {
     Both,
@@ -474,33 +478,34 @@ impl<'a, T> Columns<'a, T> {
         self
     }
 
-    /// With a column of every face.
+    /// Adds a column for all renderers.
     pub fn both<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
         self.with(On::Both, title, unit, cell)
     }
 
-    /// With a column that the workbook leaves out: it has the numbers one by one.
+    /// Adds a column that the workbook omits, because other columns contain the numbers separately.
     pub fn page<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
         self.with(On::Page, title, unit, cell)
     }
 
-    /// With a column of the workbook alone; its title is English in every language, so that programs find it.
+    /// Adds a column for the workbook only; its title is in English in every language, so that
+    /// programs can find it.
     pub fn sheet<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
         self.with(On::Sheet, title, unit, cell)
     }
 
-    /// With a column of lengths in millimetres, shown in micrometres.
+    /// Adds a column of lengths in mm, shown in µm.
     pub fn micrometres<V: Into<Option<f64>>>(self, title: &'a str, mm: impl Fn(&'a T) -> V + 'a) -> Self {
         self.both(title, "mm", move |record| um(mm(record))).shown_in("µm")
     }
 
-    /// With a column of the workbook for each coordinate, where there is one.
+    /// Adds a workbook column for each existing coordinate.
     pub fn sheet_xyz(self, titles: [&'a str; 3], unit: &'a str, of: fn(&'a T) -> &'a [f64]) -> Self {
         let add = |columns: Self, (i, title)| columns.sheet(title, unit, move |record| of(record).get(i).copied());
         titles.into_iter().enumerate().fold(self, add)
     }
 
-    /// With a column of a page for each of these angles.
+    /// Adds a page column for each angle.
     pub fn page_angles(self, titles: &'a [String], of: fn(&'a T) -> &'a [f64]) -> Self {
         let add = |columns: Self, (i, title): (usize, &'a String)| {
             columns.page(title, "deg", move |record| fixed(of(record).get(i).copied(), 4))
@@ -508,62 +513,62 @@ impl<'a, T> Columns<'a, T> {
         titles.iter().enumerate().fold(self, add)
     }
 
-    /// With some of the columns of another table, by their titles, on a page.
+    /// Adds the columns of another table with these titles to the page.
     pub fn page_of(mut self, table: Self, titles: &[&str]) -> Self {
         let shown = table.0.into_iter().filter(|c| titles.contains(&c.title));
         self.0.extend(shown.map(|c| Column { on: On::Page, ..c }));
         self
     }
 
-    /// These columns in the workbook alone.
+    /// Restricts the columns to the workbook.
     pub fn in_workbook(mut self) -> Self {
         self.0.iter_mut().for_each(|c| c.on = On::Sheet);
         self
     }
 
-    /// The last column shown in another unit than that of the documents.
+    /// Shows the last column in another unit.
     pub fn shown_in(mut self, unit: &'a str) -> Self {
         self.0.iter_mut().rev().take(1).for_each(|c| c.shown_in = unit);
         self
     }
 
-    /// The last columns below a title of their own.
+    /// Adds a common title above the last columns.
     pub fn below(mut self, columns: usize, group: &'a str) -> Self {
         self.0.iter_mut().rev().take(columns).for_each(|c| c.group = group);
         self
     }
 }
 
-/// A table: its columns, and typed cells.
+/// A table: columns and typed cells.
 #[derive(Debug, Default)]
 pub(crate) struct Table {
-    /// its sheet of the workbook; empty where it has none. Tables of one sheet stand below each other
+    /// Sheet of the workbook; empty if none. Tables of one sheet are placed below each other.
     pub sheet: &'static str,
     columns: Vec<Titled>,
     pub rows: Vec<Vec<Cell>>,
-    /// columns that are repeated where a page is too narrow for all
+    /// Number of first columns that are repeated if a page is too narrow.
     lead: usize,
-    /// rows that a page shows
+    /// Maximum number of rows on a page.
     most: usize,
-    /// too long for a page: the terminal shows what a page would
+    /// `true` if the table is too long for a page, but shown on the terminal.
     pub off_page: bool,
-    /// whether a brief terminal leaves it out
+    /// `true` if a brief terminal omits the table.
     pub detail: bool,
 }
 
-/// The titles of a column.
+/// Titles of a column.
 #[derive(Clone, Debug)]
 struct Titled {
     on: On,
     group: String,
     title: String,
-    /// of the workbook: English, the unit in brackets
+    /// Title in the workbook: English, with the unit in brackets.
     sheet: String,
     unit: String,
 }
 
 impl Table {
-    /// One row for each record.
+    /// Creates a table with one row per record.
     pub fn of<'a, T: 'a>(
         words: &Words,
         records: impl IntoIterator<Item = &'a T>,
@@ -593,32 +598,32 @@ impl Table {
         }
     }
 
-    /// The same, of which a page shows the first rows.
+    /// Limits the number of rows on a page.
     pub fn showing(self, most: usize) -> Self {
         Self { most, ..self }
     }
 
-    /// The same, on the terminal instead of a page.
+    /// Shows the table on the terminal instead of a page.
     pub fn not_on_page(self) -> Self {
         Self { off_page: true, ..self }
     }
 
-    /// The same, left out where a terminal is brief.
+    /// Omits the table on a brief terminal.
     pub fn detail(self) -> Self {
         Self { detail: true, ..self }
     }
 
-    /// The same with a sheet of the workbook.
+    /// Places the table on a sheet of the workbook.
     pub fn on(self, sheet: &'static str) -> Self {
         Self { sheet, ..self }
     }
 
-    /// The same, torn where it is too wide, its first columns repeated.
+    /// Splits the table if it is too wide, repeating its first columns.
     pub fn repeating(self, lead: usize) -> Self {
         Self { lead, ..self }
     }
 
-    /// The same without the columns in which every row is empty.
+    /// Removes columns in which every row is empty.
     pub fn without_empty_columns(mut self) -> Self {
         let kept: Vec<bool> =
             (0..self.columns.len()).map(|i| self.rows.iter().any(|row| !row[i].is_missing())).collect();
@@ -635,23 +640,23 @@ impl Table {
         self.rows.is_empty()
     }
 
-    /// Places, titles and units of the columns that a workbook holds.
+    /// Index, title and unit of the columns in a workbook.
     pub fn sheet_columns(&self) -> Vec<(usize, &str, &str)> {
         let all = self.columns.iter().enumerate().filter(|(_, c)| c.on != On::Page);
         all.map(|(i, c)| (i, c.sheet.as_str(), c.unit.as_str())).collect()
     }
 
-    /// The columns that a page shows.
+    /// Indices of the columns on a page.
     fn on_page(&self) -> Vec<usize> {
         (0..self.columns.len()).filter(|i| self.columns[*i].on != On::Sheet).collect()
     }
 
-    /// Whether a page shows any of it.
+    /// `true` if a page shows any part of the table.
     fn is_shown(&self) -> bool {
         !self.off_page && !self.rows.is_empty() && !self.on_page().is_empty()
     }
 
-    /// As a page or the terminal lays it out.
+    /// Layout for a page or the terminal.
     pub fn laid(&self) -> Laid<'_> {
         let places = self.on_page();
         let rows: Vec<Vec<&Cell>> =
@@ -686,7 +691,7 @@ impl Table {
     }
 }
 
-/// A picture with the decimal mark of a language in its texts.
+/// Applies the decimal mark of a language to the texts of a figure.
 fn svg_numbers(svg: &str, words: &Words) -> String {
     let piece = |piece: &str| match piece.split_once('<') {
         Some((text, tag)) if text.contains('.') => format!("{}<{tag}", words.value(text.to_owned())),
@@ -695,21 +700,21 @@ fn svg_numbers(svg: &str, words: &Words) -> String {
     svg.split('>').map(piece).collect::<Vec<_>>().join(">")
 }
 
-/// SHA-256 in hexadecimal: it is copied, never broken.
+/// `true` for a SHA-256 in hexadecimal digits, which must not be broken, as it is copied.
 pub(super) fn is_checksum(word: &str) -> bool {
     word.len() == 64 && word.bytes().all(|b| b.is_ascii_hexdigit())
 }
 
-/// A table as a page lays it out.
+/// Layout of a table on a page.
 #[derive(Serialize)]
 pub(crate) struct Laid<'a> {
-    /// titles above several columns, and how many; empty without such
+    /// Titles above several columns, with the number of columns; empty if none.
     pub groups: Vec<(&'a str, usize)>,
     pub header: Vec<&'a str>,
     pub numeric: Vec<bool>,
-    /// texts that may need more than a line
+    /// `true` for texts that may need several lines.
     long: Vec<bool>,
-    /// it fits on part of a page
+    /// `true` if the table fits on part of a page.
     short: bool,
     lead: usize,
     pub rows: Vec<Vec<&'a Cell>>,
@@ -749,7 +754,7 @@ impl Block {
         Self::Facts { rows: rows.into_iter().filter(|(_, said)| !said.is_missing()).map(fact).collect() }
     }
 
-    /// Every column of its tables in one notation.
+    /// Applies a common notation to every column of the tables.
     fn one_notation(&mut self) {
         match self {
             Self::Table(table) => {
@@ -770,7 +775,7 @@ impl Block {
         }
     }
 
-    /// With the decimal mark of a language.
+    /// Applies the decimal mark of a language.
     fn numbers(&mut self, words: &Words) {
         match self {
             Self::Facts { rows } => rows.iter_mut().for_each(|fact| fact.said.numbers(words)),
@@ -786,7 +791,7 @@ impl Block {
         }
     }
 
-    /// Whether it shows nothing.
+    /// `true` if the block shows nothing.
     fn is_empty(&self) -> bool {
         match self {
             Self::Heading { .. } => false,
@@ -805,17 +810,17 @@ impl Section {
         Self { id: id.into(), title: title.into(), ..Self::default() }
     }
 
-    /// The section, shown on the terminal as well.
+    /// Shows the section on the terminal too.
     pub fn on_terminal(self) -> Self {
         Self { on_terminal: true, ..self }
     }
 
-    /// Puts a block before all others.
+    /// Inserts a block before all others.
     pub fn begin(&mut self, block: Block) {
         self.blocks.insert(0, block);
     }
 
-    /// Adds what is not empty.
+    /// Adds a block unless it is empty.
     pub fn push(&mut self, block: Block) {
         match block {
             Block::Table(table) if !table.is_shown() && !table.is_empty() => self.data.push(table),
@@ -824,7 +829,7 @@ impl Section {
         }
     }
 
-    /// Adds a table below its heading and note, if it has rows.
+    /// Adds a table with heading and note, if it has rows.
     pub fn table(&mut self, heading: impl Into<String>, note: impl Into<Text>, table: Table) {
         let heading = heading.into();
         if table.is_shown() {
@@ -840,12 +845,12 @@ impl Section {
         self.push(Block::Figures { figures: figures.into_iter().collect() });
     }
 
-    /// A line of the first sheet of the workbook.
+    /// Adds a line to the first sheet of the workbook.
     pub fn summarise(&mut self, what: impl Into<String>, said: impl Into<Cell>, unit: &'static str) {
         self.summary.push(Fact { what: what.into(), said: said.into(), unit });
     }
 
-    /// The section, if a reader finds anything in it.
+    /// Returns the section unless it is empty.
     pub fn whole(self) -> Option<Self> {
         (!self.blocks.is_empty() || !self.data.is_empty()).then_some(self)
     }

@@ -1,6 +1,6 @@
-//! Numbers as a reader wants them: no digit that means nothing, none missing that does.
+//! Numbers with exactly the significant digits.
 
-/// Shown where there is no finite number, in every language.
+/// Text for a non-finite number, in every language.
 const NOT_A_NUMBER: &str = "—";
 
 /// `value` with a fixed number of decimals; never "-0".
@@ -25,13 +25,13 @@ fn magnitude(value: f64, digits: usize) -> Option<i32> {
     exponent.filter(|_| value.is_finite() && value != 0.0)
 }
 
-/// Decimals that show `digits` significant digits of `value`, at most 12.
+/// Number of decimals that show `digits` significant digits of `value`, at most 12.
 pub(super) fn decimals(value: f64, digits: usize) -> Option<usize> {
     let last = digits as i32 - 1 - magnitude(value, digits)?;
     Some(last.clamp(0, 12) as usize)
 }
 
-/// `value` with `digits` significant digits; as a power of ten where it is very large or small.
+/// `value` with `digits` significant digits; as a power of ten if very large or small.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     match magnitude(value, digits) {
         Some(exponent) if !(-4..9).contains(&exponent) => format!("{value:.*e}", digits.saturating_sub(1)),
@@ -39,17 +39,17 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// A number as somebody stated it.
+/// A number as stated by the user.
 pub(super) fn stated(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { fixed(value, 0) }
 }
 
-/// A quotient of which only the size matters: one decimal, none from a hundred on.
+/// A quotient whose magnitude matters: one decimal, none from one hundred.
 pub(crate) fn ratio(value: f64) -> String {
     fixed(value, if value.abs() < 99.95 { 1 } else { 0 })
 }
 
-/// A number that was computed from what somebody stated: at most four significant digits, and no zeros behind them.
+/// A number computed from stated numbers: at most four significant digits, without trailing zeros.
 pub(super) fn derived(value: f64) -> String {
     let text = significant(value, 4);
     let (digits, power) = text.split_once('e').map_or((text.as_str(), None), |(digits, power)| (digits, Some(power)));
@@ -57,18 +57,20 @@ pub(super) fn derived(value: f64) -> String {
     power.map_or_else(|| digits.to_owned(), |power| format!("{digits}e{power}"))
 }
 
-/// `value` to the second significant digit of its standard uncertainty; 4 decimals without one.
+/// `value` to the second significant digit of its standard uncertainty; four decimals without
+/// uncertainty.
 pub(crate) fn with_uncertainty(value: f64, u: Option<f64>) -> String {
     fixed(value, u.and_then(|u| decimals(u, 2)).unwrap_or(4))
 }
 
-/// `value` with so many decimals, or as many more as tell it from its limit.
+/// `value` with at least `decimals` decimals, and as many as distinguish it from its limit.
 pub(super) fn apart(value: f64, limit: f64, decimals: usize) -> String {
     let alike = |n: &usize| value != limit && fixed(value, *n) == fixed(limit, *n);
     fixed(value, (decimals..9).find(|n| !alike(n)).unwrap_or(9))
 }
 
-/// Below this a probability is said to be smaller: its digits would mean nothing.
+/// Smallest probability that is shown; smaller ones are shown as an upper bound, because their
+/// digits are meaningless.
 const LEAST_PROBABILITY: f64 = 1e-3;
 
 /// A probability: `0.012`, or `< 0.001`.
@@ -76,13 +78,14 @@ pub(crate) fn probability(p: f64) -> String {
     if p < LEAST_PROBABILITY { format!("< {LEAST_PROBABILITY}") } else { significant(p, 2) }
 }
 
-/// The same in a sentence: `p = 0.012`, or `p < 0.001`.
+/// A probability in a sentence: `p = 0.012`, or `p < 0.001`.
 pub(crate) fn p_value(p: f64) -> String {
     let shown = probability(p);
     if shown.starts_with('<') { format!("p {shown}") } else { format!("p = {shown}") }
 }
 
-/// The numbers of a column in one notation: decimals where none is below 1e-9, else powers of ten. What is not a number stays.
+/// Applies a common notation to a column: decimals if no number is below 1e-9, otherwise powers of
+/// ten. Other texts are unchanged.
 pub(super) fn one_notation(column: Vec<&mut String>) {
     let power = |text: &str| text.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
     let is_number = |text: &&mut String| text.parse::<f64>().is_ok_and(|v| v.is_finite() && v != 0.0);
@@ -104,21 +107,21 @@ pub(super) fn one_notation(column: Vec<&mut String>) {
     }
 }
 
-/// The largest of 1, 2 or 5 times a power of ten that is at most `value`.
+/// Largest value of the form 1, 2 or 5 times a power of ten up to `value`.
 pub(super) fn round_down_125(value: f64) -> f64 {
     let Some(exponent) = magnitude(value, 17) else { return 1.0 };
     let decade = 10f64.powi(exponent);
     [5.0, 2.0].into_iter().map(|m| m * decade).find(|&m| m <= value * (1.0 + 1e-12)).unwrap_or(decade)
 }
 
-/// A unit to show lengths in, and what millimetres are multiplied by.
+/// Unit of displayed lengths, and conversion factor from mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shown {
     pub unit: &'static str,
     pub factor: f64,
 }
 
-/// Micrometres for lengths below a millimetre; degrees and other units stay.
+/// Displays lengths below 1 mm in µm; degrees and other units are unchanged.
 pub(super) fn shown(unit: &str, largest: f64) -> Shown {
     match unit {
         "mm" if largest < 1.0 => Shown { unit: "µm", factor: 1000.0 },

@@ -1,20 +1,23 @@
-//! Templates of a laboratory are programs: one that does not end, or takes all memory, is stopped.
+//! Supervision of a laboratory's templates: a template that does not terminate, or exhausts memory,
+//! is stopped.
 
 use etalon_base::message::{Message, Result};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// Pages take a second; the largest reports of thousands of poses some.
+/// Time limit; pages take a second, the largest reports with thousands of poses several.
 const LONGEST: Duration = Duration::from_secs(60);
-/// What the process may grow by, in bytes.
+/// Limit of memory growth of the process (bytes).
 const LARGEST: u64 = 2 << 30;
-/// Templates may call one another deeply.
+/// Stack size (bytes), as templates may be deeply nested.
 const STACK: usize = 64 << 20;
 
-/// What `face` makes of a template named `name`; a `face` that is built in is not watched.
+/// Runs `face` with the template `name`; a built-in `face` is not supervised.
 ///
 /// # Errors
-/// Where it takes more than a minute or 2 GiB. It goes on until the process ends, which follows on an error.
+///
+/// Fails after a minute or beyond 2 GiB. The template continues until the process ends, which
+/// follows an error.
 pub(super) fn supervised<T: Send + 'static>(
     name: &str,
     own: bool,
@@ -43,7 +46,7 @@ pub(super) fn supervised<T: Send + 'static>(
     }
 }
 
-/// Bytes of memory that the process has; 0 where the system has no such number.
+/// Resident memory of the process (bytes); 0 if the system does not report it.
 fn resident() -> u64 {
     let pages = std::fs::read_to_string("/proc/self/statm").ok();
     let pages = pages.and_then(|text| text.split_whitespace().nth(1)?.parse::<u64>().ok());

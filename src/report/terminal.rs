@@ -1,11 +1,11 @@
-//! The report on a terminal: the verdict, and of the sections that are marked for it what a page shows, without pictures and
-//! notes.
+//! Report on a terminal: the verdict and, for marked sections, the contents of the page without
+//! figures and notes.
 
 use super::model::{Block, Cell, Contents, Table, Tone};
 use super::words::Words;
 use etalon_base::message::printable_character;
 
-/// What a terminal shows.
+/// Text for the terminal.
 pub(super) fn terminal(contents: &Contents, words: &Words) -> String {
     let mut page = Page { words, brief: contents.brief, text: String::new(), section: None, heading: None };
     page.line(&contents.title);
@@ -22,13 +22,13 @@ struct Page<'a> {
     words: &'a Words,
     brief: bool,
     text: String,
-    /// titles that wait for something below them
+    /// Titles that wait for contents below them.
     section: Option<&'a str>,
     heading: Option<&'a str>,
 }
 
 impl<'a> Page<'a> {
-    /// Adds a line; controls of a terminal, and marks of the way names read, are not for it.
+    /// Adds a line without terminal control characters and marks of writing direction.
     fn line(&mut self, text: &str) {
         let marks = ['\u{2068}', '\u{2069}'];
         self.text.extend(text.trim_end().chars().filter(|c| !marks.contains(c)).map(printable_character));
@@ -69,7 +69,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// Adds a table without its empty columns: texts to the left, numbers to the right.
+    /// Adds a table without its empty columns: texts at the left, numbers at the right.
     fn table(&mut self, table: &Table) {
         self.titles();
         let laid = table.laid();
@@ -78,7 +78,7 @@ impl<'a> Page<'a> {
         let kept: Vec<usize> = (0..laid.header.len()).filter(|i| rows.iter().any(|row| !row[*i].is_empty())).collect();
         let wide = |i: &usize| rows.iter().map(|row| letters(&row[*i])).chain([letters(laid.header[*i])]).max();
         let mut widths: Vec<usize> = kept.iter().filter_map(wide).collect();
-        // a title above several columns begins with the first of them
+        // a title above several columns starts with the first of them
         let title = |i: usize| groups.get(kept[i]).copied().unwrap_or_default();
         let first = |i: usize| i == 0 || title(i - 1) != title(i);
         for i in (0..kept.len()).filter(|i| first(*i)) {
@@ -112,7 +112,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// The text of a cell, in capitals where a page has bold letters.
+/// Text of a cell, in capitals instead of bold letters.
 fn shown(cell: &Cell) -> String {
     match cell {
         Cell::Term { shown, strong: true, .. } => shown.to_uppercase(),

@@ -1,6 +1,7 @@
-//! The report's words in the languages that it speaks. The English text is the key; `words/` has one table per language.
+//! Texts of the report in its languages. The English text is the key; `words/` contains one table
+//! per language.
 //!
-//! What a campaign states, and messages of the program, are never translated.
+//! Statements of a campaign, and messages of the program, are never translated.
 
 pub(super) mod comparison;
 
@@ -9,17 +10,17 @@ use etalon_documents::Language;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-/// A name in a sentence, whatever way it reads.
+/// A name in a sentence, isolated for any writing direction.
 pub(crate) fn isolated(name: &str) -> String {
     let marks = |mark: char| name.matches(mark).count();
     match marks('\u{2068}') == marks('\u{2069}') {
         true => format!("\u{2068}{name}\u{2069}"),
-        // it would leave its isolation
+        // marks inside a name would end its isolation
         false => format!("\u{2068}{}\u{2069}", printable(name)),
     }
 }
 
-/// Words that come from documents, not from the text of this program's reports.
+/// Texts that come from documents instead of the program's reports.
 #[cfg(test)]
 const OF_DOCUMENTS: [&str; 63] = [
     "base shift",
@@ -87,15 +88,16 @@ const OF_DOCUMENTS: [&str; 63] = [
     "largest position error, validation",
 ];
 
-/// One language: the texts of reports, and sentences of documents with places for what differs.
+/// Texts of reports in one language, and sentences of documents with placeholders.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Words {
+    language: Language,
     texts: BTreeMap<String, String>,
     sentences: BTreeMap<String, String>,
 }
 
 impl Words {
-    /// The table of a language; of English, which is its own key, none.
+    /// Table of a language; English, the key itself, has an empty table.
     pub fn of(language: Language) -> Result<Self> {
         let (texts, sentences) = match language {
             Language::En => return Ok(Self::default()),
@@ -106,10 +108,15 @@ impl Words {
             toml::from_str(text)
                 .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))
         };
-        Ok(Self { texts: table(texts)?, sentences: table(sentences)? })
+        Ok(Self { language, texts: table(texts)?, sentences: table(sentences)? })
     }
 
-    /// A sentence of a document in this language; `None` where it has no translation.
+    /// Language code (ISO 639-1).
+    pub fn code(&self) -> &'static str {
+        self.language.code()
+    }
+
+    /// Sentence of a document in this language; `None` without a translation.
     pub fn of_document(&self, sentence: &str) -> Option<String> {
         self.sentences.iter().find_map(|(pattern, translation)| {
             let values = values(pattern, sentence)?;
@@ -123,7 +130,8 @@ impl Words {
         })
     }
 
-    /// A name in a sentence of a document, or the last of several rows of a file and how many more there are.
+    /// A name in a sentence of a document, or the last of several rows of a file with the number of
+    /// further rows.
     fn said(&self, name: &str) -> String {
         let rows = |one: &str| name.strip_suffix(one).and_then(|counted| counted.split_once(" and "));
         match (rows(" more rows"), rows(" more row")) {
@@ -133,7 +141,8 @@ impl Words {
         }
     }
 
-    /// The numbers of a text with the decimal mark of the language; what has letters or several points is not a number.
+    /// Numbers of a text with the decimal mark of the language; words with letters or several
+    /// points are not numbers.
     pub fn number(&self, text: &str) -> String {
         let Some(mark) = self.texts.get(".") else { return text.to_owned() };
         let is_part = |c: char| c.is_ascii_digit() || c == '.';
@@ -141,7 +150,7 @@ impl Words {
         let mut rest = text;
         while let Some(from) = rest.find(|c: char| c.is_ascii_digit()) {
             let length = rest[from..].find(|c| !is_part(c)).unwrap_or(rest.len() - from);
-            // a point at the end is that of the sentence
+            // a point at the end belongs to the sentence
             let number = rest[from..from + length].trim_end_matches('.');
             let (before, behind) = (&rest[..from], &rest[from + number.len()..]);
             let letter = |c: char| c.is_alphabetic() || c == '_';
@@ -159,31 +168,31 @@ impl Words {
         out + rest
     }
 
-    /// The same of a text that is a value: it begins with a number.
+    /// Numbers of a text that is a value, which begins with a number.
     pub fn value(&self, text: String) -> String {
         let number =
             text.trim_start_matches(['+', '-', '−', '±', '<', '>', '(', ' ']).starts_with(|c: char| c.is_ascii_digit());
         if number || text.starts_with("p ") { self.number(&text) } else { text }
     }
 
-    /// A text; one without translation stays English.
+    /// Translation of a text; texts without translation stay in English.
     pub fn say(&self, text: &str) -> String {
         self.texts.get(text).map_or_else(|| text.to_owned(), Clone::clone)
     }
 
-    /// The texts that read otherwise in this language.
+    /// Texts that differ in this language.
     #[cfg(test)]
     pub fn differing(&self) -> impl Iterator<Item = &String> {
         self.texts.iter().filter(|(text, translation)| text != translation).map(|(text, _)| text)
     }
 
-    /// Whether there is a translation, be it the text itself.
+    /// `true` if there is a translation, even if it equals the text.
     #[cfg(test)]
     pub fn translates(&self, text: &str) -> bool {
         self.texts.contains_key(text)
     }
 
-    /// A text with values in the places `{0}`, `{1}` ...
+    /// Translation of a text with values for the placeholders `{0}`, `{1}` ...
     pub fn fill(&self, text: &str, values: &[&dyn Display]) -> String {
         self.filled(&self.say(text), values)
     }
@@ -202,7 +211,7 @@ impl Words {
     }
 }
 
-/// What a sentence has in the places `{0}`, `{1}` ... of a pattern.
+/// Values of a sentence at the placeholders `{0}`, `{1}` ... of a pattern.
 fn values<'a>(pattern: &str, sentence: &'a str) -> Option<Vec<&'a str>> {
     let mut pieces = pattern.split('{');
     let mut rest = sentence.strip_prefix(pieces.next()?)?;
@@ -225,7 +234,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    /// Every text that a file of the report asks a translation for.
+    /// Texts for which a file of the report requests a translation.
     fn asked(text: &str, rust: bool, found: &mut BTreeSet<String>) {
         if !rust {
             for (end, _) in
@@ -236,7 +245,7 @@ mod tests {
             }
             return;
         }
-        // the tests of a file say what comes out, not what goes in
+        // tests of a file contain results, not requests
         let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
         for call in [
             ".say(",
@@ -278,7 +287,7 @@ mod tests {
             all_asked(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(room), &mut found);
         }
         assert!(found.len() > 200, "{}", found.len());
-        // symbols and units are the same in every language
+        // symbols and units are equal in all languages
         let is_worded = |text: &&String| text.split(|c: char| !c.is_lowercase()).any(|word| word.len() > 2);
         for language in [Language::Fr, Language::De] {
             let words = Words::of(language).unwrap();

@@ -1,5 +1,5 @@
-//! The report as an Excel workbook: the verdict and its numbers first, then a sheet for each kind of table, every number
-//! with all its digits.
+//! Report as an Excel workbook: the verdict with its numbers first, then a sheet for each kind of
+//! table, with all digits of every number.
 
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
@@ -7,20 +7,20 @@ use super::words::Words;
 use etalon_base::message::{Message, Result};
 use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
-/// What Excel holds on one sheet, less the header and a line on what is left out.
+/// Maximum number of rows of a sheet, without the header and a line on omitted rows.
 const ROWS: usize = 1_048_574;
-/// What Excel holds in one cell, UTF-16 units.
+/// Maximum length of a cell (UTF-16 units).
 const CELL: usize = 32_767;
-/// Excel holds whole numbers up to this one; beyond, a number would be another one.
+/// Largest exact integer in Excel; larger ones would be altered.
 const WHOLE: u64 = 1 << 53;
 const WIDTH: std::ops::RangeInclusive<usize> = 8..=60;
-/// Rows that are looked at for the width of a column.
+/// Number of rows that determine the width of a column.
 const LOOKED_AT: usize = 1000;
 
-/// Colours of verdicts, by their English terms.
+/// Colours of verdicts by their English terms.
 const VERDICTS: [(&str, u32); 3] = [("met", 0x00C6_EFCE), ("not met", 0x00FF_C7CE), ("undecided", 0x00FF_EB9C)];
 
-/// The charts: the sheet, its title, the column across, and those that are drawn against it.
+/// Charts: sheet, kind, title, horizontal column, and vertical columns.
 const CHARTS: [(&str, ChartType, &str, &str, &[&str]); 3] = [
     (
         "Errors by pose",
@@ -33,14 +33,14 @@ const CHARTS: [(&str, ChartType, &str, &str, &[&str]); 3] = [
     ("ISO 9283 poses", ChartType::Column, "AP and RP of each pose in mm", "pose", &["AP [mm]", "RP [mm]"]),
 ];
 
-/// One sheet: title and unit of its columns, and its rows.
+/// A sheet: titles and units of its columns, and its rows.
 struct Sheet<'a> {
     name: &'a str,
     columns: Vec<(&'a str, &'a str)>,
     rows: Vec<Vec<&'a Cell>>,
 }
 
-/// All tables as a workbook (.xlsx), as bytes that depend on nothing else.
+/// All tables as a workbook (.xlsx); the bytes depend on nothing else.
 pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
     let fail = |e: XlsxError| Message::error(format!("cannot write the workbook: {e}"));
     let mut workbook = Workbook::new();
@@ -57,7 +57,7 @@ pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
     Ok(workbook.save_to_buffer().map_err(fail)?)
 }
 
-/// The first sheet: the verdict, and the lines that every section has for it.
+/// First sheet: verdict, and summary lines of all sections.
 fn summary(contents: &Contents, words: &Words) -> Table {
     let line = |what: String, said: &str| Fact { what, said: said.into(), unit: "" };
     let mut lines = vec![line(words.say("verdict"), &contents.verdict.sentences.join(" "))];
@@ -80,7 +80,7 @@ fn sheet<'a>(name: &'a str, table: &'a Table) -> Sheet<'a> {
     Sheet { name, columns: columns.iter().map(|(_, title, unit)| (*title, *unit)).collect(), rows }
 }
 
-/// Every table that has a sheet, those of one sheet below each other.
+/// All tables with a sheet; tables of one sheet are placed below each other.
 fn sheets(contents: &Contents) -> Vec<Sheet<'_>> {
     let mut all: Vec<Sheet> = Vec::new();
     for table in contents.sections.iter().flat_map(|s| tables(&s.blocks).into_iter().chain(&s.data)) {
@@ -140,7 +140,7 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
                         &text.clone().set_background_color(Color::RGB(colour)),
                     )?
                 }
-                // a text is written as text, also where it looks like a formula, a number or a link
+                // texts stay texts, even if they look like a formula, a number or a link
                 cell => page.write_string_with_format(i, j, printable(&cell.plain()), &text)?,
             };
         }
@@ -155,7 +155,7 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
     draw(page, sheet, written)
 }
 
-/// The chart of a sheet, beside its table.
+/// Draws the chart of a sheet beside its table.
 fn draw(page: &mut Worksheet, sheet: &Sheet, rows: u32) -> std::result::Result<(), XlsxError> {
     let Some((name, kind, title, across, up)) = CHARTS.into_iter().find(|c| c.0 == sheet.name && rows > 0) else {
         return Ok(());
@@ -173,7 +173,7 @@ fn draw(page: &mut Worksheet, sheet: &Sheet, rows: u32) -> std::result::Result<(
     Ok(())
 }
 
-/// Characters that column `i` needs.
+/// Number of characters that column `i` needs.
 fn width(sheet: &Sheet, i: usize) -> usize {
     let shown = |cell: &Cell| match cell {
         Cell::Missing => 0,
@@ -181,14 +181,14 @@ fn width(sheet: &Sheet, i: usize) -> usize {
         cell => cell.plain().lines().map(|l| l.chars().count()).max().unwrap_or(0),
     };
     let rows = sheet.rows.iter().take(LOOKED_AT).map(|row| shown(row[i])).max().unwrap_or(0);
-    // room for the button of the filter
+    // room for the filter button
     rows.max(sheet.columns[i].0.chars().count() + 3).clamp(*WIDTH.start(), *WIDTH.end())
 }
 
-/// Significant digits of the largest number of a column without a unit.
+/// Significant digits of the largest number in a column without a unit.
 const DIGITS: usize = 6;
 
-/// The digits that a reader wants to see, one notation a column; cells hold all.
+/// Number format with legible digits and a common notation per column; cells contain all digits.
 fn number_format<'a>(cells: impl Iterator<Item = &'a Cell>, unit: &str) -> String {
     let largest = || {
         let values =
@@ -208,7 +208,7 @@ fn number_format<'a>(cells: impl Iterator<Item = &'a Cell>, unit: &str) -> Strin
     if decimals == 0 { "0".to_owned() } else { format!("0.{}", "0".repeat(decimals)) }
 }
 
-/// Text that a workbook can hold: no character that XML forbids, and no more than a cell takes.
+/// Text without characters that XML forbids, cut to the size of a cell.
 fn printable(text: &str) -> String {
     let allowed = |c: char| match c {
         '\n' | '\t' => c,

@@ -1,44 +1,45 @@
-//! Chains of elementary motions, each linear in the parameters once the joints are known.
+//! Chains of elementary motions that are linear in the parameters at given joint values.
 //!
-//! Position and Jacobian come from the same sequence: the derivative by a rotation is axis × lever, by a translation the axis
-//! (Corke, "A simple and systematic approach to assigning Denavit–Hartenberg parameters", 2007).
+//! Position and Jacobian come from the same sequence: the derivative with respect to a rotation is
+//! axis × lever, with respect to a translation the axis (Corke, "A simple and systematic approach
+//! to assigning Denavit–Hartenberg parameters", 2007).
 
 use super::State;
 use etalon_base::pose::{Pose, Vector, cross, minus, turning_axes};
 use etalon_base::scalar::Scalar;
 use std::ops::Mul;
 
-/// A motion of the frame that the motions before it have reached.
+/// Motion relative to the frame reached by the preceding motions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Motion {
-    /// Rotation about axis 0, 1 or 2, in radians.
+    /// Rotation about axis 0, 1 or 2 (rad).
     Turn(usize),
-    /// Translation along axis 0, 1 or 2, in millimetres.
+    /// Translation along axis 0, 1 or 2 (mm).
     Shift(usize),
-    /// Component 0, 1 or 2 of a rotation vector, in radians: three elements in this order, of three parameters in a row. The last of
-    /// them moves the frame.
+    /// Component 0, 1 or 2 of a rotation vector (rad). The three components are consecutive
+    /// elements with consecutive parameters; the last element moves the frame.
     Attitude(usize),
-    /// To a constant place.
+    /// Constant displacement.
     Fixed(Pose),
 }
 
-/// What a parameter is multiplied by.
+/// Factor of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Coefficient {
-    /// A number.
+    /// Constant factor.
     Constant(f64),
-    /// factor · joint value + offset (rad or mm).
+    /// `factor` · joint value + `offset` (rad or mm).
     Joint { joint: usize, factor: f64, offset: f64 },
     /// Sine or cosine of `order` times the angle of a joint.
     Harmonic { joint: usize, factor: f64, offset: f64, order: f64, sine: bool },
-    /// A number times the direction from which a joint came, +1 from below, -1 from above, by its place behind the joint values; 0 where
-    /// it is not stated.
+    /// `factor` times the direction of approach of a joint: +1 from below, −1 from above, 0 if not
+    /// stated. `at` is the position of the direction behind the joint values.
     Approach { at: usize, factor: f64 },
-    /// A load on the chain, by its number.
+    /// Load on the chain, by its index.
     Load(usize),
 }
 
-/// A parameter and what it is multiplied by.
+/// A parameter with its factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Term {
     pub parameter: usize,
@@ -46,7 +47,7 @@ pub(super) struct Term {
 }
 
 impl Term {
-    /// A parameter by itself.
+    /// A parameter with factor one.
     pub fn of(parameter: usize) -> Self {
         Self { parameter, coefficient: Coefficient::Constant(1.0) }
     }
@@ -78,7 +79,8 @@ impl<J: Scalar> State<'_, J> {
 }
 
 impl State<'_> {
-    /// The joint that moves a coefficient, and its derivative by that joint's value, loads as they are.
+    /// Joint on which a coefficient depends, and derivative of the coefficient with respect to that
+    /// joint's value at constant loads.
     fn rate(&self, coefficient: Coefficient) -> Option<(usize, f64)> {
         match coefficient {
             Coefficient::Joint { joint, factor, .. } => Some((joint, factor)),
@@ -91,11 +93,11 @@ impl State<'_> {
     }
 }
 
-/// What an element does with its parameters.
+/// Motion of an element at given parameters.
 #[derive(Clone, Copy, Debug)]
 enum Step<T = f64> {
     Nothing,
-    /// About an axis, by the angle with this sine and cosine.
+    /// Rotation about an axis by the angle with this sine and cosine.
     Turn(usize, T, T),
     Shift(usize, T),
     Place(Pose<T>),
@@ -110,7 +112,7 @@ impl<T: Scalar> Step<T> {
         Self::Turn(axis, sin, cos)
     }
 
-    /// Moves a frame.
+    /// Applies the motion to a frame.
     #[inline(always)]
     fn take(&self, pose: &mut Pose<T>) {
         match *self {
@@ -123,16 +125,16 @@ impl<T: Scalar> Step<T> {
     }
 }
 
-/// Axis of an element in the world, and a point on it.
+/// Direction of an element's axis in the world, and a point on the axis.
 pub(super) type Axis = (Vector, Vector);
 
 impl Element {
-    /// Parameters and what they are multiplied by.
+    /// Parameters with their factors.
     pub fn coefficients<'a, J: Scalar>(&'a self, state: State<'a, J>) -> impl Iterator<Item = (usize, J)> + 'a {
         self.terms.iter().map(move |term| (term.parameter, state.coefficient(term)))
     }
 
-    /// The frame after this motion of `pose`.
+    /// Frame after this motion of `pose`.
     pub fn advance<T: Scalar + Mul<J, Output = T>, J: Scalar>(
         &self,
         mut pose: Pose<T>,
@@ -143,7 +145,7 @@ impl Element {
         pose
     }
 
-    /// What it does with these parameters.
+    /// Motion at the given parameters.
     #[inline]
     fn step<T: Scalar + Mul<J, Output = T>, J: Scalar>(&self, p: &[T], state: State<J>) -> Step<T> {
         let amount = || {
@@ -159,19 +161,19 @@ impl Element {
         }
     }
 
-    /// Whether joints or loads move it.
+    /// `true` if the motion depends on joints or loads.
     fn is_moved(&self) -> bool {
         self.terms.iter().any(|term| !matches!(term.coefficient, Coefficient::Constant(_)))
     }
 
-    /// The rotation vector that this element is a component of.
+    /// Rotation vector of which this element is a component.
     fn attitude<T: Scalar>(&self, p: &[T]) -> Vector<T> {
         let Motion::Attitude(component) = self.motion else { return [T::from(0.0); 3] };
         let first = self.terms.first().map_or(0, |term| term.parameter - component);
         [p[first], p[first + 1], p[first + 2]]
     }
 
-    /// Axis of the motion where it begins at `before`.
+    /// Axis of a motion that starts at `before`.
     #[inline]
     fn axis(&self, p: &[f64], before: &Pose) -> Axis {
         let direction = match self.motion {
@@ -182,7 +184,7 @@ impl Element {
         (direction, before.translation_mm)
     }
 
-    /// Velocity of a point when this element, of this axis, moves by one.
+    /// Velocity of a point per unit motion of this element about or along the given axis.
     pub fn velocity(&self, (direction, origin): Axis, point: Vector) -> Vector {
         match self.motion {
             Motion::Turn(_) | Motion::Attitude(_) => cross(direction, minus(point, origin)),
@@ -191,30 +193,30 @@ impl Element {
         }
     }
 
-    /// Angular velocity when this element, of this axis, moves by one.
+    /// Angular velocity per unit motion of this element about or along the given axis.
     pub fn angular_velocity(&self, (direction, _): Axis) -> Vector {
         if matches!(self.motion, Motion::Turn(_) | Motion::Attitude(_)) { direction } else { [0.0; 3] }
     }
 }
 
-/// The frame that a chain reaches.
+/// Final frame of a chain.
 pub(super) fn end<T: Scalar>(elements: &[Element], p: &[T], state: State) -> Pose<T> {
     elements.iter().fold(Pose::identity(), |pose, element| element.advance(pose, p, state))
 }
 
-/// A chain with its parameters: what neither joints nor loads move is computed once.
+/// A chain with its parameters; everything independent of joints and loads is computed once.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared<'a> {
     elements: &'a [Element],
     p: Vec<f64>,
-    /// Axes of the elements that come before the first joint, and the frame that they reach.
+    /// Axes of the elements before the first joint, and the frame that these elements reach.
     before: (Vec<Axis>, Pose),
-    /// What the elements behind them do where neither joints nor loads move them.
+    /// Motions of the later elements that are independent of joints and loads.
     still: Vec<Option<Step>>,
 }
 
 impl<'a> Prepared<'a> {
-    /// A chain at these parameters.
+    /// Prepares a chain for the given parameters.
     pub fn new(elements: &'a [Element], parameters: &[f64]) -> Self {
         let p = parameters.to_vec();
         let nowhere = State::<f64> { joints: &[], loads: &[] };
@@ -228,7 +230,8 @@ impl<'a> Prepared<'a> {
         Self { elements, p, before: (axes, pose), still }
     }
 
-    /// The frame that the chain reaches. Gives `visit` the number of each element from the first joint on, and the frame before it.
+    /// Returns the final frame. Calls `visit` with the index of each element from the first joint
+    /// on, and the frame before the element.
     #[inline(always)]
     pub fn run(&self, state: State, mut visit: impl FnMut(usize, &Pose)) -> Pose {
         let (first, mut pose) = (self.before.0.len(), self.before.1);
@@ -242,12 +245,12 @@ impl<'a> Prepared<'a> {
         pose
     }
 
-    /// The frame that the chain reaches.
+    /// Final frame of the chain.
     pub fn end(&self, state: State) -> Pose {
         self.run(state, |_, _| {})
     }
 
-    /// The frame that the chain reaches, and the axis of each element.
+    /// Final frame of the chain, and the axis of each element.
     pub fn trace(&self, state: State) -> (Pose, Vec<Axis>) {
         let mut axes = Vec::with_capacity(self.elements.len());
         axes.extend_from_slice(&self.before.0);
@@ -255,12 +258,13 @@ impl<'a> Prepared<'a> {
         (end, axes)
     }
 
-    /// The parameters.
+    /// Parameters of the chain.
     pub fn parameters(&self) -> &[f64] {
         &self.p
     }
 
-    /// What joints move: an element, its axis, a joint, and by how much the element moves with it, loads as they are.
+    /// Motions due to joints at constant loads: element, axis of the element, joint, and motion of
+    /// the element per unit of the joint value.
     pub fn rates<'s>(
         &'s self,
         state: State<'s>,

@@ -1,56 +1,64 @@
-//! Compensation of a controller that computes with nominal geometry (thesis, 1.2.4.4): the pose to command is where the nominal robot
-//! is at the joint values that bring the identified robot to the target.
+//! Compensation of a controller that computes with nominal geometry (thesis, 1.2.4.4). The pose to
+//! command is the pose of the nominal robot at the joint values that bring the identified robot to
+//! the target.
 
 use super::{Kinematics, Quantity};
 use etalon_base::pose::{Pose, Vector, minus};
 use nalgebra::{DMatrix, DVector};
 
-/// A robot as its controller has it, and as it is.
+/// A robot with nominal and identified parameters.
 pub struct Calibrated<'a> {
-    /// The robot.
+    /// Kinematics of the robot.
     pub arm: &'a dyn Kinematics,
-    /// Parameters that the controller computes with, mm and rad.
+    /// Parameters of the controller (mm, rad).
     pub nominal: Vec<f64>,
-    /// Identified parameters, mm and rad.
+    /// Identified parameters (mm, rad).
     pub identified: Vec<f64>,
 }
 
-/// What to command for a target.
+/// Command for a target.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compensated {
-    /// Joint values (and the assembly mode behind them) that bring the identified robot to the target, mm and rad.
+    /// Joint values, followed by the assembly mode, that bring the identified robot to the target
+    /// (mm, rad).
     pub joints: Vec<f64>,
-    /// The pose to command: that of the nominal robot there.
+    /// Pose to command: the pose of the nominal robot at `joints`.
     pub command: Pose,
-    /// No singularity is between these joint values and those of the target without compensation.
+    /// `true` if no singularity separates `joints` from the joint values of the uncompensated
+    /// target.
     pub same_configuration: bool,
 }
 
-/// Compensation turns no joint further than this in the same configuration, rad.
+/// Largest change of a joint by compensation within the same configuration (rad).
 const SAME_RAD: f64 = 0.5;
 
-/// Corrections of joint values end where the last is this small, mm or rad, or after so many: each leaves what errors of the robot make of
-/// the one before.
+/// Fixed-point corrections of joint values end if the last correction is below this (mm or rad), or
+/// after the maximum number. Each correction removes the effect of the robot's errors on the
+/// previous one.
 const LAST_CORRECTION: f64 = 1e-12;
 const MOST_CORRECTIONS: usize = 50;
-/// What may be left of the error of a position after them, mm.
+/// Largest remaining position error after the corrections (mm).
 const LARGEST_LEFT_MM: f64 = 1e-6;
 
 impl Calibrated<'_> {
-    /// Joint values by which the controller reaches a target without compensation: those nearest to `near`. A target that only the
-    /// identified robot reaches has those of that.
+    /// Joint values nearest to `near` by which the controller reaches a target without
+    /// compensation. For a target that only the identified robot reaches, the joint values of the
+    /// identified robot.
     ///
     /// # Errors
-    /// What forbids the target.
+    ///
+    /// Describes the limit that forbids the target.
     pub fn uncompensated(&self, target: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
         let nominal = self.arm.nearest_joints(&self.nominal, target, near);
         nominal.or_else(|_| self.arm.nearest_joints(&self.identified, target, near))
     }
 
-    /// The pose to command for a target that the controller reaches at the joint values `uncompensated`.
+    /// Pose to command for a target that the controller reaches at the joint values
+    /// `uncompensated`.
     ///
     /// # Errors
-    /// What forbids the target.
+    ///
+    /// Describes the limit that forbids the target.
     pub fn compensate(&self, target: &Pose, uncompensated: &[f64]) -> Result<Compensated, String> {
         let joints = self.arm.nearest_joints(&self.identified, target, uncompensated)?;
         let command = self.arm.tool_pose(&self.nominal, &joints).ok_or("out of reach of the nominal robot")?;
@@ -65,29 +73,35 @@ impl Calibrated<'_> {
         Ok(Compensated { joints, command, same_configuration })
     }
 
-    /// Where the identified robot is when the controller, at joint values near `near`, is commanded a pose.
+    /// Pose that the identified robot attains when the controller, at joint values near `near`, is
+    /// commanded a pose.
     ///
     /// # Errors
-    /// What forbids the command.
+    ///
+    /// Describes the limit that forbids the command.
     pub fn attained(&self, command: &Pose, near: &[f64]) -> Result<Pose, String> {
         let joints = self.arm.nearest_joints(&self.nominal, command, near)?;
         self.at_joints(&joints)
     }
 
-    /// Where the identified robot is at joint values.
+    /// Pose of the identified robot at joint values.
     ///
     /// # Errors
-    /// It cannot be there.
+    ///
+    /// Fails if the joint values admit no pose.
     pub fn at_joints(&self, joints: &[f64]) -> Result<Pose, String> {
         let pose = self.arm.tool_pose(&self.identified, joints);
         pose.ok_or_else(|| "the robot cannot be where the joints put it".to_owned())
     }
 
-    /// The deviation in x, y or z (`axes`) of a robot that is commanded positions, mm: where it is to be, less the position to command for it,
-    /// with all else as it is in `wanted`; zero along other axes. `near` is where the robot comes from, and then is.
+    /// Deviation along x, y or z (`axes`) of a robot that is commanded positions (mm): desired
+    /// position minus the position to command, zero along other axes. The other coordinates of
+    /// `wanted` are kept. `near` holds the joint values before the motion and is replaced by those
+    /// after it.
     ///
     /// # Errors
-    /// What forbids a command.
+    ///
+    /// Describes the limit that forbids a command.
     pub fn position_deviation(&self, wanted: &Pose, axes: &[usize], near: &mut Vec<f64>) -> Result<Vector, String> {
         let (mut command, mut left_mm) = (*wanted, 0.0);
         for _ in 0..MOST_CORRECTIONS {
@@ -105,8 +119,8 @@ impl Calibrated<'_> {
         Ok(minus(wanted.translation_mm, command.translation_mm))
     }
 
-    /// The deviation of a joint by its own errors at joint values, mm or rad: what is commanded, less the value at which it moves by that.
-    /// `None` of a joint without errors of its own.
+    /// Deviation of a joint by its own errors (mm or rad): commanded value minus the value at which
+    /// the joint moves by the commanded amount. `None` for a joint without errors of its own.
     pub fn joint_deviation(&self, commanded: &[f64], joint: usize) -> Option<f64> {
         let mut q = commanded.to_vec();
         for _ in 0..MOST_CORRECTIONS {
@@ -119,8 +133,9 @@ impl Calibrated<'_> {
         Some(commanded[joint] - q[joint])
     }
 
-    /// The deviations of joints together, mm or rad: what is commanded, less the values at which the first target of the identified robot
-    /// comes nearest to where that of the nominal one would be. `None` where the joints do not move it apart.
+    /// Deviations of several joints together (mm or rad): commanded values minus the values at
+    /// which the first target of the identified robot is nearest to its position on the nominal
+    /// robot. `None` if the joints cannot move the target independently.
     pub fn joint_deviations(&self, commanded: &[f64], joints: &[usize]) -> Option<Vec<f64>> {
         let (arm, d, all) = (self.arm, self.arm.dimension(), self.arm.joints().len());
         let wanted = arm.position(&self.nominal, commanded, 0);

@@ -1,7 +1,9 @@
-//! `model = "serial"`: an arm by a table of its joints, in one of three conventions.
+//! `model = "serial"`: an arm described by a table of its joints in one of three conventions.
 //!
-//! Modified Denavit-Hartenberg parameters (Craig 1986) and standard ones (Denavit & Hartenberg 1955), with Hayati's angle for
-//! near-parallel axes (Hayati & Mirmirani 1985), or screw axes (product of exponentials: Brockett 1984).
+//! The conventions are modified Denavit-Hartenberg parameters (Craig 1986), standard
+//! Denavit-Hartenberg parameters (Denavit & Hartenberg 1955), and screw axes (product of
+//! exponentials: Brockett 1984). Both tables use Hayati's angle for near-parallel axes (Hayati &
+//! Mirmirani 1985).
 
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
@@ -16,15 +18,15 @@ use std::cmp::Ordering;
 /// Serial arm.
 pub(super) const MODEL: Model = Model::new::<Keys>("serial");
 
-/// Axes whose twist is below this are near-parallel: d is replaced by Hayati's beta (3 degrees).
+/// Twist below which axes count as near-parallel, so that Hayati's beta replaces d (3 degrees).
 const NEAR_PARALLEL_RAD: f64 = 0.052;
 
-/// Convention in which the joints of an arm are stated.
+/// Convention of the description of an arm.
 #[derive(Clone, Copy, Debug)]
 enum Convention {
     /// Denavit-Hartenberg parameters.
     Table(TableConvention),
-    /// Screw axes in the base at zero joints (product of exponentials).
+    /// Screw axes in the base frame at joint values zero (product of exponentials).
     Poe,
 }
 
@@ -180,7 +182,7 @@ impl JointKeys {
         }
     }
 
-    /// Limits of the joint `i` (mm or rad).
+    /// Limits of joint `i` (mm or rad).
     fn limits(&self, i: usize) -> Result<Option<[f64; 2]>, Faults> {
         let (own, stated) = if self.prismatic { ("travel", self.travel_mm) } else { ("limits", self.limits_rad) };
         let foreign = if self.prismatic { self.limits_rad.map(|_| "limits") } else { self.travel_mm.map(|_| "travel") };
@@ -194,7 +196,7 @@ impl JointKeys {
         Err(Fault::new(At::Item("joint", i), kind).into())
     }
 
-    /// The joint `i`; `alone` where no other axis is on the side of its link.
+    /// Joint `i` of a table; `alone` if there is no other axis on the side of its link.
     fn of_table(&self, i: usize, alone: bool) -> Result<SerialJoint, Faults> {
         let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
         let mut once = |key, stated| match stated {
@@ -223,7 +225,7 @@ impl JointKeys {
         faults.or(SerialJoint { alpha_rad, a_mm, theta_rad, d_mm, prismatic: self.prismatic, parallel })
     }
 
-    /// The joint `i` as a screw axis.
+    /// Joint `i` as a screw axis.
     fn screw(&self, i: usize) -> Result<Screw, Faults> {
         let (mut faults, at) = (Faults::default(), || At::Item("joint", i));
         let table = [self.alpha_rad, self.a_mm, self.theta_rad, self.d_mm];
@@ -315,7 +317,7 @@ impl Description for Keys {
         }
         let mut faults = wrong_targets(targets);
         let joints: Vec<Joint> = (1..).zip(&self.joints).map(|(i, keys)| Joint::numbered(i, keys.prismatic)).collect();
-        // geometry is checked whatever is wrong with the rest
+        // geometry is checked despite other faults
         let effects = faults.keep(self.effects.among(&joints)).unwrap_or_default();
         let limits = self.joints.iter().enumerate().map(|(i, keys)| faults.keep(keys.limits(i)).flatten()).collect();
         let arm = faults.keep(match self.convention {
@@ -333,7 +335,7 @@ const BEFORE: [&str; 2] = [
     ),
     meaning("Length of the link before the joint: distance of its two axes, along the x axis before."),
 ];
-/// Those of the link behind it.
+/// Twist and length of the link after a joint.
 const BEHIND: [&str; 2] = [
     meaning(
         "Twist of the link behind the joint: angle from the z axis of the joint to the next, about the new x axis; counterclockwise positive.",
@@ -347,22 +349,22 @@ const BETA: &str = meaning(
     "Hayati's angle between near-parallel axes, about the y axis, in place of the link offset; counterclockwise positive.",
 );
 
-/// Where the link of a joint comes in a table of Denavit-Hartenberg parameters.
+/// Position of the link in a row of a Denavit-Hartenberg table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum TableConvention {
-    /// Before the joint: Rx(alpha) Tx(a) [Ry(beta)] Rz(theta + q) Tz(d) (Craig).
+    /// Link before the joint: Rx(alpha) Tx(a) [Ry(beta)] Rz(theta + q) Tz(d) (Craig).
     Modified,
-    /// Behind it: Rz(theta + q) Tz(d) Tx(a) Rx(alpha) [Ry(beta)].
+    /// Link after the joint: Rz(theta + q) Tz(d) Tx(a) Rx(alpha) [Ry(beta)].
     Standard,
 }
 
 impl TableConvention {
-    /// The other one.
+    /// The other table convention.
     fn other(self) -> Self {
         if self == Self::Modified { Self::Standard } else { Self::Modified }
     }
 
-    /// As it is called.
+    /// Name of the convention.
     fn name(self) -> &'static str {
         if self == Self::Modified { "modified" } else { "standard" }
     }
@@ -371,34 +373,37 @@ impl TableConvention {
 /// Nominal Denavit-Hartenberg parameters of one joint, in either convention.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SerialJoint {
-    /// Twist of the link, rad.
+    /// Twist of the link (rad).
     pub alpha_rad: f64,
-    /// Length of the link, mm.
+    /// Length of the link (mm).
     pub a_mm: f64,
-    /// Joint offset, rad.
+    /// Joint offset (rad).
     pub theta_rad: f64,
-    /// Link offset, mm.
+    /// Link offset (mm).
     pub d_mm: f64,
-    /// The joint moves along its axis instead of turning about it.
+    /// `true` if the joint slides along its axis, `false` if it rotates about it.
     pub prismatic: bool,
-    /// The axes at both ends of the link are nearly parallel: Hayati's beta replaces d.
+    /// `true` if the axes at both ends of the link are nearly parallel, so that Hayati's beta
+    /// replaces d.
     pub parallel: bool,
 }
 
-/// Axis of a joint in the base at zero joints.
+/// Axis of a joint in the base frame at joint values zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Screw {
-    /// Direction, of length one.
+    /// Unit direction.
     direction: Vector,
-    /// A point on it, mm.
+    /// Point on the axis (mm).
     point_mm: Vector,
-    /// The joint moves along its axis instead of turning about it.
+    /// `true` if the joint slides along its axis, `false` if it rotates about it.
     prismatic: bool,
 }
 
 impl Serial {
-    /// An arm of `joints` in modified Denavit-Hartenberg parameters, with `targets` on its last link. `bending` lists the joints (from
-    /// 1) that bend under gravity, whose direction in the base is `gravity`; `coupling` lists pairs (joint, by which joint), from 1.
+    /// Creates an arm of `joints` in modified Denavit-Hartenberg parameters, with `targets` on its
+    /// last link. `bending` lists the joints (from 1) that bend under gravity; `gravity` is its
+    /// direction in the base frame. `coupling` lists pairs of a joint and the joint that moves it
+    /// (from 1).
     pub fn new(
         joints: &[SerialJoint],
         targets: &[String],
@@ -416,7 +421,7 @@ impl Serial {
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
 
-    /// An arm of a table of joints with `targets` on its last link.
+    /// Arm described by a table of joints, with `targets` on its last link.
     fn of_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String], effects: &Effects) -> Self {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
@@ -473,12 +478,13 @@ impl Serial {
         }
         let link = drawn_link(modified, joints.iter().any(|j| j.parallel));
         let arm = arm.finish(joints.iter().map(|j| j.prismatic), effects);
-        // without joints there is no link
+        // no link exists without joints
         if joints.is_empty() { arm } else { arm.with_link(link) }
     }
 
-    /// An arm of screw axes with `targets` on its flange, whose pose in the base at zero joints is `home`. Each axis has its own small
-    /// errors in the base, two rotations and, where it turns, two translations.
+    /// Arm described by screw axes, with `targets` on its flange; `home` is the pose of the flange
+    /// in the base frame at joint values zero. Each axis has small errors in the base frame: two
+    /// rotations and, for a revolute joint, two translations.
     fn of_screws(screws: &[Screw], home: &Pose, targets: &[String], effects: &Effects) -> Self {
         let mut arm = ArmBuilder::new(targets);
         for (i, screw) in screws.iter().enumerate() {
@@ -494,7 +500,7 @@ impl Serial {
 }
 
 impl Drive {
-    /// Of joint q`number`.
+    /// Drive of joint q`number`.
     fn of_number(number: usize, prismatic: bool) -> Self {
         Self {
             label: number.to_string(),

@@ -1,18 +1,18 @@
-//! What a parameter and a joint are.
+//! Definitions of parameters and joints.
 
-/// What is measured: decides the unit at the door.
+/// Physical quantity, which decides the unit outside the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// Millimetres inside and outside.
+    /// Length, in millimetres inside and outside.
     Length,
-    /// Radians inside, degrees outside.
+    /// Angle, in radians inside and degrees outside.
     Angle,
-    /// A number without unit.
+    /// Dimensionless ratio.
     Ratio,
 }
 
 impl Quantity {
-    /// Unit outside: `mm`, `deg` or `1`.
+    /// Outside unit: `mm`, `deg` or `1`.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Length => "mm",
@@ -21,45 +21,45 @@ impl Quantity {
         }
     }
 
-    /// A value in the unit outside.
+    /// Converts a value to the outside unit.
     pub fn outward(self, value: f64) -> f64 {
         if self == Self::Angle { value.to_degrees() } else { value }
     }
 
-    /// A value from the unit outside.
+    /// Converts a value from the outside unit.
     pub fn inward(self, value: f64) -> f64 {
         if self == Self::Angle { value.to_radians() } else { value }
     }
 }
 
-/// What a parameter describes: decides what is fitted "before" the calibration.
+/// Owner of a parameter, which decides whether it is fitted before the calibration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Role {
     /// Pose of the base in the world.
     Base,
-    /// Places of the targets on the moving part.
+    /// Positions of the targets on the moving part.
     Target,
-    /// What targets touch or are measured from: points and planes that are fixed in the world.
+    /// Points and planes fixed in the world that targets touch or are measured from.
     Fixture,
     /// Geometry, joint offsets, gains and compliance of the robot itself.
     #[default]
     Robot,
 }
 
-/// What a parameter of the robot itself describes.
+/// Effect that a parameter of the robot itself describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effect {
     /// Zeros of the joints.
     Zeros,
     /// Lengths and angles of the parts.
     Geometry,
-    /// Gains: leads, ratios of the transmissions.
+    /// Gains: leads and transmission ratios.
     Gains,
     /// Harmonics of the transmissions.
     Harmonics,
     /// Backlash of the joints.
     Backlash,
-    /// Coupling of one joint to another.
+    /// Coupling between joints.
     Coupling,
     /// Bending of joints and links under loads.
     Bending,
@@ -86,34 +86,38 @@ pub struct Parameter {
     pub name: String,
     /// Length, angle or ratio.
     pub quantity: Quantity,
-    /// What it describes.
+    /// Owner of the parameter.
     pub role: Role,
-    /// Effect of a parameter of the robot itself; a zero of a joint is geometry here.
+    /// Effect of a parameter of the robot itself. The zero of a joint counts as geometry here.
     pub effect: Effect,
-    /// Index of the joint, or leg, that it belongs to.
+    /// Index of the joint or leg of the parameter.
     pub joint: Option<usize>,
-    /// Index of the joint behind the effect: it moves a coupled joint, or the link behind it bends a joint.
+    /// Index of the joint that causes the effect: it moves a coupled joint, or the link behind it
+    /// bends a joint.
     pub by: Option<usize>,
-    /// Axis of the world (base) or of the flange (targets) along or about which it is: 0, 1 or 2.
+    /// Axis of the world (base) or of the flange (targets) along or about which the parameter acts:
+    /// 0, 1 or 2.
     pub axis: Option<usize>,
-    /// Nominal value, in mm, rad or 1.
+    /// Nominal value (mm, rad or 1).
     pub nominal: f64,
-    /// How far from nominal the part may be as it is drawn and mounted, in mm, rad or 1: a result beyond it is that of a wrong
-    /// set-up. Infinite for base and targets without a nominal value: those of an arm.
+    /// Largest plausible deviation from nominal by manufacture and mounting (mm, rad or 1); a
+    /// larger result indicates a wrong set-up. Infinite for parameters without a nominal value:
+    /// base and targets of an arm.
     pub tolerance: f64,
-    /// `true` if the tolerance is stated for this robot, and is not that of its kind.
+    /// `true` if the tolerance is stated for this robot, `false` if it is the default of the kind.
     pub tolerance_is_stated: bool,
-    /// What it is and which sign it has, in a sentence that is the same for parameters of a kind.
+    /// Meaning and sign, in a sentence common to all parameters of the kind.
     pub meaning: &'static str,
 }
 
-/// Marks what a parameter means, or what a drawing shows: the report translates it.
+/// Marks the meaning of a parameter or the title of a drawing for translation in reports.
 pub const fn meaning(text: &'static str) -> &'static str {
     text
 }
 
 impl Parameter {
-    /// A parameter with its nominal value in mm, rad or 1, and the tolerance of its kind.
+    /// Creates a parameter with its nominal value (mm, rad or 1) and the default tolerance of its
+    /// kind.
     pub fn new(name: impl Into<String>, quantity: Quantity, role: Role, nominal: f64) -> Self {
         let tolerance = usual_tolerance(quantity, role);
         Self {
@@ -131,39 +135,41 @@ impl Parameter {
         }
     }
 
-    /// A coordinate, along or about `axis`, of a base or target without a nominal value.
+    /// Creates a coordinate, along or about `axis`, of a base or target without a nominal value.
     pub fn free(name: impl Into<String>, quantity: Quantity, role: Role, axis: usize) -> Self {
         Self { axis: Some(axis), tolerance: f64::INFINITY, ..Self::new(name, quantity, role, 0.0) }
     }
 
-    /// The same of a joint, by its index.
+    /// Assigns the parameter to a joint, by its index.
     pub fn of_joint(self, joint: usize) -> Self {
         Self { joint: Some(joint), ..self }
     }
 
-    /// The same with its meaning.
+    /// Sets the meaning.
     pub fn meaning(self, meaning: &'static str) -> Self {
         Self { meaning, ..self }
     }
 
-    /// Takes a tolerance that is stated, in mm, deg or 1.
+    /// Sets a stated tolerance (mm, deg or 1).
     pub fn state_tolerance(&mut self, value: f64) {
         (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }
 
-    /// `true` if the usual tolerance of a part of the robot counts, which says nothing of how well this one is made.
+    /// `true` if the default tolerance of a robot part applies, which is no statement about the
+    /// quality of this part.
     pub fn scales(&self) -> bool {
         self.role == Role::Robot && !self.tolerance_is_stated
     }
 
-    /// How well it is known before anything is identified (mm, rad, 1): as drawings have it, whatever tolerance is stated, or, where it
-    /// has no nominal value, as a look at base and targets shows it.
+    /// Initial uncertainty before identification (mm, rad or 1): the default tolerance, whatever
+    /// tolerance is stated. For parameters without a nominal value, that of a rough estimate of
+    /// base and targets.
     pub fn known_within(&self) -> f64 {
         usual_tolerance(self.quantity, if self.tolerance.is_finite() { self.role } else { Role::Base })
     }
 }
 
-/// Meaning where a model has no other: base, targets and fixtures are alike in all.
+/// Default meaning of base, target and fixture parameters, which are alike in all models.
 fn usual_meaning(quantity: Quantity, role: Role) -> &'static str {
     match (role, quantity) {
         (Role::Base, Quantity::Angle) => {
@@ -186,8 +192,8 @@ fn usual_meaning(quantity: Quantity, role: Role) -> &'static str {
     }
 }
 
-/// Tolerance where none is stated: ten times and more of what robots show (IRB 120: 0.3 mm, 0.1 deg; DexTAR 0.4 mm, 0.4 deg;
-/// PreXYT 1 mm), and far below what a wrong sign, unit or order makes of it.
+/// Default tolerance: at least ten times the deviations of real robots (IRB 120: 0.3 mm, 0.1 deg;
+/// DexTAR: 0.4 mm, 0.4 deg; PreXYT: 1 mm), and far below the effect of a wrong sign, unit or order.
 fn usual_tolerance(quantity: Quantity, role: Role) -> f64 {
     match (quantity, role) {
         (Quantity::Length, Role::Robot) => 10.0,
@@ -198,7 +204,7 @@ fn usual_tolerance(quantity: Quantity, role: Role) -> f64 {
     }
 }
 
-/// One joint as the controller logs it.
+/// A joint as logged by the controller.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Joint {
     /// Name, e.g. `rho1` or `q1`.
@@ -219,13 +225,13 @@ impl Joint {
         format!("{}_{}", self.name, self.quantity.unit())
     }
 
-    /// Name of the column of the direction from which it came: +1 from below, -1 from above.
+    /// Name of the column of the direction of approach: +1 from below, −1 from above.
     pub fn direction_column(&self) -> String {
         format!("{}_direction", self.name)
     }
 
-    /// What the values of a column of this joint are multiplied by to be in mm or rad: `q1_deg`, `q1_rad`, `rho1_mm`, `rho1_m`; `None`
-    /// where the column is not this joint's.
+    /// Factor that converts a column of this joint to mm or rad: `q1_deg`, `q1_rad`, `rho1_mm`,
+    /// `rho1_m`. `None` if the column does not belong to this joint.
     pub fn factor(&self, column: &str) -> Option<f64> {
         match (self.quantity, column.strip_prefix(&self.name)?) {
             (Quantity::Angle, "_deg") => Some(1f64.to_radians()),
@@ -236,23 +242,23 @@ impl Joint {
     }
 }
 
-/// What every robot has: its parameters, joints and targets, each in the order in which slices of them come.
+/// Common data of every robot: parameters, joints and targets, in the order of all slices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
     /// Short name of the model: `prexyt`, `five_bar`, `serial` ...
     pub model: &'static str,
-    /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
+    /// Number of coordinates measured per target: 2 for planar robots (x, y), otherwise 3.
     pub dimension: usize,
-    /// The parameters.
+    /// Parameters.
     pub parameters: Vec<Parameter>,
-    /// The joints.
+    /// Joints.
     pub joints: Vec<Joint>,
     /// Names of the targets on the moving part.
     pub targets: Vec<String>,
 }
 
 impl Definition {
-    /// Takes other nominal values.
+    /// Replaces the nominal values.
     pub fn set_nominal(&mut self, values: &[f64]) {
         for (parameter, value) in self.parameters.iter_mut().zip(values) {
             parameter.nominal = *value;

@@ -1,9 +1,12 @@
-//! Delta robots (Clavel 1988): a platform on three pairs of parallel rods, which let it shift and not turn. The rods hang on arms that
-//! turn (`delta`) or on carriages that slide along towers (`delta_linear`); the platform is below them.
+//! Delta robots (Clavel 1988): a platform on three pairs of parallel rods, which allow translation
+//! but no rotation. The rods hang on rotating arms (`delta`) or on carriages that slide along
+//! towers (`delta_linear`); the platform is below.
 //!
-//! Each pair is one rod between the middles of its joints. What it hangs on is a circle or a line in space: seven or five parameters,
-//! with the rod's length eight (the model of 24 parameters of Vischer & Clavel 1998) or six. The radius of the platform makes them nine
-//! and seven: it is never identifiable beside that of the base, and only their difference has an effect.
+//! Each pair of rods is modelled as one rod between the midpoints of its joints. The upper end of a
+//! rod moves on a circle or a line in space, with seven or five parameters; with the length of the
+//! rod, a leg has eight (24 parameters in total: Vischer & Clavel 1998) or six. The radius of the
+//! platform adds one parameter; it is unobservable beside the radius of the base, as only their
+//! difference has an effect.
 
 use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, Legs, Parallel, Rod};
@@ -14,7 +17,7 @@ use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
 use std::f64::consts::FRAC_PI_2;
 
-/// Delta with arms that turn.
+/// Delta with rotating arms.
 pub(super) const ROTARY: Model = Model::new::<RotaryKeys>("delta");
 /// Delta with carriages on towers.
 pub(super) const LINEAR: Model = Model::new::<LinearKeys>("delta_linear");
@@ -27,7 +30,7 @@ const ROD: &str = meaning("Length of the rod (forearm), between the centres of i
 const PLATFORM: &str =
     meaning("Joint of the rod from the z axis of the platform, along the x axis of its leg, outwards.");
 
-/// Description of what all deltas have.
+/// Description common to all deltas.
 struct Common {
     base_radius_mm: f64,
     platform_radius_mm: f64,
@@ -74,7 +77,7 @@ struct LinearKeys {
     travel_mm: Option<[f64; 3]>,
 }
 
-/// A robot of three equal legs; `lengths` must be positive.
+/// Creates a robot of three equal legs; `lengths` must be positive.
 fn build<L: Legs + 'static>(
     legs: L,
     nominal: &[f64],
@@ -129,23 +132,23 @@ impl Description for LinearKeys {
     }
 }
 
-/// Directions of the legs in the base, rad.
+/// Directions of the legs in the base frame (rad).
 #[derive(Clone, Copy, Debug)]
 struct Azimuths([f64; LEGS]);
 
 impl Azimuths {
-    /// The frame of a leg in base or platform: its x axis points outwards.
+    /// Frame of a leg in base or platform, with its x axis pointing outwards.
     fn frame<T: Scalar>(&self, leg: usize) -> Pose<T> {
         Pose::identity().turn_z(T::from(self.0[leg]))
     }
 }
 
-/// Arms that turn.
+/// Rotating arms.
 #[derive(Clone, Copy, Debug)]
 struct Rotary(Azimuths);
 
 impl Rotary {
-    /// The frame of a motor: the arm turns about its y axis.
+    /// Frame of a motor; the arm rotates about its y axis.
     fn motor<T: Scalar>(&self, leg: usize, p: &[T]) -> Pose<T> {
         let foot = self.0.frame(leg).shift(0, p[0]).shift(1, p[1]).shift(2, p[2]);
         foot.turn_z(p[3]).turn_x(p[4])
@@ -199,29 +202,30 @@ impl Legs for Rotary {
         hang(rods)
     }
 
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
         use StrokeKind::{Axis, Direction, Length, Part};
-        let (motor, rod, n) = (self.motor(leg, p), self.rod(leg, p, q), leg + 1);
+        let (motor, rod) = (self.motor(0, p), self.rod(0, p, q));
         let size = p[0] + p[5];
         let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
         sketch.add(Part, "", &[motor.translation_mm, rod.base_mm]);
         sketch.add(Axis, "", &[tip(&motor, 1, -0.3), tip(&motor, 1, 0.3)]);
-        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], motor.translation_mm]);
-        sketch.add(Length, format!("upper_arm_{n}"), &[motor.translation_mm, rod.base_mm]);
-        sketch.add(Direction, format!("base_side_{n}"), &[motor.translation_mm, tip(&motor, 1, 0.2)]);
-        sketch.add(Direction, format!("base_height_{n}"), &[motor.translation_mm, tip(&motor, 2, 0.2)]);
-        // about y from x downwards, about z and x from y
+        sketch.add(Length, "base_radius_1", &[[0.0; 3], motor.translation_mm]);
+        sketch.add(Length, "upper_arm_1", &[motor.translation_mm, rod.base_mm]);
+        sketch.add(Direction, "base_side_1", &[motor.translation_mm, tip(&motor, 1, 0.2)]);
+        sketch.add(Direction, "base_height_1", &[motor.translation_mm, tip(&motor, 2, 0.2)]);
+        // about y, downwards from x; about z and x, from y
         sketch.add(Axis, "", &[motor.translation_mm, tip(&motor, 0, 0.4)]);
-        sketch.angle(format!("theta{n} + delta_{n}"), &motor.turn_x(-FRAC_PI_2), 0.3 * size, q + p[6]);
-        sketch.angle(format!("axis_rz_{n}"), &motor.turn_z(FRAC_PI_2), 0.28 * size, 0.4);
-        sketch.angle(format!("axis_rx_{n}"), &motor.turn_z(FRAC_PI_2).turn_x(FRAC_PI_2), 0.28 * size, 0.4);
-        on_platform(n, &rod, platform, sketch);
+        sketch.angle("theta1 + delta_1", &motor.turn_x(-FRAC_PI_2), 0.3 * size, q + p[6]);
+        sketch.angle("axis_rz_1", &motor.turn_z(FRAC_PI_2), 0.28 * size, 0.4);
+        sketch.angle("axis_rx_1", &motor.turn_z(FRAC_PI_2).turn_x(FRAC_PI_2), 0.28 * size, 0.4);
+        on_platform(&rod, platform, sketch);
     }
 
-    /// One of two elbows from which the rod reaches its joint on the platform.
+    /// Joint value at which the elbow, one of two, is a rod's length away from the joint on the
+    /// platform.
     fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T {
         let [x, y, z] = self.motor(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
-        // x cos θ − z sin θ = c, of an elbow at (l cos θ, 0, −l sin θ)
+        // x cos θ − z sin θ = c, for an elbow at (l cos θ, 0, −l sin θ)
         let c = (x * x + y * y + z * z + p[5] * p[5] - p[7] * p[7]) / (p[5] * 2.0);
         let half = (x * x + z * z - c * c).sqrt().atan2(c);
         ((-z).atan2(x) - branch * half - p[6]).wrapped()
@@ -233,7 +237,7 @@ impl Legs for Rotary {
 struct Linear(Azimuths);
 
 impl Linear {
-    /// The frame of a tower, which is its z axis, at the height of the base.
+    /// Frame of a tower at the height of the base; the tower is its z axis.
     fn tower<T: Scalar>(&self, leg: usize, p: &[T]) -> Pose<T> {
         self.0.frame(leg).shift(0, p[3]).shift(1, p[4]).turn_y(p[1]).turn_x(p[2])
     }
@@ -242,7 +246,8 @@ impl Linear {
 impl Legs for Linear {
     const MODEL: &'static str = "delta_linear";
     const PARAMETERS: &'static [LegParameter] = &[
-        // a turn about the last tower moves the foot of another one most: of its parameters the last is held
+        // a rotation about the last tower moves the foot of another tower most, whose last
+        // parameter is held
         LegParameter {
             name: "offset_#",
             quantity: Quantity::Length,
@@ -276,35 +281,37 @@ impl Legs for Linear {
         hang(rods)
     }
 
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
         use StrokeKind::{Direction, Length, Part};
-        let (tower, rod, n) = (self.tower(leg, p), self.rod(leg, p, q), leg + 1);
+        let (tower, rod) = (self.tower(0, p), self.rod(0, p, q));
         let size = norm(minus(rod.base_mm, tower.translation_mm)).max(p[3]);
         let tip = |frame: &Pose, axis: usize, share: f64| frame.shift(axis, share * size).translation_mm;
         sketch.add(Part, "", &[tower.translation_mm, tip(&tower, 2, 1.2)]);
-        sketch.add(Length, format!("base_radius_{n}"), &[[0.0; 3], tower.translation_mm]);
-        sketch.add(Direction, format!("base_side_{n}"), &[tower.translation_mm, tip(&tower, 1, 0.2)]);
-        sketch.add(Direction, format!("rho{n} + offset_{n}"), &[tower.translation_mm, rod.base_mm]);
-        sketch.angle(format!("tower_rx_{n}"), &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
-        sketch.angle(format!("tower_ry_{n}"), &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
-        on_platform(n, &rod, platform, sketch);
+        sketch.add(Length, "base_radius_1", &[[0.0; 3], tower.translation_mm]);
+        sketch.add(Direction, "base_side_1", &[tower.translation_mm, tip(&tower, 1, 0.2)]);
+        sketch.add(Direction, "rho1 + offset_1", &[tower.translation_mm, rod.base_mm]);
+        sketch.angle("tower_rx_1", &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        sketch.angle("tower_ry_1", &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
+        on_platform(&rod, platform, sketch);
     }
 
-    /// The carriage above the platform from which the rod reaches it.
+    /// Joint value at which the carriage, above the platform, is a rod's length away from the joint
+    /// on the platform.
     fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, _branch: T) -> T {
         let [x, y, z] = self.tower(leg, p).inverse().apply(self.rod(leg, p, T::from(0.0)).shifted(platform));
         z + (p[5] * p[5] - x * x - y * y).sqrt() - p[0]
     }
 }
 
-/// Draws a rod and its joint on the platform.
-fn on_platform(n: usize, rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
+/// Draws the rod of the first leg and its joint on the platform.
+fn on_platform(rod: &Rod, platform: &Pose, sketch: &mut Sketch) {
     let end = platform.apply(rod.platform_mm);
-    sketch.add(StrokeKind::Length, format!("rod_{n}"), &[rod.base_mm, end]);
-    sketch.add(StrokeKind::Length, format!("platform_radius_{n}"), &[platform.translation_mm, end]);
+    sketch.add(StrokeKind::Length, "rod_1", &[rod.base_mm, end]);
+    sketch.add(StrokeKind::Length, "platform_radius_1", &[platform.translation_mm, end]);
 }
 
-/// The platform on three rods: where three spheres meet, about the ends on the base less those on the platform; the lower of two points.
+/// Pose of the platform on three rods: the lower intersection of three spheres about the upper ends
+/// of the rods minus their ends on the platform.
 fn hang<T: Scalar>(rods: &[Rod<T>]) -> Option<Pose<T>> {
     let &[one, two, three] = rods else { return None };
     let centre = |rod: Rod<T>| minus(rod.base_mm, rod.platform_mm);

@@ -1,32 +1,32 @@
-//! Descriptions that no robot can have.
+//! Faults in the description of a robot.
 
 use super::JointRef;
 
 /// A contradiction in the description of a robot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
-    /// Where it is.
+    /// Place of the fault.
     pub at: At,
-    /// What it is.
+    /// Kind of the fault.
     pub kind: FaultKind,
 }
 
 /// Place of a fault in a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum At {
-    /// Nowhere: what the fault is about comes from elsewhere.
+    /// Outside the description.
     Nowhere,
     /// At the value of a key.
     Key(&'static str),
-    /// At one of the values, or tables, of a key, counted from 0.
+    /// At one of the values or tables of a key, counted from 0.
     Item(&'static str, usize),
     /// In the tree of links and joints.
     Tree,
-    /// At a joint of that tree.
+    /// At a joint of the tree.
     TreeJoint(String),
 }
 
-/// What is wrong with the description of a robot. Keys are named as their [`super::Key`] names them.
+/// Kind of a fault in the description of a robot. Keys are named by their [`super::Key`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum FaultKind {
     /// A robot in space has no target.
@@ -39,41 +39,41 @@ pub enum FaultKind {
     Missing(&'static str),
     /// A value is stated in both of its units.
     StatedTwice(&'static str),
-    /// A hexapod has another number of legs than six.
+    /// A hexapod does not have six legs.
     LegCount(usize),
-    /// The legs do not hold the platform at its home pose.
+    /// The legs do not hold the platform at its home pose (singular configuration).
     SingularHome,
     /// An arm has no joints.
     NoJoints,
-    /// The direction of gravity has length zero.
+    /// The direction of gravity has zero length.
     GravityWithoutDirection,
-    /// A reference to joints of an arm is wrong; `joints` are their names.
+    /// A reference to joints of an arm is wrong.
     Joint {
-        /// What is wrong.
+        /// Kind of the wrong reference.
         what: JointFault,
         /// Names of all joints.
         joints: Vec<String>,
     },
-    /// A value of a screw axis stands among Denavit-Hartenberg parameters.
+    /// A value of a screw axis is stated among Denavit-Hartenberg parameters.
     NotDenavitHartenberg(&'static str),
-    /// Denavit-Hartenberg parameters stand at a screw axis.
+    /// Denavit-Hartenberg parameters are stated for a screw axis.
     NotScrew,
-    /// The axis of a joint has a direction of length zero.
+    /// The axis of a joint has zero length.
     AxisWithoutDirection,
-    /// Screw axes stand without the pose of the flange: without the value of this key.
+    /// Screw axes are stated without the pose of the flange (value of this key).
     NoFlange(&'static str),
-    /// A value of the pose of the flange stands beside Denavit-Hartenberg parameters.
+    /// The pose of the flange is stated beside Denavit-Hartenberg parameters.
     FlangeOfTable(&'static str),
-    /// Limits of the value of this key belong to a joint of the other motion, whose limits have the key `own`.
+    /// Limits are stated for the wrong kind of joint (sliding or revolute).
     RangeOfOtherMotion {
-        /// The key.
+        /// Key of the stated limits.
         key: &'static str,
-        /// Key of the limits of the joint.
+        /// Key of the limits that apply to the joint.
         own: &'static str,
     },
-    /// The lower limit is not below the upper one.
+    /// The lower limit is not below the upper limit.
     NoRange {
-        /// The key.
+        /// Key of the stated limits.
         key: &'static str,
         /// Lower and upper limit (mm or rad).
         ends: [f64; 2],
@@ -85,35 +85,35 @@ pub enum FaultKind {
 /// Wrong reference to a joint; joints are counted from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum JointFault {
-    /// There is no such joint.
+    /// The joint does not exist.
     Unknown(JointRef),
-    /// The joint slides, and has no turn that a harmonic could follow.
+    /// The joint slides; harmonics need a revolute joint.
     Slides(usize),
-    /// The joint is there twice.
+    /// The joint is listed twice.
     Twice(usize),
-    /// The joint is coupled with itself.
+    /// The joint is coupled to itself.
     WithItself(usize),
-    /// The pair is there twice.
+    /// The pair is listed twice.
     PairTwice(usize, usize),
 }
 
 /// Wrong tree of links and joints.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TreeFault {
-    /// The joint `joint` is of a kind that no chain has.
+    /// The type of a joint is not supported.
     Kind {
         /// Name of the joint.
         joint: String,
-        /// Its kind.
+        /// Type of the joint.
         kind: String,
     },
-    /// The axis of this joint has length zero.
+    /// The axis of this joint has zero length.
     NoDirection(String),
-    /// The origin of a joint is too far from its parent.
+    /// The origin of a joint is implausibly far from its parent.
     FarOrigin {
         /// Name of the joint.
         joint: String,
-        /// Distance, mm.
+        /// Distance (mm).
         away_mm: f64,
     },
     /// A link has two parents.
@@ -123,49 +123,49 @@ pub enum TreeFault {
         /// Names of the parents.
         parents: [String; 2],
     },
-    /// The joints from this link on form a loop.
+    /// The joints below this link form a loop.
     Loop(String),
-    /// There is no link of this name.
+    /// A link does not exist.
     NoLink {
-        /// The name.
+        /// Name of the missing link.
         link: String,
         /// Names of all links.
         links: Vec<String>,
     },
     /// No joints lead from one link to another.
     NoPath {
-        /// The link that is the base.
+        /// Link of the base.
         from: String,
-        /// The link that carries the targets.
+        /// Link of the targets.
         to: String,
-        /// The link that carries `to` and that no joint carries.
+        /// Root of the tree that contains `to`.
         root: String,
     },
-    /// A joint follows one that does not exist.
+    /// A joint mimics a joint that does not exist.
     MimicsUnknown {
         /// Name of the joint.
         joint: String,
-        /// Name of the joint that it follows.
+        /// Name of the mimicked joint.
         mimics: String,
         /// Names of all joints.
         joints: Vec<String>,
     },
-    /// This joint follows itself.
+    /// This joint mimics itself.
     MimicsItself(String),
     /// No joint moves between two links.
     NothingMoves {
-        /// The link that is the base.
+        /// Link of the base.
         from: String,
-        /// The link that carries the targets.
+        /// Link of the targets.
         to: String,
     },
     /// No joint of the tree moves.
     NoMovingJoint,
-    /// Joints bend under gravity although joints move this link, the base.
+    /// Joints bend under gravity although this link, the base, is moved by joints.
     BendsOnMovingBase(String),
-    /// No mass beyond this joint bends it.
+    /// No mass beyond this joint can bend it.
     NoMass(String),
-    /// Two parameters would have this name.
+    /// Two parameters would have the same name.
     DoubledName(String),
 }
 
@@ -188,12 +188,12 @@ impl Faults {
         self.0.push(Fault { at, kind });
     }
 
-    /// The value of a result, whose faults are kept.
+    /// Returns the value of a result, or collects its faults.
     pub(super) fn keep<T>(&mut self, result: Result<T, Self>) -> Option<T> {
         result.map_err(|faults| self.0.extend(faults.0)).ok()
     }
 
-    /// The value if there is no fault.
+    /// Returns the value if there are no faults.
     pub(super) fn or<T>(self, value: T) -> Result<T, Self> {
         if self.0.is_empty() { Ok(value) } else { Err(self) }
     }

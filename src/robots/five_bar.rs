@@ -1,7 +1,9 @@
-//! The five-bar: two arms A1 B1 C and A2 B2 C in the plane, the tool E fixed to the link B2 C (thesis, chapter 4),
-//! and what it reaches: singularities and the distance to them, joint limits, links that are in each other's way.
+//! Five-bar: two arms A1 B1 C and A2 B2 C in the plane, with the tool E fixed to the link B2 C
+//! (thesis, chapter 4). Includes its limits: singularities and the distance to them, joint limits,
+//! and collisions of links.
 //!
-//! Twelve parameters (section 4.3). Joint values are the two encoder angles and, behind them, the assembly mode.
+//! The model has twelve parameters (thesis, section 4.3). Joint values are the two encoder angles,
+//! followed by the assembly mode.
 
 use super::keys::{Description, Reader};
 use super::{
@@ -16,7 +18,8 @@ use etalon_base::sketch::{Sketch, StrokeKind};
 use std::f64::consts::PI;
 
 const PARAMETERS: usize = 12;
-/// Names, quantities, roles, nominal values and meanings (eq. 4.24; x_o and y_o: table 4.1).
+/// Names, quantities, roles, nominal values and meanings (thesis, eq. 4.24; x_o and y_o: table
+/// 4.1).
 const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
     ("l11", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 1, A1 to B1.")),
     ("l12", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 1, B1 to C.")),
@@ -99,10 +102,10 @@ impl Description for FiveBarLimits {
     }
 }
 
-/// Branch indices ζ1, ζ2 of the four working modes.
+/// Branch indices ζ1 and ζ2 of the four working modes.
 pub const WORKING_MODES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
-/// The five-bar with its nominal parameters and what it reaches.
+/// Five-bar with its nominal parameters and its limits.
 ///
 /// # Examples
 ///
@@ -126,57 +129,59 @@ pub struct FiveBar {
     limits: FiveBarLimits,
 }
 
-/// Joints of the mechanism in the base frame (mm).
+/// Points of the mechanism in the base frame (mm).
 #[derive(Clone, Copy, Debug)]
 pub struct Linkage<T = f64> {
     /// Elbow of arm 1.
     pub b1: [T; 2],
     /// Elbow of arm 2.
     pub b2: [T; 2],
-    /// Where the arms meet.
+    /// Common end of both arms.
     pub c: [T; 2],
-    /// The tool.
+    /// Tool.
     pub e: [T; 2],
 }
 
 /// Limits of a five-bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FiveBarLimits {
-    /// Least and greatest encoder angles.
+    /// Smallest and largest encoder angles.
     pub limits_rad: [[f64; 2]; 2],
-    /// The centre lines of the proximal link of one arm and the distal link of the other, A1B1 and B2C or A2B2 and B1C, stay
-    /// farther apart than this; 0 forbids that they cross. `None`: all links pass over each other.
+    /// Minimum distance between the centre lines of the proximal link of one arm and the distal
+    /// link of the other (A1B1 and B2C, A2B2 and B1C). With 0 these links must not cross; with
+    /// `None` all links pass over each other.
     pub clearance_mm: Option<f64>,
-    /// Least angle between the links of an arm when stretched or folded (type 1).
+    /// Minimum angle from a stretched or folded arm (type 1).
     pub type1_margin_rad: f64,
-    /// Least angle between the distal links when in line (type 2).
+    /// Minimum angle from aligned distal links (type 2).
     pub type2_margin_rad: f64,
 }
 
 impl Default for FiveBarLimits {
-    /// No limits but being away from singularities by more than rounding.
+    /// No limits except that singularities are avoided by more than rounding.
     fn default() -> Self {
         Self { limits_rad: [[-PI, PI]; 2], clearance_mm: None, type1_margin_rad: 1e-6, type2_margin_rad: 1e-6 }
     }
 }
 
-/// Distance to singularities as angles: how far two links are from being in line.
+/// Angular distance to singularities: deviation of two links from alignment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingularityDistance {
-    /// Type 1, where an arm is stretched or folded: arm 1 (A1B1 and B1C), arm 2 (A2B2 and B2E).
+    /// Distance to type 1, a stretched or folded arm: arm 1 (A1B1 and B1C), arm 2 (A2B2 and B2E).
     pub type1_rad: [f64; 2],
-    /// Type 2, where the distal links B1C and B2C are in line: the tool moves with locked joints.
+    /// Distance to type 2, aligned distal links B1C and B2C, where the tool moves with locked
+    /// joints.
     pub type2_rad: f64,
 }
 
-/// One way to bring the tool to a position.
+/// A solution of the inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InverseSolution {
-    /// Working mode: the branch indices ζ1, ζ2.
+    /// Working mode: branch indices ζ1 and ζ2.
     pub branches: [f64; 2],
     /// Encoder angles in (−π, π].
     pub joints_rad: [f64; 2],
-    /// Assembly mode ξ that this working mode has here.
+    /// Assembly mode ξ of this solution.
     pub assembly: f64,
 }
 
@@ -199,14 +204,14 @@ impl Default for FiveBar {
 }
 
 impl FiveBar {
-    /// The same robot with other limits.
+    /// Replaces the limits.
     pub fn with_limits(mut self, limits: FiveBarLimits) -> Self {
         self.limits = limits;
         self
     }
 
-    /// Direct kinematics in the base frame for encoder angles (rad) and the assembly mode ξ, +1 or −1; not a number where
-    /// the arms do not meet (eq. 4.1 to 4.7, θ = encoder + δ).
+    /// Direct kinematics in the base frame from encoder angles (rad) and assembly mode ξ (+1 or
+    /// −1); NaN if the arms do not meet (thesis, eq. 4.1 to 4.7, where θ = encoder angle + δ).
     pub fn direct<T: Scalar>(&self, p: &[T], q: [T; 2], assembly: impl Into<T>) -> Linkage<T> {
         let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
         let (sin1, cos1) = (q[0] + delta1).sin_cos();
@@ -219,13 +224,13 @@ impl FiveBar {
         Linkage { b1, b2, c, e }
     }
 
-    /// Inverse kinematics: encoder angles (rad) that bring the tool to `e` (base frame) with the branch indices ζ1, ζ2; not
-    /// a number where an arm does not reach (eq. 4.8 to 4.19).
+    /// Inverse kinematics: encoder angles (rad) that bring the tool to `e` (base frame) with branch
+    /// indices ζ1 and ζ2; NaN if an arm does not reach (thesis, eq. 4.8 to 4.19).
     pub fn inverse<T: Scalar>(&self, p: &[T], e: [T; 2], branches: [impl Into<T>; 2]) -> [T; 2] {
         let branches = branches.map(Into::into);
         let [l11, l12, l21, l22, d, l23, gamma, delta1, delta2] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| p[i]);
         let half = d * 0.5;
-        // the thesis' branch turns clockwise, the assembly mode counterclockwise
+        // the branch of the thesis turns clockwise, the assembly mode counterclockwise
         let a2_b2 = meet([e[0] - half, e[1]], l21, l23, -branches[1]); // eq. 4.15 to 4.18
         let b2 = [a2_b2[0] + half, a2_b2[1]]; // eq. 4.14
         let c = plus(b2, turn(minus(e, b2), -gamma, l22 / l23)); // eq. 4.13
@@ -234,17 +239,17 @@ impl FiveBar {
         [angle(a1_b1, delta1), angle(a2_b2, delta2)]
     }
 
-    /// A point of the base frame in the world (eq. 4.21).
+    /// Transforms a point from the base frame to the world (thesis, eq. 4.21).
     pub fn to_world<T: Scalar>(&self, p: &[T], point: [T; 2]) -> [T; 2] {
         plus([p[9], p[10]], turn(point, p[11], T::from(1.0)))
     }
 
-    /// A point of the world in the base frame.
+    /// Transforms a point from the world to the base frame.
     pub fn to_base<T: Scalar>(&self, p: &[T], point: [T; 2]) -> [T; 2] {
         turn(minus(point, [p[9], p[10]]), -p[11], T::from(1.0))
     }
 
-    /// The assembly mode ξ in which encoder angles `q` bring the tool to `e` of the base frame: the nearer one.
+    /// Assembly mode ξ in which encoder angles `q` bring the tool nearest to `e` (base frame).
     pub fn assembly_at(&self, p: &[f64], q: [f64; 2], e: [f64; 2]) -> f64 {
         let off = |assembly: f64| {
             let reached = self.direct(p, q, assembly).e;
@@ -253,7 +258,7 @@ impl FiveBar {
         if off(-1.0) < off(1.0) { -1.0 } else { 1.0 }
     }
 
-    /// How far from singularities a configuration is.
+    /// Distance of a configuration to singularities.
     pub fn singularity_distance(&self, p: &[f64], at: &Linkage) -> SingularityDistance {
         let half = 0.5 * p[4];
         let (arm1, arm2) = (from([-half, 0.0], at.b1), from([half, 0.0], at.b2));
@@ -263,7 +268,8 @@ impl FiveBar {
         }
     }
 
-    /// Which of reach, joint limits, margins and clearance forbids a configuration, if one does.
+    /// Description of the limit that forbids a configuration, if any: reach, joint limits, margins
+    /// or clearance.
     pub fn violation(&self, p: &[f64], q: [f64; 2], at: &Linkage) -> Option<String> {
         let FiveBarLimits { limits_rad, clearance_mm, type1_margin_rad, type2_margin_rad } = self.limits;
         if !at.e.iter().all(|v| v.is_finite()) {
@@ -293,7 +299,7 @@ impl FiveBar {
             .then(|| format!("links {found:.3} mm apart, more than {least} mm are asked for"))
     }
 
-    /// Least distance between the proximal link of one arm and the distal link of the other.
+    /// Smallest distance between the proximal link of one arm and the distal link of the other.
     pub fn clearance_mm(&self, p: &[f64], at: &Linkage) -> f64 {
         let half = 0.5 * p[4];
         let (a1, a2) = ([-half, 0.0], [half, 0.0]);
@@ -301,7 +307,7 @@ impl FiveBar {
         pairs.into_iter().map(|[a, b, c, d]| segment_distance(a, b, c, d)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The working modes that reach `e` (base frame, mm).
+    /// Solutions for all working modes that reach `e` (base frame, mm).
     pub fn reached(&self, p: &[f64], e: [f64; 2]) -> Vec<InverseSolution> {
         let configuration = |branches: [f64; 2]| {
             let joints_rad = self.inverse(p, e, branches);
@@ -326,13 +332,14 @@ fn minus<T: Scalar>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// `v` turned counterclockwise and stretched.
+/// Rotates `v` counterclockwise and scales it.
 fn turn<T: Scalar>(v: [T; 2], angle: T, stretch: T) -> [T; 2] {
     let (sin, cos) = angle.sin_cos();
     [stretch * (cos * v[0] - sin * v[1]), stretch * (sin * v[0] + cos * v[1])]
 }
 
-/// From one end of `base`, where two links of lengths `near` and `far` from its two ends meet: on its left for `side` = +1.
+/// Vector from the first end of `base` to the meeting point of two links, with lengths `near` from
+/// the first end and `far` from the second; on the left of `base` for `side` = +1.
 fn meet<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] {
     let square = base[0] * base[0] + base[1] * base[1];
     let along = (near * near - far * far + square) / (square * 2.0); // eq. 4.5: b1 / d
@@ -344,14 +351,14 @@ fn from(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [b[0] - a[0], b[1] - a[1]]
 }
 
-/// Angle by which two directions miss being in line.
+/// Angle between two directions, modulo reversal.
 fn from_line(a: [f64; 2], b: [f64; 2]) -> f64 {
     let cross = a[0] * b[1] - a[1] * b[0];
     let along = a[0] * b[0] + a[1] * b[1];
     cross.abs().atan2(along.abs())
 }
 
-/// Least distance between two segments; zero where they cross.
+/// Smallest distance between two segments; zero if they cross.
 fn segment_distance(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
     let side = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
         let (u, v) = (from(p, q), from(p, r));
@@ -369,13 +376,14 @@ fn segment_distance(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
 }
 
 impl Kinematics for FiveBar {
-    /// The tool has no orientation: that of the base.
+    /// Pose of the tool with the orientation of the base, as the tool has no orientation of its
+    /// own.
     fn tool_pose(&self, p: &[f64], joints: &[f64]) -> Option<Pose> {
         let assembly = joints.get(2).copied().unwrap_or(1.0);
         let [x_mm, y_mm] = FiveBar::direct(self, p, [joints[0], joints[1]], assembly).e;
         in_space(PlanarPose { x_mm, y_mm, theta_rad: 0.0 })
     }
-    /// Working modes are the branch indices ζ1, ζ2.
+    /// Formulas with the branch indices ζ1 and ζ2 as working modes.
     fn formulas(&self, p: &[f64]) -> Vec<Formula> {
         let p = || p.iter().map(|&v| Recorded::from(v)).collect::<Vec<_>>();
         let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<String>>();
@@ -418,7 +426,7 @@ impl Robot for FiveBar {
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
     }
-    /// With the arms half open, and the tool beside C however it is drawn, so that every parameter shows.
+    /// Drawing with half-open arms and the tool beside C, so that every parameter is visible.
     fn sketches(&self) -> Vec<Sketch> {
         use StrokeKind::{Axis, Length, Part};
         let title = meaning(
@@ -429,7 +437,7 @@ impl Robot for FiveBar {
         (p[5], p[6]) = (1.3 * p[3], 0.5);
         let meeting = |q: [f64; 2]| [1.0, -1.0].map(|mode| self.direct(&p, q, mode)).map(|at| (q, at));
         let all = [[2.1, 1.1], [1.8, 1.3], [1.6, 1.5], [1.3, 1.8]].into_iter().flat_map(meeting);
-        // with C away from the motors
+        // C on the far side of the motors
         let mut away = all.filter(|(_, at)| at.e[0].is_finite() && at.c[1] > at.b1[1].max(at.b2[1]));
         let Some((q, at)) = away.next() else {
             return Vec::new();
@@ -475,7 +483,7 @@ impl Robot for FiveBar {
         }
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        // an offset adds to its joint's value
+        // an offset adds to the value of its joint
         let offsets = [7, 8].map(|i| Dual::<PARAMETERS>::variable(parameters[i], i - 7));
         let mut p = constants(parameters);
         p[7..9].copy_from_slice(&offsets);
@@ -531,11 +539,11 @@ mod tests {
     fn stretched_and_in_line_is_singular() {
         let robot = FiveBar::default();
         let p = robot.nominal();
-        // elbows 460 mm apart: the distal links are one line (type 2); 1e-4 rad inside they nearly are
+        // with elbows 460 mm apart the distal links are aligned (type 2); this is 1e-4 rad inside
         let q = (92.5f64 / 230.0).acos();
         let at = robot.direct(&p, [PI - q - 1e-4, q + 1e-4], 1.0);
         assert!(robot.singularity_distance(&p, &at).type2_rad < 0.03);
-        // arm 2 along the line to the tool (type 1)
+        // arm 2 aligned with the tool (type 1)
         let at = Linkage { e: [137.5 + 2.0 * (at.b2[0] - 137.5), 2.0 * at.b2[1]], ..at };
         assert!(robot.singularity_distance(&p, &at).type1_rad[1] < 1e-12);
     }

@@ -1,7 +1,8 @@
-//! The hexapod (Gough & Whitehall 1962, Stewart 1965): a platform on six legs whose lengths are driven.
+//! Hexapod (Gough & Whitehall 1962, Stewart 1965): a platform on six legs of variable length.
 //!
-//! 42 parameters (Masory, Wang & Zhuang 1993): of each leg the centres of its joints on base and platform, and its length at joint value
-//! zero. The frames of base and platform are free, so that twelve of them are not identifiable beside a base and targets.
+//! The model has 42 parameters (Masory, Wang & Zhuang 1993): for each leg, the centres of its
+//! joints on base and platform, and its length at joint value zero. The frames of base and platform
+//! are arbitrary, so that twelve parameters are unobservable beside base and targets.
 
 use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod, gaps, lengthening};
@@ -26,7 +27,7 @@ struct Keys {
     home_rpy_rad: Vector,
 }
 
-/// Description of a leg of a hexapod.
+/// Description of one leg of a hexapod.
 struct LegKeys {
     base_mm: Vector,
     platform_mm: Vector,
@@ -85,19 +86,19 @@ impl Description for Keys {
     }
 }
 
-/// Millimetres that a platform moves for a millimetre of a leg, or radians: beyond it is singular.
+/// Platform motion per leg motion (mm/mm or rad/mm) beyond which a configuration is singular.
 const SINGULAR: f64 = 1e6;
-/// Parts of the way from home to the joints at most, and steps of Newton's method in each.
+/// Smallest part of the way from home to the joint values, and Newton steps in each part.
 const SHORTEST: f64 = 1e-3;
 const STEPS: usize = 12;
-/// Each step is shorter than this part of the one before: Newton's method stays with the solution that it comes from.
+/// Largest ratio of successive Newton steps; ensures that the iteration stays on its branch.
 const CONTRACTION: f64 = 0.5;
-/// Rotation of a first step at most, rad.
+/// Largest rotation of a first step (rad).
 const TURN: f64 = 0.5;
-/// The pose is found where a step moves no joint of the platform by more, mm.
+/// Convergence tolerance: largest motion of a platform joint in a step (mm).
 const FOUND_MM: f64 = 1e-10;
 
-/// The legs of a hexapod, and the pose from which its assembly mode is reached.
+/// Legs of a hexapod, and the pose that selects its assembly mode.
 #[derive(Clone, Debug)]
 struct Hexapod {
     home: Pose,
@@ -125,21 +126,21 @@ impl Legs for Hexapod {
         Rod { base_mm: [p[0], p[1], p[2]], platform_mm: [p[3], p[4], p[5]], length_mm: p[6] + q }
     }
 
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
-        let (rod, leg) = (self.rod(leg, p, q), leg + 1);
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch) {
+        let rod = self.rod(0, p, q);
         let end = platform.apply(rod.platform_mm);
-        sketch.add(StrokeKind::Length, format!("leg{leg}_l0 + leg{leg}"), &[rod.base_mm, end]);
+        sketch.add(StrokeKind::Length, "leg1_l0 + leg1", &[rod.base_mm, end]);
         let to_base = [[0.0; 3], [p[0], 0.0, 0.0], [p[0], p[1], 0.0], rod.base_mm];
         for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_base.windows(2)) {
-            sketch.add(StrokeKind::Direction, format!("leg{leg}_b{axis}"), ends);
+            sketch.add(StrokeKind::Direction, format!("leg1_b{axis}"), ends);
         }
         let to_platform = [[0.0; 3], [p[3], 0.0, 0.0], [p[3], p[4], 0.0], rod.platform_mm].map(|at| platform.apply(at));
         for (axis, ends) in ["x", "y", "z"].into_iter().zip(to_platform.windows(2)) {
-            sketch.add(StrokeKind::Direction, format!("leg{leg}_a{axis}"), ends);
+            sketch.add(StrokeKind::Direction, format!("leg1_a{axis}"), ends);
         }
     }
 
-    /// By Newton's method from home, in parts of the way where it does not converge at once.
+    /// Newton's method from home, in parts of the way if it does not converge at once.
     fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
         let mut rods = legs.rods(joints);
         let (lengths, from_home) = (rods.iter().map(|rod| rod.length_mm).collect::<Vec<_>>(), gaps(&rods, &self.home));
@@ -162,7 +163,7 @@ impl Legs for Hexapod {
     }
 }
 
-/// The pose of the platform on these rods that Newton's method leads to without leaping.
+/// Pose of the platform to which Newton's method converges without leaving its branch.
 fn newton(rods: &[Rod], mut pose: Pose) -> Option<Pose> {
     let lever = rods.iter().map(|rod| norm(rod.platform_mm)).fold(0.0, f64::max);
     let mut before = f64::INFINITY;

@@ -1,27 +1,27 @@
-//! Description of a robot: each model declares the keys of which it is built and reads their values in one place,
-//! whatever file they come from.
+//! Description of a robot by keys. Each model declares its keys and reads their values in one
+//! place, independently of the file format.
 
 use super::{Faults, Quantity, Robot, Tree};
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// A value that a robot's description states.
+/// A key in the description of a robot.
 #[derive(Clone, Debug)]
 pub struct Key {
     /// Name, without unit.
     pub name: &'static str,
     /// Meaning, for a reference of all keys.
     pub meaning: &'static str,
-    /// Quantity of its numbers; a ratio has no unit.
+    /// Quantity of the numbers; a ratio has no unit.
     pub quantity: Quantity,
-    /// `true` if it may be stated in a second unit: metres or radians.
+    /// `true` if the value may be stated in a second unit: metres or radians.
     pub two_units: bool,
-    /// `true` if the robot is meaningless where the value is unreadable.
+    /// `true` if the robot cannot be built without a readable value.
     pub essential: bool,
     /// Shape of the value.
     pub shape: Shape,
-    /// What stands for a missing value.
+    /// Treatment of a missing value.
     pub absence: Absence,
 }
 
@@ -30,7 +30,7 @@ pub struct Key {
 pub enum Shape {
     /// A number.
     Number,
-    /// Two numbers: the smallest and the largest of a range.
+    /// Two numbers: smallest and largest value of a range.
     Range,
     /// Three numbers.
     Triple,
@@ -38,34 +38,34 @@ pub enum Shape {
     Flag,
     /// A word.
     Text,
-    /// One of these words, each with its meaning; the first stands for a missing value.
+    /// One of several words, each with its meaning; the first is the default.
     Choice(Vec<(&'static str, &'static str)>),
     /// References to joints.
     Joints,
     /// Pairs of references to joints.
     JointPairs,
-    /// Links and joints of a tree.
+    /// Tree of links and joints.
     Tree,
     /// A table with these keys.
     Table(Vec<Key>),
-    /// Tables with these keys, one behind the other, with the meaning of each.
+    /// List of tables with these keys, and the meaning of each table.
     Tables(&'static str, Vec<Key>),
 }
 
-/// What stands for a missing value.
+/// Treatment of a missing value.
 #[derive(Clone, Debug)]
 pub enum Absence {
-    /// An error.
+    /// A missing value is an error.
     Error,
-    /// Nothing.
+    /// A missing value is allowed.
     Nothing,
-    /// An empty list or table.
+    /// Defaults to an empty list or table.
     Empty,
-    /// A value, in mm, deg or 1.
+    /// Default value (mm, deg or 1).
     Default(Value),
 }
 
-/// A value, lengths in mm and angles in rad.
+/// A value, with lengths in mm and angles in rad.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// Numbers of a [`Shape::Number`], [`Shape::Range`] or [`Shape::Triple`].
@@ -86,47 +86,47 @@ pub enum Value {
     Table(Values),
     /// A [`Shape::Tables`].
     Tables(Vec<Values>),
-    /// Stated in both units.
+    /// A value that is stated in both units.
     Twice,
 }
 
-/// Values by the names of their keys.
+/// Values by key name.
 pub type Values = BTreeMap<&'static str, Value>;
 
-/// A joint by its number, from 1, or its name.
+/// Reference to a joint, by number or name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum JointRef {
-    /// From 1.
+    /// Number, from 1.
     Number(usize),
-    /// As the joint is called.
+    /// Name.
     Name(String),
 }
 
 impl Key {
-    /// A key of a value without unit.
+    /// Creates a key of a dimensionless value.
     pub(super) fn plain(name: &'static str, meaning: &'static str) -> Self {
         let (quantity, absence) = (Quantity::Ratio, Absence::Error);
         Self { name, meaning, quantity, two_units: false, essential: false, shape: Shape::Number, absence }
     }
 
-    /// A key of a length.
+    /// Creates a key of a length.
     pub(super) fn length(name: &'static str, meaning: &'static str) -> Self {
         Self { quantity: Quantity::Length, ..Self::plain(name, meaning) }
     }
 
-    /// A key of an angle.
+    /// Creates a key of an angle.
     pub(super) fn angle(name: &'static str, meaning: &'static str) -> Self {
         Self { quantity: Quantity::Angle, ..Self::plain(name, meaning) }
     }
 
-    /// The same key, without whose value the robot is meaningless.
+    /// Marks the key as essential.
     pub(super) fn essential(self) -> Self {
         Self { essential: true, ..self }
     }
 }
 
 impl Value {
-    /// The value with its numbers in mm and rad, from mm and deg.
+    /// Converts the numbers of a value from mm and deg to mm and rad.
     pub fn inward(self, quantity: Quantity) -> Self {
         match self {
             Self::Numbers(numbers) => Self::Numbers(numbers.into_iter().map(|v| quantity.inward(v)).collect()),
@@ -135,7 +135,7 @@ impl Value {
     }
 }
 
-/// Type of a value.
+/// Type that a value can be converted to.
 pub(super) trait Setting: Default {
     const SHAPE: Shape;
     fn of(value: &Value) -> Option<Self>;
@@ -173,7 +173,7 @@ impl Setting for f64 {
     }
 }
 
-/// Value of a key that may be stated in two units.
+/// Value of a key that may be stated in either of two units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Stated<T> {
     #[default]
@@ -188,7 +188,7 @@ impl<T> Stated<T> {
     }
 }
 
-/// Reads the values of a description and notes the keys that it is asked for.
+/// Reads the values of a description and records the requested keys.
 #[derive(Debug, Default)]
 pub(super) struct Reader<'v> {
     values: Option<&'v Values>,
@@ -196,14 +196,14 @@ pub(super) struct Reader<'v> {
 }
 
 impl<'v> Reader<'v> {
-    /// The keys that `read` asks for.
+    /// Keys that `read` requests.
     pub fn keys<T>(read: fn(&mut Self) -> T) -> Vec<Key> {
         let mut reader = Self::default();
         read(&mut reader);
         reader.keys
     }
 
-    /// The values that `read` asks for.
+    /// Reads values with `read`.
     pub fn read<T>(values: &'v Values, read: fn(&mut Self) -> T) -> T {
         read(&mut Self { values: Some(values), keys: Vec::new() })
     }
@@ -218,17 +218,17 @@ impl<'v> Reader<'v> {
         self.value(Key { shape: T::SHAPE, absence, ..key }).and_then(T::of)
     }
 
-    /// A value that must be stated.
+    /// Reads a mandatory value.
     pub fn required<T: Setting>(&mut self, key: Key) -> T {
         self.get(key.essential(), Absence::Error).unwrap_or_default()
     }
 
-    /// A value that may be missing.
+    /// Reads an optional value.
     pub fn optional<T: Setting>(&mut self, key: Key) -> Option<T> {
         self.get(key, Absence::Nothing)
     }
 
-    /// A value, or this default in mm, deg or 1.
+    /// Reads a value with a default (mm, deg or 1).
     pub fn or<T: Setting>(&mut self, key: Key, default: T) -> T {
         let default = default.value();
         let quantity = key.quantity;
@@ -236,7 +236,7 @@ impl<'v> Reader<'v> {
         stated.or_else(|| T::of(&default.inward(quantity))).unwrap_or_default()
     }
 
-    /// A value in one of two units.
+    /// Reads a value that may be stated in either of two units.
     pub fn in_two_units<T: Setting>(&mut self, key: Key) -> Stated<T> {
         let key = Key { shape: T::SHAPE, absence: Absence::Nothing, two_units: true, ..key };
         match self.value(key) {
@@ -245,7 +245,7 @@ impl<'v> Reader<'v> {
         }
     }
 
-    /// One of several values, each with its name and meaning; the first where none is stated.
+    /// Reads one of several named values; the first is the default.
     pub fn choice<T: Copy, const N: usize>(&mut self, key: Key, choices: [(&'static str, &'static str, T); N]) -> T {
         let shape = Shape::Choice(choices.iter().map(|(name, meaning, _)| (*name, *meaning)).collect());
         let chosen = self.value(Key { shape, absence: Absence::Default(Value::Choice(0)), ..key });
@@ -253,7 +253,7 @@ impl<'v> Reader<'v> {
         choices.get(index).unwrap_or(&choices[0]).2
     }
 
-    /// Values of a table.
+    /// Reads a table.
     pub fn table<T>(&mut self, key: Key, read: fn(&mut Reader<'v>) -> T) -> T {
         let shape = Shape::Table(Reader::keys(read));
         let value = self.value(Key { shape, absence: Absence::Empty, ..key });
@@ -261,7 +261,7 @@ impl<'v> Reader<'v> {
         read(&mut Reader { values, keys: Vec::new() })
     }
 
-    /// Values of several tables; `each` is the meaning of one of them.
+    /// Reads several tables; `each` is the meaning of one of them.
     pub fn tables<T>(&mut self, key: Key, each: &'static str, read: fn(&mut Reader<'v>) -> T) -> Vec<T> {
         let shape = Shape::Tables(each, Reader::keys(read));
         let value = self.value(Key { shape, absence: Absence::Empty, ..key.essential() });
@@ -270,7 +270,7 @@ impl<'v> Reader<'v> {
     }
 }
 
-/// Builds the robot that values describe, with these targets.
+/// Builds a robot from values and targets.
 type Build = fn(&Values, &[String]) -> Result<Box<dyn Robot>, Faults>;
 
 /// A kinematic model.
@@ -278,14 +278,14 @@ type Build = fn(&Values, &[String]) -> Result<Box<dyn Robot>, Faults>;
 pub struct Model {
     /// Short name: `prexyt`, `five_bar`, `serial` ...
     pub name: &'static str,
-    /// `true` if its keys state the geometry, so that the nominal parameters need not.
+    /// `true` if the keys state the geometry, so that nominal parameters are optional.
     pub states_geometry: bool,
     keys: fn() -> Vec<Key>,
     build: Build,
 }
 
 impl Model {
-    /// A model that is described by `D`.
+    /// Creates a model whose description is `D`.
     pub(super) const fn new<D: Description>(name: &'static str) -> Self {
         Self {
             name,
@@ -295,12 +295,12 @@ impl Model {
         }
     }
 
-    /// The keys of its description.
+    /// Keys of the description.
     pub fn keys(&self) -> Vec<Key> {
         (self.keys)()
     }
 
-    /// The robot that these values describe, with these targets where the model has none of its own.
+    /// Builds a robot from values; `targets` applies if the model has no targets of its own.
     pub fn build(&self, values: &Values, targets: &[String]) -> Result<Box<dyn Robot>, Faults> {
         (self.build)(values, targets)
     }
@@ -308,12 +308,12 @@ impl Model {
 
 /// Description of a robot of one model.
 pub(super) trait Description: Sized {
-    /// `true` if it states the geometry, so that the nominal parameters need not.
+    /// `true` if the description states the geometry, so that nominal parameters are optional.
     const STATES_GEOMETRY: bool = true;
 
-    /// Reads it.
+    /// Reads the description.
     fn read(keys: &mut Reader) -> Self;
 
-    /// The robot, with these targets where the model has none of its own.
+    /// Builds the robot; `targets` applies if the model has no targets of its own.
     fn build(&self, targets: &[String]) -> Result<Box<dyn Robot>, Faults>;
 }

@@ -1,9 +1,10 @@
-//! Robots as functions of their parameters: direct and inverse kinematics, exact Jacobians.
+//! Robots as functions of their parameters: direct and inverse kinematics with exact Jacobians.
 //!
-//! Each model is one file: its equations, written once and generic over the [`Scalar`], and
-//! the [`Key`]s that describe a robot of it; and one line of [`MODELS`]. What not all models can do is a capability: [`Platform`],
-//! [`RailTable`], [`FreeBase`]. Lengths are in millimetres, angles in radians.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! Each model is one file, which holds its equations, written once and generic over the [`Scalar`],
+//! and the [`Key`]s of its description; [`MODELS`] lists it in one line. Abilities of some models
+//! are separate traits: [`Platform`], [`RailTable`], [`FreeBase`]. Lengths are in millimetres,
+//! angles in radians.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod chain;
 mod compensation;
@@ -49,16 +50,16 @@ pub const MODELS: [&Model; 8] = [
 /// Range of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointRange {
-    /// Lower and upper limit, mm or rad.
+    /// Lower and upper limit (mm or rad).
     Limits([f64; 2]),
-    /// The joint turns without end.
+    /// Continuous rotation.
     Endless,
     /// The robot file states no limits.
     Unstated,
 }
 
 impl JointRange {
-    /// The range of stated limits; equal ones are those of a file that states none.
+    /// Converts stated limits; equal infinite limits mean continuous rotation.
     fn of_limits(limits: Option<[f64; 2]>) -> Self {
         match limits {
             Some([lower, upper]) if lower.is_infinite() && upper.is_infinite() => Self::Endless,
@@ -68,7 +69,7 @@ impl JointRange {
     }
 }
 
-/// A robot whose targets are seen by a measuring system.
+/// A robot whose targets are observed by a measuring system.
 ///
 /// # Examples
 ///
@@ -93,15 +94,15 @@ pub trait Robot: Send + Sync {
     /// Model, parameters, joints and targets.
     fn definition(&self) -> &Definition;
 
-    /// The same, to be changed.
+    /// Mutable access to the definition.
     fn definition_mut(&mut self) -> &mut Definition;
 
-    /// The parameters, in the order in which every slice of parameters comes.
+    /// Parameters, in the order of all slices of parameters.
     fn parameters(&self) -> &[Parameter] {
         &self.definition().parameters
     }
 
-    /// The joints, in the order in which every slice of joint values comes.
+    /// Joints, in the order of all slices of joint values.
     fn joints(&self) -> &[Joint] {
         &self.definition().joints
     }
@@ -111,102 +112,108 @@ pub trait Robot: Send + Sync {
         &self.definition().targets
     }
 
-    /// Coordinates measured per target: 2 for planar robots (x, y), 3 in space.
+    /// Number of coordinates measured per target: 2 for planar robots (x, y), otherwise 3.
     fn dimension(&self) -> usize {
         self.definition().dimension
     }
 
-    /// Writes the positions of all targets in the world (mm), `dimension` values each.
+    /// Writes the positions of all targets in the world (mm), `dimension` values per target.
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 
-    /// Writes d positions / d parameters, row by row: (targets × dimension) × parameters.
+    /// Writes ∂ positions / ∂ parameters, row by row: (targets × dimension) × parameters.
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 
-    /// Writes d positions / d joint values, row by row: (targets × dimension) × joints. Bending is that of the joint values themselves.
+    /// Writes ∂ positions / ∂ joint values, row by row: (targets × dimension) × joints. Bending is
+    /// evaluated at the joint values themselves.
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 
-    /// What gives the loads that bend its joints at joint values, whatever the parameters, each as a fraction of its largest; `None`
-    /// where bending is not modelled.
+    /// Function that returns the bending loads at joint values, independent of the parameters, each
+    /// as a fraction of its largest value. `None` for models without bending.
     fn loads(&self) -> Option<Loads<'_>> {
         None
     }
 
-    /// The same with parameters that stay as they are at many joint values: what depends on them alone is computed once.
+    /// Binds parameters for many evaluations, so that everything depending on parameters alone is
+    /// computed once.
     fn parametrised<'a>(&'a self, parameters: &'a [f64]) -> Box<dyn Parametrised + 'a> {
         Box::new(Anew { robot: self, parameters })
     }
 
-    /// Whether joint values leave two positions: the assembly mode, +1 or -1, then follows the joints in every slice
-    /// of joint values.
+    /// `true` if joint values leave two possible positions. The assembly mode, +1 or −1, then
+    /// follows the joints in every slice of joint values.
     fn has_assembly_modes(&self) -> bool {
         false
     }
 
-    /// Joints whose direction of approach counts, by their indices: behind the joint values follow +1 for each that came from below and
-    /// -1 from above; without them the middle of its backlash is meant.
+    /// Indices of the joints with direction of approach. For each of them, +1 (from below) or −1
+    /// (from above) follows the joint values; without these values the middle of the backlash is
+    /// used.
     fn approached(&self) -> &[usize] {
         &[]
     }
 
-    /// Joints that move the base of the chain itself: the frame of what is measured moves with them.
+    /// Joints that move the base of the chain, and the frame of the measurements with it.
     fn joints_of_base(&self) -> &[String] {
         &[]
     }
 
-    /// Joint values (and the assembly mode behind them) of every way to bring the only target to a position in the world;
-    /// `None` for models whose inverse does not hold everywhere.
+    /// All solutions of the inverse kinematics for a position of the only target in the world, as
+    /// joint values followed by the assembly mode. `None` for models whose inverse is not valid
+    /// everywhere.
     fn inverse_all(&self, _parameters: &[f64], _position: Vector) -> Option<Vec<Vec<f64>>> {
         None
     }
 
-    /// Of [`Self::inverse_all`] the way that is nearest to the joint values `near`, whatever its limits; `None` where the
-    /// position is out of reach.
+    /// Solution of [`Self::inverse_all`] that is nearest to the joint values `near`, whatever its
+    /// limits; `None` if the position is out of reach.
     fn inverse(&self, _parameters: &[f64], _near: &[f64], _position: Vector) -> Option<Vec<f64>> {
         None
     }
 
-    /// Which stated limit joint values (and the assembly mode behind them) violate, if one.
+    /// Description of the stated limit that joint values, followed by the assembly mode, violate,
+    /// if any.
     fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<String> {
         None
     }
 
-    /// Range of joint `joint`, by its index, as the robot file states it.
+    /// Range of a joint, by its index, as stated in the robot file.
     fn joint_range(&self, _joint: usize) -> JointRange {
         JointRange::Unstated
     }
 
-    /// Nominal motion of a joint for each unit of its logged value: other than 1 where its motor is logged.
+    /// Nominal motion of a joint per unit of its logged value; differs from 1 if the motor is
+    /// logged.
     fn nominal_gain(&self, _joint: usize) -> f64 {
         1.0
     }
 
-    /// Robots whose platform has a pose in the plane that two targets show.
+    /// The robot as a planar platform whose pose is measured by two targets.
     fn platform(&self) -> Option<&dyn Platform> {
         None
     }
 
-    /// Robots that the geometric method calibrates.
+    /// The robot as a table that the geometric method calibrates.
     fn rail_table(&self) -> Option<&dyn RailTable> {
         None
     }
 
-    /// Robots in space whose base is anywhere in the world.
+    /// The robot as a spatial robot with an arbitrary base.
     fn free_base(&self) -> Option<&dyn FreeBase> {
         None
     }
 
-    /// Robots whose tool has a pose in the base frame that joints can be found for.
+    /// The robot with inverse kinematics of a whole pose.
     fn kinematics(&self) -> Option<&dyn Kinematics> {
         None
     }
 
-    /// The joints one behind the other, of robots that are one chain.
+    /// Joints in sequence, for robots that are a single chain.
     fn joint_chain(&self, _parameters: &[f64]) -> Option<JointChain> {
         None
     }
 
-    /// What a joint moves by at commanded joint values with its own errors (lead, gain, zero, harmonics, bending), mm or rad; `None` for
-    /// models whose joints have none.
+    /// Motion of a joint at commanded joint values with its own errors: lead, gain, zero,
+    /// harmonics, bending (mm or rad). `None` for models whose joints have no such errors.
     fn joint_travel(&self, parameters: &[f64], joints: &[f64], joint: usize) -> Option<f64> {
         let lead = |table: &dyn RailTable| {
             let [x, y] = table.travel(parameters, joint + 1);
@@ -216,12 +223,13 @@ pub trait Robot: Send + Sync {
         self.rail_table().map(lead).or_else(own)
     }
 
-    /// The robot that the same numbers describe in another convention of the field, and its name.
+    /// Robots that the same numbers describe in other conventions, with the names of the
+    /// conventions.
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
         Vec::new()
     }
 
-    /// Origin of the base in the world, mm; the world's own for coordinates that the model does not have.
+    /// Origin of the base in the world (mm); zero for coordinates that the model lacks.
     fn base_origin(&self, parameters: &[f64]) -> Vector {
         let mut origin = [0.0; 3];
         let base = self.parameters().iter().zip(parameters).filter(|(p, _)| p.role == Role::Base);
@@ -236,9 +244,15 @@ pub trait Robot: Send + Sync {
         Vec::new()
     }
 
-    /// What to measure so that these parameters become separately identifiable, where a model has an answer.
+    /// Hint at measurements that make these parameters separately identifiable, if the model knows
+    /// any.
     fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
         None
+    }
+
+    /// Parameters of all effects that the robot's description may add.
+    fn optional_parameters(&self) -> Vec<OptionalParameter> {
+        Vec::new()
     }
 
     /// Index of a parameter by name.
@@ -251,7 +265,7 @@ pub trait Robot: Send + Sync {
         self.parameters().iter().map(|p| p.nominal).collect()
     }
 
-    /// The position of one target as a point in space; planar robots have z = 0.
+    /// Position of one target in space; planar robots have z = 0.
     fn position(&self, parameters: &[f64], joints: &[f64], target: usize) -> Vector {
         let d = self.dimension();
         let mut all = vec![0.0; d * self.targets().len()];
@@ -262,35 +276,50 @@ pub trait Robot: Send + Sync {
     }
 }
 
-/// Gives loads at joint values.
+/// A parameter that a key of the description adds for some joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OptionalParameter {
+    /// Name of the parameter.
+    pub name: String,
+    /// Key that adds the parameter.
+    pub key: &'static str,
+    /// Joints that the key names, by number or name.
+    pub joints: Vec<String>,
+    /// `true` if the key takes the joints as a pair.
+    pub is_pair: bool,
+}
+
+/// Computes loads at joint values.
 pub type Loads<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + Send + Sync + 'a>;
 
-/// Joint values with what follows from them alone, whatever the parameters.
+/// Joint values with the quantities that depend on them alone.
 #[derive(Clone, Copy, Debug)]
 pub struct State<'a, J = f64> {
-    /// Joint values, rad or mm.
+    /// Joint values (rad or mm).
     pub joints: &'a [J],
-    /// Loads, as [`Robot::loads`] has them.
+    /// Loads by [`Robot::loads`].
     pub loads: &'a [J],
 }
 
-/// A robot with its parameters.
+/// A robot with bound parameters.
 pub trait Parametrised: Send + Sync {
-    /// As [`Robot::positions`].
+    /// Writes positions like [`Robot::positions`].
     fn positions(&self, state: State, out: &mut [f64]);
 
-    /// As [`Robot::jacobian`].
+    /// Writes the Jacobian like [`Robot::jacobian`].
     fn jacobian(&self, state: State, out: &mut [f64]);
 
-    /// As [`Robot::positions`] and [`Robot::joint_jacobian`], at once.
+    /// Writes positions and joint Jacobian together, like [`Robot::positions`] and
+    /// [`Robot::joint_jacobian`].
     fn joint_jacobian(&self, state: State, positions: &mut [f64], out: &mut [f64]);
 
-    /// Gives `write` the derivatives of the positions of some targets: target, parameter, and what that moves it by, in space. Of
-    /// parameters that act twice they are to be added; others are zero.
+    /// Calls `write` with the derivatives of target positions: target, parameter, and derivative in
+    /// space. Derivatives of a parameter that occurs several times are to be added; omitted
+    /// derivatives are zero.
     fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector));
 }
 
-/// A robot that computes everything anew at all joint values.
+/// Forward kinematics without caching.
 struct Anew<'a, R: ?Sized> {
     robot: &'a R,
     parameters: &'a [f64],
@@ -319,60 +348,61 @@ impl<R: Robot + ?Sized> Parametrised for Anew<'_, R> {
     }
 }
 
-/// Joints one behind the other, with their errors in their places and without what bends them.
+/// Joints in sequence with their geometric errors, without bending.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointChain {
-    /// From the base.
+    /// Joints, starting from the base.
     pub joints: Vec<ChainJoint>,
-    /// The flange in the frame of the last joint.
+    /// Flange in the frame of the last joint.
     pub flange: Pose,
 }
 
-/// A joint of a chain: it turns about, or slides along, the z axis of its frame.
+/// Joint of a chain, which rotates about or slides along the z axis of its frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainJoint {
-    /// Its frame at joint value zero, in that of the joint before, or the base.
+    /// Frame of the joint at joint value zero, relative to the previous joint or the base.
     pub origin: Pose,
-    /// The joint slides.
+    /// `true` if the joint slides.
     pub prismatic: bool,
-    /// What the joint moves for each mm or rad of the logged value.
+    /// Motion of the joint per mm or rad of the logged value.
     pub gain: f64,
 }
 
-/// Direct and inverse kinematics of a whole pose: that of flange, platform or tool in the base frame. Poses of planar robots lie in
-/// the plane z = 0.
+/// Direct and inverse kinematics of the whole pose of flange, platform or tool in the base frame.
+/// Poses of planar robots lie in the plane z = 0.
 pub trait Kinematics: Robot {
-    /// The pose at joint values; `None` where the robot cannot be there.
+    /// Pose at joint values; `None` if the joint values admit no pose.
     fn tool_pose(&self, parameters: &[f64], joints: &[f64]) -> Option<Pose>;
 
-    /// The base in the world, as the parameters have it; `None` where the model has no base.
+    /// Pose of the base in the world by the parameters; `None` if the model has no base.
     fn base_in_world(&self, _parameters: &[f64]) -> Option<Pose> {
         None
     }
 
-    /// Its kinematics with these parameters as formulas, mm and rad: `direct`, and `inverse` where that has a closed form or `linearised`
-    /// for a search by Newton's method. None for models that have none.
+    /// Kinematics at these parameters as formulas (mm, rad): `direct`, and either `inverse` in
+    /// closed form or `linearised` for Newton's method. Empty for models without formulas.
     fn formulas(&self, _parameters: &[f64]) -> Vec<Formula> {
         Vec::new()
     }
 
-    /// Signs that change only where the robot passes a singularity: they tell its configurations (working and assembly modes) apart.
+    /// Signs that change only at singularities and thus distinguish configurations (working and
+    /// assembly modes).
     fn branch(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<bool> {
         Vec::new()
     }
 
-    /// Joint values (and the assembly mode behind them) of the ways to a pose, whatever their limits. Angles are in (−π, π], or where a
-    /// limit allows them.
+    /// All solutions for a pose, as joint values followed by the assembly mode, whatever their
+    /// limits. Angles are in (−π, π], or shifted by full turns into their limits.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>>;
 
-    /// Of the ways that no limit forbids, the one that is nearest to the joint values `near`; an angle may have made turns. The error is
-    /// what forbids the nearest.
+    /// Permissible solution nearest to the joint values `near`; angles may differ by full turns.
+    /// The error describes the limit that forbids the nearest solution.
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
 }
 
-/// Names and values of a pose: x, y, z, and the rotation row by row.
+/// Names and values of a pose: x, y, z, and the rotation matrix row by row.
 fn pose_outputs<T: Scalar>(pose: &Pose<T>) -> Vec<(String, T)> {
     let place = ["x", "y", "z"].map(str::to_owned).into_iter().zip(pose.translation_mm);
     let cells = (0..9).map(|i| (format!("r{}{}", i / 3 + 1, i % 3 + 1), pose.rotation[i / 3][i % 3]));
@@ -384,8 +414,8 @@ fn square<T: Scalar>(v: &[T]) -> T {
     v.iter().fold(T::from(0.0), |sum, v| sum + *v * *v)
 }
 
-/// Least-squares solution of rows that end with their right-hand side, by normal equations, which
-/// need no pivots: free of branches, so that formulas record it. `damping` is added to the
+/// Least-squares solution of rows that end with their right-hand side. Normal equations need no
+/// pivots and are free of branches, so that formulas can record them. `damping` is added to the
 /// diagonal, as a share of its sum.
 fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> impl Iterator<Item = T> {
     let n = rows.first().map_or(0, |row| row.len() - 1);
@@ -403,7 +433,7 @@ fn normal_equations<T: Scalar>(rows: &[Vec<T>], damping: f64) -> impl Iterator<I
     (0..n).map(move |k| a[k][n] / a[k][k])
 }
 
-/// Of `all` ways that no limit forbids the nearest one.
+/// Nearest permissible solution among `all`.
 fn nearest<R: Robot + ?Sized>(
     robot: &R,
     parameters: &[f64],
@@ -418,7 +448,7 @@ fn nearest<R: Robot + ?Sized>(
     within.ok_or_else(|| why.unwrap_or_else(|| "out of reach".to_owned()))
 }
 
-/// Which joint value is beyond its limits (rad or mm), if one.
+/// Description of the joint value beyond its limits (rad or mm), if any.
 fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]) -> Option<String> {
     let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
         let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
@@ -430,7 +460,7 @@ fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]
     joints.iter().zip(values.iter().zip(limits)).find_map(beyond)
 }
 
-/// What is wrong with the targets of a robot in space.
+/// Faults in the targets of a spatial robot.
 fn wrong_targets(targets: &[String]) -> Faults {
     let mut faults = Faults::default();
     if targets.is_empty() {
@@ -442,20 +472,20 @@ fn wrong_targets(targets: &[String]) -> Faults {
     faults
 }
 
-/// Meaning of the table of limits, which several models have.
+/// Meaning of the table of limits, common to several models.
 const REACH: &str = "Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.";
 
-/// A pose that lies this near to the plane is in it, mm or without unit.
+/// Largest deviation of a pose from the plane (mm or dimensionless).
 const PLANAR: f64 = 1e-6;
 
-/// The pose of a planar robot; `None` where it is not in the plane.
+/// Converts a pose to the plane; `None` if it is out of the plane.
 fn in_plane(pose: &Pose) -> Option<PlanarPose> {
     let ([x_mm, y_mm, z_mm], r) = (pose.translation_mm, &pose.rotation);
     let tilted = z_mm.abs() > PLANAR || 1.0 - r[2][2] > PLANAR;
     (!tilted).then(|| PlanarPose { x_mm, y_mm, theta_rad: r[1][0].atan2(r[0][0]) })
 }
 
-/// A pose in the plane as one in space.
+/// Converts a planar pose to a pose in space.
 fn in_space(pose: PlanarPose) -> Option<Pose> {
     let flat = Pose { translation_mm: [pose.x_mm, pose.y_mm, 0.0], ..Pose::identity() };
     let pose = flat.turn_z(pose.theta_rad);
@@ -473,25 +503,26 @@ pub struct PlanarPose<T = f64> {
     pub theta_rad: T,
 }
 
-/// A platform that moves in the plane: its pose in the base frame follows from the joints, and from its two targets.
+/// A platform that moves in the plane, whose pose in the base frame follows from the joints or from
+/// two targets.
 pub trait Platform: Robot {
     /// Pose at joint values.
     fn pose(&self, parameters: &[f64], joints: &[f64]) -> PlanarPose;
 
-    /// Joint values for a pose, whatever their limits.
+    /// Joint values of a pose, whatever their limits.
     fn joints_at(&self, parameters: &[f64], pose: PlanarPose) -> Vec<f64>;
 
-    /// A point of the world in the base frame.
+    /// Transforms a point from the world to the base frame.
     fn in_base(&self, parameters: &[f64], world: [f64; 2]) -> [f64; 2];
 
-    /// Pose as the two targets show it.
+    /// Pose measured by the two targets.
     fn measured_pose(&self, parameters: &[f64], targets: [[f64; 2]; 2]) -> PlanarPose;
 
     /// Estimated minus measured pose (mm, mm, rad).
     fn pose_error(&self, parameters: &[f64], joints: &[f64], targets: [[f64; 2]; 2]) -> [f64; 3];
 
-    /// Derivatives of [`Self::pose_error`]: by the parameters (3 rows of all parameters) and by the coordinates of the
-    /// targets (3 rows of 4).
+    /// Derivatives of [`Self::pose_error`] with respect to the parameters (3 rows of all
+    /// parameters) and to the coordinates of the targets (3 rows of 4).
     fn pose_error_jacobians(
         &self,
         parameters: &[f64],
@@ -499,16 +530,16 @@ pub trait Platform: Robot {
         targets: [[f64; 2]; 2],
     ) -> (Vec<f64>, [[f64; 4]; 3]);
 
-    /// Index of the parameter that is the distance of the two targets: no pose shows it.
+    /// Index of the parameter for the distance between the two targets, which no pose shows.
     fn target_distance(&self) -> usize;
 }
 
-/// A platform on carriages that run on rails, as the geometric method calibrates it (thesis, chapter 2).
+/// A platform on carriages on rails, as calibrated by the geometric method (thesis, chapter 2).
 pub trait RailTable: Platform {
-    /// How far each actuator goes from zero, where that is stated.
+    /// Travel of each actuator from zero, if stated.
     fn travel_mm(&self) -> Option<[f64; 3]>;
 
-    /// How far a carriage travels along x and y for each millimetre commanded: actuator 1, 2 or 3.
+    /// Travel of a carriage along x and y per millimetre commanded; the actuator is 1, 2 or 3.
     fn travel(&self, parameters: &[f64], actuator: usize) -> [f64; 2];
 
     /// Axes of revolute joints 2 and 3 in the world.
@@ -518,7 +549,8 @@ pub trait RailTable: Platform {
     fn centre(&self, parameters: &[f64], joints: &[f64; 3]) -> [f64; 2];
 }
 
-/// Pose of the base in the world of a robot with a [`FreeBase`]: place (mm) and rotation vector (rad), its first six parameters.
+/// Pose of the base in the world of a robot with a [`FreeBase`]. Its first six parameters are
+/// position (mm) and rotation vector (rad).
 pub fn base_pose(parameters: &[f64]) -> Pose {
     let [x, y, z, rx, ry, rz] = std::array::from_fn(|i| parameters[i]);
     Pose { translation_mm: [x, y, z], ..Pose::from_rotation_vector([rx, ry, rz]) }
@@ -526,7 +558,7 @@ pub fn base_pose(parameters: &[f64]) -> Pose {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Parameters that a robot with a [`FreeBase`] begins with.
+/// First parameters of a robot with a [`FreeBase`].
 fn base_and_targets(targets: &[String]) -> Vec<Parameter> {
     let of = |prefix: String, quantity, role| {
         (0..3).map(move |axis| Parameter::free(format!("{prefix}{}", AXES[axis]), quantity, role, axis))
@@ -536,8 +568,9 @@ fn base_and_targets(targets: &[String]) -> Vec<Parameter> {
     base.chain(targets.iter().flat_map(|target| of(format!("{target}_"), Quantity::Length, Role::Target))).collect()
 }
 
-/// A robot in space whose base and targets are found from the observations: its first six parameters are `base_x`,
-/// `base_y`, `base_z`, `base_rx`, `base_ry`, `base_rz`, and each target has three, its place on the flange.
+/// A spatial robot whose base and targets are identified. Its first six parameters are `base_x`,
+/// `base_y`, `base_z`, `base_rx`, `base_ry`, `base_rz`; three parameters per target follow, its
+/// position on the flange.
 pub trait FreeBase: Robot {
     /// Pose of the flange in the world.
     fn flange(&self, parameters: &[f64], joints: &[f64]) -> Pose;
@@ -547,8 +580,9 @@ pub trait FreeBase: Robot {
         6 + 3 * target
     }
 
-    /// What a joint moves by at logged joint values with its errors, mm or rad: its own value where parameters are nominal. Gives `write` the
-    /// derivatives by parameters, to be added. `None` for models whose joints have no such errors.
+    /// Motion of a joint at logged joint values with its errors (mm or rad); equals the joint value
+    /// at nominal parameters. Calls `write` with the derivatives with respect to parameters, to be
+    /// added. `None` for models without such errors.
     fn joint_value(
         &self,
         _parameters: &[f64],
@@ -559,6 +593,7 @@ pub trait FreeBase: Robot {
         None
     }
 
-    /// Writes by how much the flange turns with each parameter: rotation vectors in the world (rad), 3 rows of all parameters.
+    /// Writes the rotation of the flange per unit of each parameter: rotation vectors in the world
+    /// (rad), 3 rows of all parameters.
     fn flange_turns(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 }

@@ -1,8 +1,10 @@
-//! Platforms on legs: what a hexapod and a delta share.
+//! Platforms on legs: common part of hexapods and deltas.
 //!
-//! Each leg is a rod between a point of the base and one of the platform. Its length is an equation between the pose of the platform,
-//! the joints and the leg's own parameters, from which derivatives follow exactly (implicit function theorem), however the pose was
-//! found. The platform is the flange of a robot with a free base: base and targets come first, then the legs one by one.
+//! Each leg is a rod between a point of the base and a point of the platform. Its length is an
+//! equation between the pose of the platform, the joints and the parameters of the leg. Exact
+//! derivatives follow by the implicit function theorem, whatever the method that found the pose.
+//! The platform is the flange of a robot with a free base: parameters of base and targets come
+//! first, then those of each leg.
 
 use super::{
     Definition, FreeBase, Joint, JointRange, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
@@ -15,37 +17,38 @@ use etalon_base::sketch::{Sketch, StrokeKind};
 use nalgebra::{Matrix6, Vector6};
 use std::fmt::Debug;
 
-/// Parameters of a leg, and its joint, at most.
+/// Maximum number of parameters of a leg, plus one for its joint.
 const MOST: usize = 10;
-/// Parameters of base, and of each target.
+/// Number of parameters of the base.
 const BASE: usize = 6;
 
-/// A leg at a joint value, in mm.
+/// A leg at a joint value (mm).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rod<T = f64> {
-    /// Its end on the base, in the base frame.
+    /// End on the base, in the base frame.
     pub base_mm: Vector<T>,
-    /// Its end on the platform, in the platform's frame.
+    /// End on the platform, in the frame of the platform.
     pub platform_mm: Vector<T>,
-    /// Its length.
+    /// Length of the rod.
     pub length_mm: T,
 }
 
 impl<T: Scalar> Rod<T> {
-    /// By how much its ends are farther apart than it is long.
+    /// Distance of the ends minus the length.
     pub fn gap(&self, platform: &Pose<T>) -> T {
         let (a, b) = (platform.apply(self.platform_mm), self.base_mm);
         let d = [0, 1, 2].map(|i| a[i] - b[i]);
         (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt() - self.length_mm
     }
 
-    /// Its end on a platform that does not turn, in the base.
+    /// End on a platform that does not rotate, in the base frame.
     pub fn shifted(&self, platform: &Pose<T>) -> Vector<T> {
         let (a, t) = (self.platform_mm, platform.translation_mm);
         [0, 1, 2].map(|i| a[i] + t[i])
     }
 
-    /// By how much it lengthens as the platform moves by a small translation (mm) and rotation (rad) in the base.
+    /// Derivative of the length with respect to a small translation (mm) and rotation (rad) of the
+    /// platform in the base.
     fn lengthens(&self, platform: &Pose<T>) -> [T; 6] {
         let (end, b) = (platform.apply(self.platform_mm), self.base_mm);
         let [x, y, z] = [0, 1, 2].map(|i| end[i] - b[i]);
@@ -56,46 +59,46 @@ impl<T: Scalar> Rod<T> {
     }
 }
 
-/// A parameter of every leg.
+/// A parameter of each leg.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegParameter {
-    /// `#` is the number of the leg, from 1.
+    /// Name, where `#` stands for the number of the leg, from 1.
     pub name: &'static str,
     pub quantity: Quantity,
     pub meaning: &'static str,
 }
 
-/// The legs of a model.
+/// Legs of a model.
 pub(super) trait Legs: Clone + Debug + Send + Sync {
     /// Name of the model.
     const MODEL: &'static str;
-    /// Parameters of each leg, in their order; at most nine.
+    /// Parameters of each leg, in order; at most nine.
     const PARAMETERS: &'static [LegParameter];
-    /// Joints: `#` is the number of the leg, from 1.
+    /// Joint of each leg.
     const JOINT: LegParameter;
-    /// Number of legs: six, or three of a platform that does not turn.
+    /// Number of legs: six, or three for a platform that does not rotate.
     const COUNT: usize;
     /// Branches of the inverse kinematics of each leg.
     const BRANCHES: &'static [f64] = &[1.0];
 
-    /// A leg, from 0, with its own parameters.
+    /// Rod of a leg, from 0, at the leg's own parameters and joint value.
     fn rod<T: Scalar>(&self, leg: usize, p: &[T], q: T) -> Rod<T>;
 
-    /// Pose of the platform in the base on rods that do not move, where it has a closed form.
+    /// Pose of the platform in the base on rods with fixed ends, if there is a closed form.
     fn direct<T: Scalar>(&self, _rods: &[Rod<T>]) -> Option<Pose<T>> {
         None
     }
 
-    /// Pose of the platform in the base on rods that do not move.
+    /// Pose of the platform in the base.
     fn place(&self, legs: &LegValues<'_, Self>, joints: &[f64]) -> Option<Pose> {
         self.direct(&legs.rods(joints))
     }
 
-    /// Adds the parameters of a leg to a drawing of the platform where it is.
-    fn sketch(&self, leg: usize, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
+    /// Adds the parameters of the first leg to a drawing of the platform.
+    fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
 
-    /// Joint value of a leg at a pose of the platform: on one branch (1), or on the other (-1) of legs that have two. Not a number where the
-    /// leg does not reach.
+    /// Joint value of a leg at a pose of the platform, on branch 1 or, for legs with two branches,
+    /// −1; NaN if the leg does not reach.
     fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T;
 }
 
@@ -103,7 +106,7 @@ pub(super) trait Legs: Clone + Debug + Send + Sync {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegValues<'a, L, T = f64> {
     pub legs: &'a L,
-    /// Those of all legs.
+    /// Parameters of all legs, one leg after the other.
     pub parameters: &'a [T],
 }
 
@@ -120,8 +123,8 @@ impl<L: Legs, T: Scalar> LegValues<'_, L, T> {
     }
 }
 
-/// How rods lengthen as the platform moves by a small translation (mm) and rotation (rad) in the base: a row a rod. A platform that
-/// does not turn has rows of its rotation alone behind those of three rods.
+/// Derivatives of the rod lengths with respect to a small translation (mm) and rotation (rad) of
+/// the platform in the base, one row per rod. For three rods, rows of the rotation alone follow.
 pub(super) fn lengthening(rods: &[Rod], platform: &Pose) -> Matrix6<f64> {
     let mut matrix = Matrix6::identity();
     for (i, rod) in rods.iter().enumerate() {
@@ -130,10 +133,10 @@ pub(super) fn lengthening(rods: &[Rod], platform: &Pose) -> Matrix6<f64> {
     matrix
 }
 
-/// A step of Newton's method to the pose of the platform on six rods, and its size, mm: shortened by nearly nothing where it is small, and
-/// to half a radian where it is large. The next step mends what the normal equations round.
+/// Newton step to the pose of the platform on six rods, and its size (mm). Large steps are smoothly
+/// shortened to half a radian. The next step corrects the rounding of the normal equations.
 fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
-    // turns are in mm of the longest lever, so that all unknowns are alike
+    // rotations are in mm of the longest lever, so that all unknowns have the same scale
     let lever = rods.iter().map(|rod| norm(rod.platform_mm.map(Scalar::value))).fold(0.0, f64::max);
     let scale = |k: usize| if k < 3 { 1.0 } else { 1.0 / lever };
     let rows: Vec<Vec<T>> = rods
@@ -152,7 +155,7 @@ fn newton_step<T: Scalar>(rods: &[Rod<T>], platform: &Pose<T>) -> (Pose<T>, T) {
     (Pose { translation_mm: [t[0] + x, t[1] + y, t[2] + z], ..turned }, size)
 }
 
-/// The rotation that a small rotation vector is, without trigonometry (Cayley).
+/// Rotation matrix of a small rotation vector without trigonometry (Cayley).
 fn cayley<T: Scalar>([x, y, z]: Vector<T>) -> Pose<T> {
     let [a, b, c, one] = [x * 0.5, y * 0.5, z * 0.5, T::from(1.0)];
     let factor = T::from(2.0) / (a * a + b * b + c * c + 1.0);
@@ -164,24 +167,24 @@ fn cayley<T: Scalar>([x, y, z]: Vector<T>) -> Pose<T> {
     Pose { rotation, ..Pose::identity() }
 }
 
-/// By how much the ends of rods are farther apart than they are long, mm.
+/// Distances of the ends of rods minus their lengths (mm).
 pub(super) fn gaps(rods: &[Rod], platform: &Pose) -> Vector6<f64> {
     let mut gaps = Vector6::zeros();
     rods.iter().enumerate().for_each(|(i, rod)| gaps[i] = rod.gap(platform));
     gaps
 }
 
-/// A platform on legs, with its nominal parameters and the limits of its joints.
+/// A platform on legs, with its nominal parameters and joint limits.
 #[derive(Clone, Debug)]
 pub(super) struct Parallel<L> {
     definition: Definition,
     legs: L,
-    /// Limits of each joint, rad or mm.
+    /// Limits of each joint (rad or mm).
     limits: Vec<Option<[f64; 2]>>,
 }
 
 impl<L: Legs> Parallel<L> {
-    /// The robot, with the nominal parameters of its legs one after the other.
+    /// Creates the robot; `nominal` holds the parameters of the legs one after the other.
     pub fn new(legs: L, nominal: &[f64], limits: Vec<Option<[f64; 2]>>, targets: &[String]) -> Self {
         let mut parameters = base_and_targets(targets);
         let numbered = |name: &str, leg: usize| name.replace('#', &(leg + 1).to_string());
@@ -213,19 +216,19 @@ impl<L: Legs> Parallel<L> {
         pose.rotation.as_flattened().iter().chain(&pose.translation_mm).all(|v| v.is_finite()).then_some(pose)
     }
 
-    /// Where the platform is, and how it moves.
+    /// Pose of the platform and its derivatives.
     fn moving(&self, parameters: &[f64], joints: &[f64]) -> Option<(Pose, Twists)> {
         let platform = self.place(parameters, joints)?;
         Some((platform, self.twists(parameters, joints, &platform)?))
     }
 
-    /// Place of a target on the platform.
+    /// Position of a target on the platform.
     fn on_platform(&self, parameters: &[f64], target: usize) -> Vector {
         let place = self.target_place(target);
         [parameters[place], parameters[place + 1], parameters[place + 2]]
     }
 
-    /// How the platform moves.
+    /// Derivatives of the pose of the platform.
     fn twists(&self, parameters: &[f64], joints: &[f64], platform: &Pose) -> Option<Twists> {
         let values = self.values(parameters);
         let inverse = lengthening(&values.rods(joints), platform).try_inverse()?;
@@ -245,7 +248,7 @@ impl<L: Legs> Parallel<L> {
     }
 }
 
-/// A small motion of the platform in the base, mm and rad.
+/// Small motion of the platform in the base (mm, rad).
 #[derive(Clone, Copy, Debug)]
 struct Twist {
     shift: Vector,
@@ -253,14 +256,14 @@ struct Twist {
 }
 
 impl Twist {
-    /// What a point at `lever` from the origin of the platform moves, in the world.
+    /// Motion of a point at `lever` from the origin of the platform, in the world.
     fn moves(&self, lever: Vector, base: &Pose) -> Vector {
         let by_turn = cross(self.turn, lever);
         base.rotate([0, 1, 2].map(|i| self.shift[i] + by_turn[i]))
     }
 }
 
-/// How the platform moves with each parameter of the legs, in their order, and each joint.
+/// Motion of the platform per unit of each leg parameter, in order, and of each joint.
 #[derive(Debug, Default)]
 struct Twists {
     by_parameters: Vec<Twist>,
@@ -272,12 +275,12 @@ fn constant(pose: &Pose) -> Pose<Dual<MOST>> {
     Pose { rotation: pose.rotation.map(|row| row.map(Dual::from)), translation_mm: pose.translation_mm.map(Dual::from) }
 }
 
-/// What is not where the joints put it.
+/// NaN pose, for joint values that admit no pose.
 fn nowhere() -> Pose {
     Pose { rotation: [[f64::NAN; 3]; 3], translation_mm: [f64::NAN; 3] }
 }
 
-/// Writes a vector down a column of three rows of `n`.
+/// Writes a vector into a column of three rows of length `n`.
 fn write(out: &mut [f64], n: usize, column: usize, v: Vector) {
     (0..3).for_each(|i| out[i * n + column] = v[i]);
 }
@@ -302,13 +305,13 @@ impl<L: Legs> Robot for Parallel<L> {
         let ends: Vec<Vector> = rods.iter().map(|rod| platform.apply(rod.platform_mm)).collect();
         rods.iter().zip(&ends).for_each(|(rod, end)| sketch.add(StrokeKind::Part, "", &[rod.base_mm, *end]));
         sketch.add(StrokeKind::Part, "", &[&ends[..], &ends[..1]].concat());
-        self.legs.sketch(0, values.of(0), joints[0], &platform, &mut sketch);
+        self.legs.sketch(values.of(0), joints[0], &platform, &mut sketch);
         let size = sketch.extent_mm();
         sketch.frame("base", &Pose::identity(), 0.14 * size);
         sketch.frame("platform", &platform, 0.1 * size);
         vec![sketch]
     }
-    /// Not numbers where the legs do not meet the platform.
+    /// Writes NaN if the legs do not meet the platform.
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         let flange = self.flange(parameters, joints);
         for (k, out) in out.chunks_exact_mut(3).enumerate() {
@@ -358,9 +361,10 @@ impl<L: Legs> Robot for Parallel<L> {
     }
 }
 
-/// Largest rotation of a platform on three legs, which does not turn, rad.
+/// Largest rotation of a platform on three legs, which does not rotate (rad).
 const TURNED: f64 = 1e-6;
-/// How far from a pose, in mm and without unit, the joints that were found for it may bring the platform.
+/// Largest deviation of the platform from a pose when its joint values are converted back (mm or
+/// dimensionless).
 const BACK: f64 = 1e-6;
 
 impl<L: Legs> Kinematics for Parallel<L> {
@@ -368,10 +372,11 @@ impl<L: Legs> Kinematics for Parallel<L> {
         self.place(parameters, joints)
     }
 
-    /// `inverse`, with the branches of legs that have two, and `direct`, or `step`s of Newton's method to it.
+    /// Formulas `inverse`, with the branches of legs that have two, and `direct` or, for Newton's
+    /// method, `step`.
     fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
         let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
-        // a platform that does not turn is where it is
+        // the rotation of a platform on three legs is constant
         let count = if L::COUNT == 6 { 12 } else { 3 };
         let names = pose_outputs(&Pose::<f64>::identity()).into_iter().map(|(name, _)| name).take(count);
         let names: Vec<String> = names.collect();
@@ -413,7 +418,8 @@ impl<L: Legs> Kinematics for Parallel<L> {
         vec![step, inverse]
     }
 
-    /// Every combination of the ways of single legs that brings the platform to the pose and not to its other assembly modes.
+    /// Combinations of the solutions of single legs that bring the platform to the pose, excluding
+    /// its other assembly modes.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         if L::COUNT < 6 && pose.angle_rad() > TURNED {
             return Vec::new();

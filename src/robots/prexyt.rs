@@ -1,7 +1,8 @@
-//! The PreXYT: a planar parallel table with three actuators (thesis, chapter 3).
+//! PreXYT: a planar parallel table with three actuators (thesis, chapter 3).
 //!
-//! Thirteen parameters after the reduction of section 3.4, or fifteen before it, when `delta1`, `alpha`, `h` and `d1`
-//! are kept apart; beside them `l_kl`, the distance of the balls K and L, which residuals of single balls need.
+//! The model has thirteen parameters after the reduction of section 3.4, or fifteen before it, with
+//! `delta1`, `alpha`, `h` and `d1` as separate parameters. An additional parameter `l_kl`, the
+//! distance of the balls K and L, is needed for residuals of single balls.
 
 use super::keys::{Description, Reader};
 use super::{
@@ -16,7 +17,8 @@ use etalon_base::sketch::{Sketch, StrokeKind};
 use std::f64::consts::FRAC_PI_2;
 
 const PARAMETERS: usize = 16;
-/// Names, quantities, roles, nominal values and meanings (thesis, table 3.3; l_kl is twice the nominal x_C).
+/// Names, quantities, roles, nominal values and meanings (thesis, table 3.3; l_kl is twice the
+/// nominal x_C).
 const COMMON: [(&str, Quantity, Role, f64, &str); 14] = [
     (
         "beta",
@@ -87,10 +89,11 @@ pub(super) const REDUCED: Model = Model::new::<Table<false>>("prexyt");
 /// Fifteen parameters.
 pub(super) const FULL: Model = Model::new::<Table<true>>("prexyt_full");
 
-/// Description of a PreXYT, `FULL` before the reduction of section 3.4: travel of each actuator from zero, mm.
+/// Description of a PreXYT: travel of each actuator from zero (mm). `FULL` selects the model before
+/// the reduction of section 3.4.
 struct Table<const FULL: bool>(Option<[f64; 3]>);
 
-/// Reads how far each actuator goes from zero, mm.
+/// Reads the travel of each actuator from zero (mm).
 pub(super) fn travel_mm(keys: &mut Reader) -> Option<[f64; 3]> {
     keys.table(Key::plain("reach", REACH), |keys| {
         keys.optional(Key::length("travel", "Travel of each actuator from zero."))
@@ -142,7 +145,8 @@ impl Default for Prexyt {
 }
 
 impl Prexyt {
-    /// The model of thirteen parameters, or, if `full`, the one before the reduction of section 3.4.
+    /// Creates the model of thirteen parameters or, if `full`, the model before the reduction of
+    /// section 3.4.
     pub fn new(full: bool) -> Self {
         let mut parameters: Vec<Parameter> = COMMON
             .iter()
@@ -168,13 +172,13 @@ impl Prexyt {
         Self { definition, full, travel_mm: None }
     }
 
-    /// The same robot with actuators that go from zero to these displacements.
+    /// Sets the travel of the actuators from zero.
     pub fn with_travel(mut self, travel_mm: [f64; 3]) -> Self {
         self.travel_mm = Some(travel_mm);
         self
     }
 
-    /// delta and d of the reduced model (section 3.4, below eq. 3.10).
+    /// Values of delta and d of the reduced model (thesis, section 3.4, below eq. 3.10).
     fn reduced<T: Scalar>(&self, p: &[T]) -> (T, T) {
         if !self.full {
             return (p[10], p[5]);
@@ -185,7 +189,7 @@ impl Prexyt {
         (delta, d1 - h * gamma.tan())
     }
 
-    /// Direct kinematics: pose of the platform in the base frame (eq. 3.8, 3.11, 3.10).
+    /// Direct kinematics: pose of the platform in the base frame (thesis, eq. 3.8, 3.11, 3.10).
     pub fn direct<T: Scalar>(&self, p: &[T], rho: &[T]) -> PlanarPose<T> {
         let (gamma, delta2) = (p[1], p[11]);
         let (delta, d) = self.reduced(p);
@@ -199,7 +203,8 @@ impl Prexyt {
         PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
     }
 
-    /// Axes of revolute joints 2 and 3 in the base frame; theta is the direction from one to the other (eq. 3.8).
+    /// Axes of revolute joints 2 and 3 in the base frame; theta is the direction from joint 2 to
+    /// joint 3 (thesis, eq. 3.8).
     fn revolutes<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
         let [beta, s, d3] = [p[0], p[3], p[4]];
         let (sin_beta, cos_beta) = beta.sin_cos();
@@ -208,7 +213,8 @@ impl Prexyt {
         [second, [s - reach3 * sin_beta - d3 * beta.tan(), reach3 * cos_beta + d3]]
     }
 
-    /// Inverse kinematics: actuator values for a pose of the platform in the base frame (eq. 3.12 to 3.14).
+    /// Inverse kinematics: actuator values for a pose of the platform in the base frame (thesis,
+    /// eq. 3.12 to 3.14).
     pub fn inverse<T: Scalar>(&self, p: &[T], pose: PlanarPose<T>) -> [T; 3] {
         let [beta, gamma, _, s, d3] = [p[0], p[1], p[2], p[3], p[4]];
         let (delta, d) = self.reduced(p);
@@ -221,7 +227,8 @@ impl Prexyt {
         [rho1, rho2, rho3]
     }
 
-    /// Positions of the balls K and L in the world: eq. 3.17 and 3.19 solved for K, and L at `l_kl` from it.
+    /// Positions of the balls K and L in the world: thesis, eq. 3.17 and 3.19 solved for K, and L
+    /// at the distance `l_kl`.
     pub fn balls<T: Scalar>(&self, p: &[T], rho: &[T]) -> [[T; 2]; 2] {
         let pose = self.direct(p, rho);
         let (sin, cos) = (pose.theta_rad + p[2]).sin_cos();
@@ -230,7 +237,8 @@ impl Prexyt {
         [k, [k[0] + l_kl * cos, k[1] + l_kl * sin]]
     }
 
-    /// Pose of the platform in the base frame, as the balls K and L measure it (eq. 3.17 to 3.19).
+    /// Pose of the platform in the base frame, as measured by the balls K and L (thesis, eq. 3.17
+    /// to 3.19).
     pub fn measured<T: Scalar>(&self, p: &[T], k: [T; 2], l: [T; 2]) -> PlanarPose<T> {
         let (dx, dy) = (l[0] - k[0], l[1] - k[1]);
         let length = (dx * dx + dy * dy).sqrt();
@@ -243,7 +251,7 @@ impl Prexyt {
         }
     }
 
-    /// Estimated minus measured pose: the summands of eq. 3.26 (mm, mm, rad).
+    /// Estimated minus measured pose: summands of eq. 3.26 of the thesis (mm, mm, rad).
     pub fn pose_residual<T: Scalar>(&self, p: &[T], rho: &[T], k: [T; 2], l: [T; 2]) -> [T; 3] {
         let (estimated, measured) = (self.direct(p, rho), self.measured(p, k, l));
         [
@@ -261,7 +269,7 @@ impl Robot for Prexyt {
     fn definition_mut(&mut self) -> &mut Definition {
         &mut self.definition
     }
-    /// With tilts that show, whatever is drawn.
+    /// Drawing with exaggerated tilts.
     fn sketches(&self) -> Vec<Sketch> {
         use StrokeKind::{Axis, Length, Part};
         let title = meaning(
@@ -348,7 +356,7 @@ impl Robot for Prexyt {
         Some(self)
     }
     fn remedy(&self, parameters: &[usize]) -> Option<&'static str> {
-        // d (or d1) and x_c act along x and x': only different |theta| separate them
+        // d (or d1) and x_c act along x and x′: only different |theta| separate them
         (parameters.contains(&6) && parameters.contains(&5))
             .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
     }
@@ -376,7 +384,7 @@ impl Kinematics for Prexyt {
         in_space(PlanarPose { x_mm: p[8], y_mm: p[9], theta_rad: 0.0 })
     }
     fn all_joints(&self, p: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
-        // tan θ knows no half turns: the platform turns by less than a right angle (eq. 3.8)
+        // tan θ has period π: the platform rotates by less than a right angle (eq. 3.8)
         let pose = in_plane(pose).filter(|pose| pose.theta_rad.abs() < FRAC_PI_2);
         let joints = pose.map(|pose| self.inverse(p, pose).to_vec());
         joints.filter(|q| q.iter().all(|v| v.is_finite())).into_iter().collect()
@@ -423,7 +431,7 @@ impl RailTable for Prexyt {
         let pose = self.direct(p, rho);
         [pose.x_mm + p[8], pose.y_mm + p[9]]
     }
-    // eq. 3.7; without alpha, actuator 1 travels delta along x: what C shows of it
+    // eq. 3.7; without alpha, actuator 1 travels delta along x, as seen at C
     fn travel(&self, p: &[f64], actuator: usize) -> [f64; 2] {
         match actuator {
             1 => {

@@ -1,11 +1,14 @@
-//! Robots in space as one chain of joints: base, targets, and the parameters of the chain, whichever convention they are in.
+//! Robots in space as a single chain: base, targets, and the parameters of the chain in any
+//! convention.
 //!
-//! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and bending are the same for all.
+//! A convention pushes its motions and parameters into an [`ArmBuilder`]; gains, coupling and
+//! bending are common to all conventions.
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, Term};
 use super::{
-    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads, Parameter,
-    Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning, pose_outputs,
+    AXES, ChainJoint, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
+    OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, base_pose, meaning,
+    pose_outputs,
 };
 use super::{limit_violation, nearest, normal_equations, square};
 use etalon_base::expression::{Formula, Recorded, derivatives};
@@ -16,29 +19,30 @@ use etalon_base::sketch::{Sketch, StrokeKind};
 use nalgebra::Matrix6;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Mass of what a joint carries up to the next one, and its centre in the frame that it moves.
+/// Mass of the links between a joint and the next joint, and its centre in the frame that the joint
+/// moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Body {
     pub mass_kg: f64,
     pub center_mm: Vector,
 }
 
-/// What a joint is called and what moves it.
+/// Names of a joint, and the joint value that moves it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Drive {
-    /// Its number or name, as gains bear it.
+    /// Number or name in the names of gains.
     pub label: String,
-    /// Its name, as its errors bear it.
+    /// Name in the names of small errors.
     pub name: String,
-    /// Index of the joint whose value moves it by factor · value + offset.
+    /// Index of the joint value that moves it by factor · value + offset.
     pub joint: usize,
     pub factor: f64,
-    /// rad or mm.
+    /// Offset (rad or mm).
     pub offset: f64,
     pub prismatic: bool,
 }
 
-/// Non-geometric effects of joints, by their indices, and the direction of gravity in the base.
+/// Non-geometric effects of joints, by their indices, and direction of gravity in the base frame.
 #[derive(Debug, Default)]
 pub(super) struct Effects {
     pub gravity: Vector,
@@ -52,26 +56,27 @@ pub(super) struct Effects {
 #[derive(Clone, Debug)]
 struct Axis {
     drive: Drive,
-    /// The element that it moves.
+    /// Element that the joint moves.
     element: usize,
-    /// Where its value comes among the terms of that element.
+    /// Position of the joint value among the terms of the element.
     at: usize,
-    /// Elements up to the frame behind it, whose z axis is that of the joint.
+    /// Number of elements up to the frame behind the joint, whose z axis is the axis of the joint.
     frame: usize,
-    /// From the frame of the joint to that frame.
+    /// Transformation from the frame of the joint to the frame behind it.
     aligned: Pose,
     body: Body,
-    /// Parameter of its gain.
+    /// Index of the gain.
     gain: Option<usize>,
 }
 
-/// What bends a joint.
+/// Source of the bending moment at a joint.
 #[derive(Clone, Copy, Debug)]
 enum Load {
-    /// The weight of a link about a joint, as a fraction of the largest: 1 when the link is level. Axes by their numbers.
+    /// Weight of a link about an axis, as a fraction of its maximum: 1 if the link is level. Axes
+    /// are given by index.
     Link { axis: usize, link: usize },
-    /// The moment of all masses beyond an axis about a direction of the frame that it moves, as a fraction of the largest: 1 when the
-    /// arm is stretched out level.
+    /// Moment of all masses beyond an axis about a direction of the frame that the axis moves, as a
+    /// fraction of its maximum: 1 if the arm is stretched out level.
     Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
 }
 
@@ -91,34 +96,67 @@ const TILT: &str =
     meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
 const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
 
-/// A small error of an axis.
+/// Orders of harmonics, endings of their names, and `true` for a sine.
+const ORDERS: [(f64, &str, bool); 4] =
+    [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)];
+
+fn harmonic_name(label: &str, part: &str) -> String {
+    format!("harmonic_{label}_{part}")
+}
+
+fn backlash_name(label: &str) -> String {
+    format!("backlash_{label}")
+}
+
+/// Name of the compliance about an axis: under a link, or of the joint itself.
+fn compliance_name(label: &str, by: Option<&str>) -> String {
+    by.map_or_else(|| format!("compliance_{label}"), |by| format!("compliance_{label}_{by}"))
+}
+
+fn coupling_name(label: &str, by: &str) -> String {
+    format!("coupling_{label}_{by}")
+}
+
+/// Small error of an axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmallError {
     pub motion: Motion,
-    /// None where another axis has the same error.
+    /// Parameter; `None` if another axis has the same error.
     pub parameter: Option<usize>,
-    /// Its element.
+    /// Index of the element.
     pub element: usize,
 }
 
-/// Collects the motions and parameters of a chain; base and targets come first.
+/// Parameter of an effect at a joint, with nominal value zero.
+fn joint_error(name: String, quantity: Quantity, effect: Effect, joint: usize) -> Parameter {
+    let meaning = match effect {
+        Effect::Harmonics => HARMONIC,
+        Effect::Backlash => BACKLASH,
+        Effect::Coupling => COUPLING,
+        _ => BENDING,
+    };
+    let own = Parameter::new(name, quantity, Role::Robot, 0.0).meaning(meaning).of_joint(joint);
+    Parameter { effect, ..own }
+}
+
+/// Builder of a chain: collects motions and parameters, starting with base and targets.
 #[derive(Debug)]
 pub(super) struct ArmBuilder {
     parameters: Vec<Parameter>,
     elements: Vec<Element>,
     axes: Vec<Axis>,
     loads: Vec<Load>,
-    /// Elements of the base.
+    /// Number of elements of the base.
     based: usize,
     targets: Vec<String>,
-    /// Parameters of each axis: what moves it beside its gain.
+    /// Terms of each axis in addition to its gain.
     moved: Vec<Vec<Term>>,
-    /// Joints whose direction of approach counts.
+    /// Joints with direction of approach.
     approached: Vec<usize>,
 }
 
 impl ArmBuilder {
-    /// A chain that begins with its base and carries these targets.
+    /// Creates a chain that starts with its base and carries the targets.
     pub fn new(targets: &[String]) -> Self {
         let mut arm = Self {
             parameters: base_and_targets(targets),
@@ -138,22 +176,10 @@ impl ArmBuilder {
         arm
     }
 
-    /// Adds a parameter and gives its index.
+    /// Adds a parameter and returns its index.
     pub fn add(&mut self, parameter: Parameter) -> usize {
         self.parameters.push(parameter);
         self.parameters.len() - 1
-    }
-
-    /// Adds a parameter of an effect that is zero without error.
-    fn error(&mut self, name: String, quantity: Quantity, effect: Effect, joint: usize, by: Option<usize>) -> usize {
-        let meaning = match effect {
-            Effect::Harmonics => HARMONIC,
-            Effect::Backlash => BACKLASH,
-            Effect::Coupling => COUPLING,
-            _ => BENDING,
-        };
-        let own = Parameter::new(name, quantity, Role::Robot, 0.0);
-        self.add(Parameter { effect, joint: Some(joint), by, meaning, ..own })
     }
 
     /// Adds a motion by `constant` + Σ parameters.
@@ -162,14 +188,14 @@ impl ArmBuilder {
         self.elements.push(Element { motion, constant, terms });
     }
 
-    /// Adds the motion against a small error.
+    /// Adds the inverse motion of a small error.
     pub fn push_back(&mut self, error: &SmallError) {
         let term = |parameter| Term { parameter, coefficient: Coefficient::Constant(-1.0) };
         let terms = error.parameter.map(term).into_iter().collect();
         self.elements.push(Element { motion: error.motion, constant: 0.0, terms });
     }
 
-    /// Adds a constant place; two in a row are one.
+    /// Adds a constant displacement; consecutive displacements are merged.
     pub fn place(&mut self, place: Pose) {
         match self.elements.last_mut().map(|e| &mut e.motion) {
             Some(Motion::Fixed(last)) => *last = last.then(&place),
@@ -178,7 +204,7 @@ impl ArmBuilder {
         }
     }
 
-    /// Lets a joint move the last element, where its value comes before or behind the other terms.
+    /// Makes a joint move the last element; `first` puts the joint value before the other terms.
     pub fn drive(&mut self, drive: Drive, first: bool) {
         let element = self.elements.len() - 1;
         let at = if first { 0 } else { self.elements[element].terms.len() };
@@ -194,7 +220,7 @@ impl ArmBuilder {
         self.moved.push(Vec::new());
     }
 
-    /// The frame behind the last axis is that of the chain so far.
+    /// Declares the current frame to be the frame behind the last axis.
     pub fn frame(&mut self) {
         let frame = self.elements.len();
         if let Some(axis) = self.axes.last_mut() {
@@ -202,19 +228,19 @@ impl ArmBuilder {
         }
     }
 
-    /// What the last axis carries up to the next one.
+    /// Sets the body that the last axis carries.
     pub fn carry(&mut self, body: Body) {
         if let Some(axis) = self.axes.last_mut() {
             axis.body = body;
         }
     }
 
-    /// Whether an axis or one beyond it carries a mass.
+    /// `true` if an axis or any axis beyond it carries a mass.
     pub fn is_loaded(&self, axis: usize) -> bool {
         self.axes[axis..].iter().any(|axis| axis.body.mass_kg > 0.0)
     }
 
-    /// A gain of each axis.
+    /// Adds a gain for each axis.
     pub fn gains(&mut self) {
         for k in 0..self.axes.len() {
             let Drive { ref label, joint, factor, offset, .. } = self.axes[k].drive;
@@ -225,22 +251,20 @@ impl ArmBuilder {
         }
     }
 
-    /// Harmonics of axes, once and twice a turn, as a deviating gear or encoder has them.
+    /// Adds first and second harmonics of axes, as caused by gears or encoders.
     pub fn harmonics(&mut self, axes: &[usize]) {
         for &k in axes {
             let Drive { label, joint, factor, offset, .. } = self.axes[k].drive.clone();
-            for (order, name, sine) in
-                [(1.0, "sin1", true), (1.0, "cos1", false), (2.0, "sin2", true), (2.0, "cos2", false)]
-            {
-                let name = format!("harmonic_{label}_{name}");
-                let parameter = self.error(name, Quantity::Angle, Effect::Harmonics, joint, None);
+            for (order, part, sine) in ORDERS {
+                let name = harmonic_name(&label, part);
+                let parameter = self.add(joint_error(name, Quantity::Angle, Effect::Harmonics, joint));
                 let coefficient = Coefficient::Harmonic { joint, factor, offset, order, sine };
                 self.moved[k].push(Term { parameter, coefficient });
             }
         }
     }
 
-    /// Backlash of axes of a chain with so many joints: half of it on either side.
+    /// Adds backlash to axes of a chain with `joints` joints: half of the backlash on either side.
     pub fn backlash(&mut self, axes: &[usize], joints: usize) {
         for &k in axes {
             let Drive { label, joint, factor, prismatic, .. } = self.axes[k].drive.clone();
@@ -248,17 +272,17 @@ impl ArmBuilder {
             let at = joints + known.unwrap_or(self.approached.len());
             self.approached.extend(known.is_none().then_some(joint));
             let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
-            let parameter = self.error(format!("backlash_{label}"), quantity, Effect::Backlash, joint, None);
+            let parameter = self.add(joint_error(backlash_name(&label), quantity, Effect::Backlash, joint));
             let coefficient = Coefficient::Approach { at, factor: -0.5 * factor.signum() };
             self.moved[k].push(Term { parameter, coefficient });
         }
     }
 
-    /// Bending of the axes `bending`, in their order, under the links behind them.
+    /// Adds bending of the axes `bending`, in their order, under the links behind them.
     pub fn bending(&mut self, bending: &[usize]) {
         for &axis in bending {
             for &link in bending.iter().filter(|&&link| link >= axis) {
-                let name = format!("compliance_{}_{}", self.axes[axis].drive.label, self.axes[link].drive.label);
+                let name = compliance_name(&self.axes[axis].drive.label, Some(&self.axes[link].drive.label));
                 let by = self.axes[link].drive.joint;
                 let term = self.load(name, Load::Link { axis, link }, axis, Some(by));
                 self.moved[axis].push(term);
@@ -266,8 +290,8 @@ impl ArmBuilder {
         }
     }
 
-    /// Bending of an axis under all masses beyond it, as the angle under their largest moment: about itself where it turns, about the
-    /// axes of its small rotations where it slides.
+    /// Adds bending of an axis under all masses beyond it, as the angle at their largest moment:
+    /// about a revolute axis itself, or about the axes of the small rotations of a sliding axis.
     pub fn bending_by_masses(&mut self, axis: usize, errors: &[SmallError]) {
         let Drive { ref label, prismatic, .. } = self.axes[axis].drive;
         let label = label.clone();
@@ -280,12 +304,12 @@ impl ArmBuilder {
         if !prismatic {
             let about = self.axes[axis].aligned.axis(2);
             let load = Load::Moment { axis, about, largest_kg_mm };
-            let term = self.load(format!("compliance_{label}"), load, axis, None);
+            let term = self.load(compliance_name(&label, None), load, axis, None);
             return self.moved[axis].push(term);
         }
         for error in errors {
             let Motion::Turn(k) = error.motion else { continue };
-            let name = format!("compliance_{label}_r{}", AXES[k]);
+            let name = compliance_name(&label, Some(&format!("r{}", AXES[k])));
             let load = Load::Moment { axis, about: Pose::identity().axis(k), largest_kg_mm };
             let term = self.load(name, load, axis, None);
             self.elements[error.element].terms.push(term);
@@ -294,17 +318,18 @@ impl ArmBuilder {
 
     fn load(&mut self, name: String, load: Load, axis: usize, by: Option<usize>) -> Term {
         let joint = self.axes[axis].drive.joint;
-        let parameter = self.error(name, Quantity::Angle, Effect::Bending, joint, by);
+        let parameter = self.add(Parameter { by, ..joint_error(name, Quantity::Angle, Effect::Bending, joint) });
         self.loads.push(load);
         Term { parameter, coefficient: Coefficient::Load(self.loads.len() - 1) }
     }
 
-    /// Axes moved by other joints: pairs of an axis and the joint that moves it.
+    /// Adds coupling: pairs of an axis and the joint that moves it.
     pub fn coupling(&mut self, pairs: &[(usize, usize)]) {
         for &(axis, by) in pairs {
-            let name = format!("coupling_{}_{}", self.axes[axis].drive.label, self.axes[by].drive.label);
+            let name = coupling_name(&self.axes[axis].drive.label, &self.axes[by].drive.label);
             let [moved, joint] = [axis, by].map(|k| self.axes[k].drive.joint);
-            let parameter = self.error(name, Quantity::Ratio, Effect::Coupling, moved, Some(joint));
+            let parameter = joint_error(name, Quantity::Ratio, Effect::Coupling, moved);
+            let parameter = self.add(Parameter { by: Some(joint), ..parameter });
             let coefficient = Coefficient::Joint { joint, factor: 1.0, offset: 0.0 };
             let moved = &mut self.moved[axis];
             let before = moved.iter().take_while(|t| !matches!(t.coefficient, Coefficient::Load(_))).count();
@@ -312,11 +337,12 @@ impl ArmBuilder {
         }
     }
 
-    /// An axis of this direction in the frame so far, with its small errors before it: two rotations, and two translations where it turns,
-    /// all transversal to the axis, about and along the coordinate axes that are furthest from it. They are complete and minimal: what
-    /// is along the axis is a motion of the axes or targets behind it.
+    /// Adds an axis with the given direction in the current frame, preceded by its small errors:
+    /// two rotations and, for a revolute axis, two translations. The errors act about and along the
+    /// coordinate axes that are farthest from the direction, transversely to it. They are complete
+    /// and minimal: motions along the axis belong to later axes or targets.
     ///
-    /// An axis that follows one before it, along which it slides by the same joint, has none of its own.
+    /// An axis that slides along the preceding axis with the same joint has no errors of its own.
     pub fn screw(&mut self, direction: Vector, drive: Drive, follows: bool) -> Vec<SmallError> {
         let size = |k: usize| direction[k].abs();
         let along = (0..3).fold(2, |best, k| if size(k) > size(best) { k } else { best });
@@ -343,7 +369,8 @@ impl ArmBuilder {
         errors
     }
 
-    /// Gains, harmonics, backlash, bending and coupling, and the robot with joints that are called q1, q2 ...
+    /// Adds gains, harmonics, backlash, bending and coupling, and builds the robot with joints
+    /// named q1, q2, ...
     pub fn finish(mut self, prismatic: impl Iterator<Item = bool>, effects: &Effects) -> Serial {
         self.gains();
         self.harmonics(&effects.harmonics);
@@ -354,13 +381,13 @@ impl ArmBuilder {
         self.build("serial", joints.collect(), effects.gravity)
     }
 
-    /// The name of a parameter that is there twice.
+    /// Name of a duplicate parameter, if any.
     pub fn doubled(&self) -> Option<&str> {
         let names = || self.parameters.iter().map(|p| p.name.as_str());
         names().enumerate().find(|(i, name)| names().take(*i).any(|n| n == *name)).map(|(_, name)| name)
     }
 
-    /// The robot with these joints, under gravity in this direction of the base.
+    /// Builds the robot with these joints and this direction of gravity in the base frame.
     pub fn build(mut self, model: &'static str, joints: Vec<Joint>, gravity: Vector) -> Serial {
         for (axis, moved) in self.axes.iter().zip(self.moved) {
             self.elements[axis.element].terms.splice(axis.at..axis.at, moved);
@@ -381,20 +408,21 @@ impl ArmBuilder {
     }
 }
 
-/// The rotation that brings z to a direction, exact where that is a coordinate axis.
+/// Rotation that brings z to a direction; exact for coordinate axes.
 fn z_to(direction: Vector) -> Pose {
     let [x, y, z] = direction;
     if z < 0.0 {
         let flipped = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], ..Pose::identity() };
         return flipped.then(&z_to([x, -y, -z]));
     }
-    // Rodrigues about z × direction
+    // Rodrigues' formula about z × direction
     let c = 1.0 / (1.0 + z);
     let rotation = [[1.0 - c * x * x, -c * x * y, x], [-c * x * y, 1.0 - c * y * y, y], [-x, -y, z]];
     Pose { rotation, ..Pose::identity() }
 }
 
-/// A link between two joints with its Denavit-Hartenberg parameters, of sizes that show them all.
+/// Drawing of a link between two joints with its Denavit-Hartenberg parameters, exaggerated for
+/// visibility.
 pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
     const TWIST: f64 = 0.9;
     const OFFSET: f64 = 0.7;
@@ -424,7 +452,7 @@ pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
         }
         to
     };
-    // turned so that no axis is seen end on
+    // rotated so that no axis is seen end-on
     let mut frame = Pose::identity().turn_z(1.2);
     if modified {
         axis(&mut sketch, "z i−1", &frame, [-50.0, 130.0]);
@@ -448,7 +476,8 @@ pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
     sketch
 }
 
-/// A robot in space whose joints follow each other, with its targets and the non-geometric effects that are modelled.
+/// A robot in space whose joints follow each other, with its targets and the non-geometric effects
+/// that are modelled.
 ///
 /// # Examples
 ///
@@ -475,48 +504,48 @@ pub struct Serial {
     elements: Vec<Element>,
     axes: Vec<Axis>,
     loads: Vec<Load>,
-    /// Elements of the base.
+    /// Number of elements of the base.
     based: usize,
     /// Joints whose direction of approach follows the joint values.
     approached: Vec<usize>,
     gravity: Vector,
-    /// Limits of each joint, rad or mm.
+    /// Limits of each joint (rad or mm).
     limits: Vec<Option<[f64; 2]>>,
     /// Joints that move the base.
     of_base: Vec<String>,
     /// Drawing of a link with its Denavit-Hartenberg parameters.
     link: Option<Sketch>,
-    /// What the same numbers are in another convention.
+    /// Robot that the same numbers describe in another convention, with the name of the convention.
     other: Option<(String, Box<Self>)>,
 }
 
 impl Serial {
-    /// The same with limits of its joints, rad or mm.
+    /// Sets the limits of the joints (rad or mm).
     pub(super) fn with_limits(self, limits: Vec<Option<[f64; 2]>>) -> Self {
         Self { limits, ..self }
     }
 
-    /// Gain of an axis: its motion for each unit of the value of its joint, apart from its factor.
+    /// Gain of an axis: motion per unit of its joint value, without the factor.
     fn gain(&self, axis: &Axis, parameters: &[f64]) -> f64 {
         axis.gain.map_or(1.0, |i| parameters[i])
     }
 
-    /// The same on a base that these joints move.
+    /// Declares the joints that move the base.
     pub(super) fn on_moving_base(self, of_base: Vec<String>) -> Self {
         Self { of_base, ..self }
     }
 
-    /// The same with a drawing of one of its links.
+    /// Sets the drawing of one of the links.
     pub(super) fn with_link(self, link: Sketch) -> Self {
         Self { link: Some(link), ..self }
     }
 
-    /// The same, with what its numbers are in another convention.
+    /// Sets the robot that the same numbers describe in another convention.
     pub(super) fn with_other(self, what: String, other: Self) -> Self {
         Self { other: Some((what, Box::new(other))), ..self }
     }
 
-    /// The frames behind all axes, and the flange, in the base under these loads.
+    /// Frames behind all axes, and the flange, in the base frame under these loads.
     fn frames<T: Scalar>(&self, parameters: &[T], state: State<T>) -> (Vec<Pose<T>>, Pose<T>) {
         let (mut frames, mut pose) = (Vec::with_capacity(self.axes.len()), Pose::identity());
         for (i, element) in self.elements.iter().enumerate().skip(self.based) {
@@ -528,7 +557,7 @@ impl Serial {
         (frames, pose)
     }
 
-    /// For each load its size at joint values, on nominal geometry.
+    /// Loads at joint values, on nominal geometry.
     fn loads_at<T: Scalar>(&self, joints: &[T]) -> Vec<T> {
         if self.loads.is_empty() {
             return Vec::new();
@@ -537,7 +566,7 @@ impl Serial {
         self.loads_on(&self.frames(&nominal, State { joints, loads: &[] }).0)
     }
 
-    /// For each load its size where these are the frames behind all axes.
+    /// Loads at the given frames behind all axes.
     fn loads_on<T: Scalar>(&self, frames: &[Pose<T>]) -> Vec<T> {
         let gravity = self.gravity.map(T::from);
         let size = |load: &Load| match *load {
@@ -562,8 +591,8 @@ impl Serial {
         self.loads.iter().map(size).collect()
     }
 
-    /// The same way to a pose, with the turns that bring each angle nearest to `near` within its limits; `None` where a gain other than one
-    /// leaves no such way.
+    /// Shifts each angle of a solution by full turns to be nearest to `near` within its limits.
+    /// Returns `None` if gains other than one leave no solution.
     fn within_limits(&self, parameters: &[f64], place: &Pose, joints: Vec<f64>, near: &[f64]) -> Option<Vec<f64>> {
         let mut turned = joints.clone();
         let all = turned.iter_mut().zip(near).zip(self.joints().iter().zip(&self.limits));
@@ -575,11 +604,12 @@ impl Serial {
                 *q = turned.unwrap_or(nearest);
             }
         }
-        // with a gain a turn of the joint value is not one of the joint
+        // with a gain, a full turn of the joint is not a full turn of the joint value
         if turned == joints { Some(turned) } else { self.inverse(parameters, place, &turned) }
     }
 
-    /// The arm in its base at joint values zero, with the lengths that are not zero as drawn.
+    /// Drawing of the arm in its base at joint values zero, with all lengths that are nominally
+    /// non-zero.
     fn drawn(&self) -> Sketch {
         let mut sketch =
             Sketch::new(meaning("The arm at joint values zero: axes of the joints and lengths of the links."), false);
@@ -613,7 +643,7 @@ impl Serial {
         chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) })
     }
 
-    /// The generic form of [`Robot::positions`]: positions of all targets in the world.
+    /// Generic form of [`Robot::positions`]: positions of all targets in the world.
     pub fn target_positions<T: Scalar>(&self, parameters: &[T], q: &[f64]) -> Vec<Vector<T>> {
         let flange = chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) });
         (0..self.targets().len())
@@ -624,21 +654,23 @@ impl Serial {
             .collect()
     }
 
-    /// The arm with these parameters.
+    /// Binds parameters to the arm.
     fn with(&self, parameters: &[f64]) -> WithParameters<'_> {
         WithParameters { arm: self, chain: Prepared::new(&self.elements, parameters) }
     }
 
-    /// Inverse kinematics near `start`: joint values at which the flange has the pose `world_T_flange`.
+    /// Inverse kinematics near `start`: joint values at which the flange has the pose
+    /// `world_T_flange`.
     ///
-    /// `None` where the pose cannot be reached to 1e-9 mm and 1e-12 rad from there. The branch is that of `start`.
+    /// Returns `None` if the pose cannot be reached to within 1e-9 mm and 1e-12 rad on the branch
+    /// of `start`.
     pub fn inverse(&self, parameters: &[f64], world_T_flange: &Pose, start: &[f64]) -> Option<Vec<f64>> {
         let mut q = start.to_vec();
         let arm = self.with(parameters);
         for _ in 0..50 {
             let (reached, a) = arm.flange_jacobian(&q);
             let gap = minus(world_T_flange.translation_mm, reached.translation_mm);
-            // small rotation from reached to wanted, in the world
+            // small rotation from the reached to the desired orientation, in the world
             let turn = world_T_flange.then(&reached.inverse()).rotation;
             let small = [turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1]].map(|v| 0.5 * v);
             let b: Vec<f64> = gap.iter().chain(&small.map(|v| v * TURNED_MM)).copied().collect();
@@ -668,6 +700,26 @@ impl Robot for Serial {
     fn sketches(&self) -> Vec<Sketch> {
         let mut all = vec![self.drawn()];
         all.extend(self.link.clone());
+        all
+    }
+    fn optional_parameters(&self) -> Vec<OptionalParameter> {
+        let labels = || self.axes.iter().map(|axis| axis.drive.label.as_str());
+        let mut all = Vec::new();
+        let mut add = |key, name: String, joints: &[&str]| {
+            let joints = joints.iter().map(|joint| (*joint).to_owned()).collect();
+            all.push(OptionalParameter { name, key, joints, is_pair: key == "coupling" });
+        };
+        for label in labels() {
+            add("bending", compliance_name(label, None), &[label]);
+            AXES.iter().for_each(|a| add("bending", compliance_name(label, Some(&format!("r{a}"))), &[label]));
+            ORDERS.iter().for_each(|(_, part, _)| add("harmonics", harmonic_name(label, part), &[label]));
+            add("backlash", backlash_name(label), &[label]);
+            for by in labels() {
+                let joints = if by == label { vec![label] } else { vec![label, by] };
+                add("bending", compliance_name(label, Some(by)), &joints);
+                add("coupling", coupling_name(label, by), &[label, by]);
+            }
+        }
         all
     }
     fn other_conventions(&self) -> Vec<(String, Box<dyn Robot>)> {
@@ -743,10 +795,11 @@ impl Robot for Serial {
     }
 }
 
-/// A step of Newton's method towards a pose (x, y, z and the rotation row by row) from linearised
-/// kinematics, shortened to half a radian or millimetre where it is long; its size, the errors of
-/// position (mm) and orientation (rad times [`TURNED_MM`]) before it, and the trace of the rotation
-/// between both poses, which is 3 where they agree and negative half a turn apart.
+/// Newton step towards a pose (x, y, z and the rotation matrix row by row) from linearised
+/// kinematics; long steps are shortened to half a radian or millimetre. Also returns the size of
+/// the step, the errors of position (mm) and orientation (rad times [`TURNED_MM`]) before the step,
+/// and the trace of the relative rotation, which is 3 if the orientations agree and negative at
+/// half a turn.
 fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
     let (at, columns) = linearised.split_at(12);
     let gap: Vec<T> = (0..3).map(|i| pose[i] - at[i]).collect();
@@ -764,23 +817,25 @@ fn correction<T: Scalar>(pose: &[T], linearised: &[T]) -> (Vec<T>, [T; 4]) {
     (step.into_iter().map(|v| v * shorter).collect(), errors)
 }
 
-/// Damping of joints that move nothing, as a share of what all joints move: a redundant arm and a
-/// singular pose have such.
+/// Damping for joints without effect in redundant arms and singular poses, as a share of the effect
+/// of all joints.
 const SINGULAR: f64 = 1e-14;
 
-/// A turn by one radian weighs like this path in a pose, mm.
+/// Weight of a rotation by one radian in a pose (mm).
 const TURNED_MM: f64 = 1000.0;
 
-/// Starts from which all ways to a pose are searched, at least, and without a new one before the search ends.
+/// Minimum number of starts of the search for all solutions, and number of starts without a new
+/// solution that end it.
 const STARTS: usize = 96;
-/// Starts at most.
+/// Maximum number of starts.
 const MOST_STARTS: usize = 1024;
-/// Joint values (rad, mm) nearer than this are the same way.
+/// Largest difference between joint values of the same solution (rad or mm).
 const SAME: f64 = 1e-6;
 const SEARCH_SEED: u64 = 19;
-/// A way that is this near (rad, mm) to where it is looked for is the nearest.
+/// Distance from the start within which a solution is accepted as the nearest without a search (rad
+/// or mm).
 const NEAR: f64 = 0.5;
-/// Range of a sliding joint without limits, mm.
+/// Range of a sliding joint without limits (mm).
 const UNLIMITED_MM: [f64; 2] = [-1000.0, 1000.0];
 
 impl Kinematics for Serial {
@@ -793,7 +848,8 @@ impl Kinematics for Serial {
         Some(base_pose(parameters))
     }
 
-    /// Direct kinematics, and the same with derivatives: of the position by the joint values, and of the rotation as vectors in the base.
+    /// Direct kinematics, without and with derivatives with respect to the joint values: of the
+    /// position, and of the rotation as vectors in the base frame.
     fn formulas(&self, parameters: &[f64]) -> Vec<Formula> {
         let joints: Vec<String> = self.joints().iter().map(|joint| joint.name.clone()).collect();
         let record = |name, with_derivatives| {
@@ -826,14 +882,15 @@ impl Kinematics for Serial {
         vec![record("direct", false), linearised, correction]
     }
 
-    /// That of the Jacobian's determinant, for six joints.
+    /// Sign of the determinant of the Jacobian, for six joints.
     fn branch(&self, parameters: &[f64], joints: &[f64]) -> Vec<bool> {
         let square = joints.len() == 6;
         let determinant = || Matrix6::from_row_slice(&self.with(parameters).flange_jacobian(joints).1).determinant();
         square.then(|| determinant() > 0.0).into_iter().collect()
     }
 
-    /// Found by a search from many starts (Newton's method), whatever the arm: none with more joints than a pose has freedoms.
+    /// Solutions from a multi-start search by Newton's method; empty for redundant arms, with more
+    /// joints than a pose has degrees of freedom.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>> {
         let (mut all, mut noise, mut without_new) = (Vec::<Vec<f64>>::new(), Noise::new(SEARCH_SEED, 0), 0);
         let place = base_pose(parameters).then(pose);
@@ -865,7 +922,7 @@ impl Kinematics for Serial {
     fn nearest_joints(&self, parameters: &[f64], pose: &Pose, near: &[f64]) -> Result<Vec<f64>, String> {
         let place = base_pose(parameters).then(pose);
         let turned = |q| self.within_limits(parameters, &place, q, near);
-        // the branch that the start is on, or, where that leads nowhere, any
+        // the branch of the start or, if that fails, any branch
         let along = self.inverse(parameters, &place, near).and_then(turned);
         let way = along.clone().filter(|q| self.limit_violation(parameters, q).is_none());
         if let Some(way) = way.filter(|q| q.iter().zip(near).all(|(a, b)| (a - b).abs() < NEAR)) {
@@ -892,7 +949,7 @@ impl FreeBase for Serial {
         let element = &self.elements[axis.element];
         let state = State { joints, loads: &loads };
         let mut value = joints[joint];
-        // what the element moves by, less what it does so at nominal parameters
+        // motion of the element minus its motion at nominal parameters
         for (parameter, coefficient) in element.coefficients(state) {
             write(parameter, coefficient / axis.drive.factor);
             value += coefficient / axis.drive.factor * (parameters[parameter] - self.parameters()[parameter].nominal);
@@ -913,21 +970,22 @@ impl FreeBase for Serial {
     }
 }
 
-/// An arm with its parameters.
+/// An arm with bound parameters.
 struct WithParameters<'a> {
     arm: &'a Serial,
     chain: Prepared<'a>,
 }
 
 impl WithParameters<'_> {
-    /// The place of a target on a flange.
+    /// Position of a target on a flange.
     fn target(&self, flange: &Pose, target: usize) -> Vector {
         let place = self.arm.target_place(target);
         flange.apply([0, 1, 2].map(|k| self.chain.parameters()[place + k]))
     }
 
-    /// Pose of the flange in the world, and its derivatives by the joint values, loads as they are: three rows of the position, three of
-    /// the orientation, rad times [`TURNED_MM`].
+    /// Pose of the flange in the world, and its derivatives with respect to the joint values at
+    /// constant loads: three rows for the position, three for the orientation (rad times
+    /// [`TURNED_MM`]).
     fn flange_jacobian(&self, q: &[f64]) -> (Pose, Vec<f64>) {
         let state = State { joints: q, loads: &self.arm.loads_at(q) };
         let (reached, axes) = self.chain.trace(state);
@@ -943,7 +1001,8 @@ impl WithParameters<'_> {
         (reached, a)
     }
 
-    /// Gives `write` the derivatives of the positions of targets by parameters, one behind the other.
+    /// Calls `write` with the derivatives of target positions with respect to parameters, target by
+    /// target.
     fn derivatives(
         &self,
         state: State,

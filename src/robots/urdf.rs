@@ -1,7 +1,8 @@
-//! `model = "urdf"`: a chain of joints out of a tree, as the Unified Robot Description Format states it.
+//! `model = "urdf"`: a chain of joints from a tree in the Unified Robot Description Format.
 //!
-//! Each moving joint of the chain has small errors before it, in the frame of its origin: two rotations, and two translations where it
-//! turns. They are complete and minimal whatever the axes are, so that parallel axes need no parameters of their own.
+//! Small errors precede each moving joint of the chain, in the frame of its origin: two rotations
+//! and, for a revolute joint, two translations. They are complete and minimal for any directions of
+//! the axes, so that parallel axes need no special parameters.
 
 use super::conventions::EffectKeys;
 use super::keys::{Description, Reader};
@@ -10,13 +11,13 @@ use super::{At, Fault, FaultKind, Faults, Joint, Key, Model, Quantity, Robot, Tr
 use etalon_base::pose::{Pose, Vector, cross, norm, unit};
 use std::sync::Arc;
 
-/// Robot of a tree of links and joints.
+/// Robot described by a tree of links and joints.
 pub(super) const MODEL: Model = Model::new::<Keys>("urdf");
 
-/// Origins further from each other than this are not in metres, mm.
+/// Largest plausible distance of origins; larger distances indicate a unit other than metres (mm).
 const FURTHEST_MM: f64 = 20_000.0;
 
-/// Sine of the angle below which two axes are parallel as drawn.
+/// Sine of the angle below which two axes are nominally parallel.
 const PARALLEL: f64 = 1e-6;
 
 /// Description of a robot that is a chain of a tree.
@@ -27,21 +28,21 @@ struct Keys {
     effects: EffectKeys,
 }
 
-/// Links and joints of a URDF, in mm and rad.
+/// Links and joints of a URDF (mm, rad).
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
-    /// The links.
+    /// Links.
     pub links: Vec<Link>,
-    /// The joints.
+    /// Joints.
     pub joints: Vec<TreeJoint>,
 }
 
 /// A link.
 #[derive(Clone, Debug)]
 pub struct Link {
-    /// Its name.
+    /// Name of the link.
     pub name: String,
-    /// Mass, kg; 0 where none is stated.
+    /// Mass (kg); 0 if not stated.
     pub mass_kg: f64,
     /// Centre of mass in the frame of the link.
     pub center_mm: Vector,
@@ -50,32 +51,32 @@ pub struct Link {
 /// A joint between two links.
 #[derive(Clone, Debug)]
 pub struct TreeJoint {
-    /// Its name.
+    /// Name of the joint.
     pub name: String,
-    /// `fixed`, `revolute`, `continuous`, `prismatic` or another.
+    /// Type: `fixed`, `revolute`, `continuous`, `prismatic` or another.
     pub kind: String,
-    /// Link that carries it.
+    /// Link that carries the joint.
     pub parent: String,
-    /// Link that it moves; its frame is that of the joint.
+    /// Link that the joint moves; its frame is the frame of the joint.
     pub child: String,
-    /// The joint in the frame of its parent.
+    /// Frame of the joint in the frame of its parent.
     pub origin: Pose,
-    /// Direction of the axis in the frame of the joint, of any length.
+    /// Direction of the axis in the frame of the joint, not normalised.
     pub axis: Vector,
-    /// Lower and upper limit in m or rad.
+    /// Lower and upper limit (m or rad).
     pub limits: Option<[f64; 2]>,
-    /// The joint that it follows.
+    /// Joint that this joint mimics.
     pub mimic: Option<Mimic>,
 }
 
-/// A joint has the value multiplier · value of another + offset, in m and rad.
+/// Coupling of a joint's value to another: multiplier · value of the other + offset (m, rad).
 #[derive(Clone, Debug)]
 pub struct Mimic {
-    /// The other.
+    /// The other joint.
     pub joint: String,
-    /// Without unit, m/rad or rad/m.
+    /// Multiplier (1, m/rad or rad/m).
     pub multiplier: f64,
-    /// m or rad.
+    /// Offset (m or rad).
     pub offset: f64,
 }
 
@@ -84,7 +85,7 @@ impl TreeJoint {
         if self.kind == "prismatic" { Quantity::Length } else { Quantity::Angle }
     }
 
-    /// mm or rad of a unit of the file.
+    /// Conversion factor from units of the file to mm or rad.
     fn scale(&self) -> f64 {
         if self.kind == "prismatic" { 1000.0 } else { 1.0 }
     }
@@ -93,7 +94,7 @@ impl TreeJoint {
         Fault::tree(At::TreeJoint(self.name.clone()), fault)
     }
 
-    /// What no joint of a chain can have.
+    /// Faults of the joint that prevent its use in a chain.
     fn faults(&self) -> Vec<Fault> {
         let joint = self.name.clone();
         let mut faults = Vec::new();
@@ -111,26 +112,26 @@ impl TreeJoint {
     }
 }
 
-/// A joint of a chain and whether the chain passes it from its child to its parent.
+/// A joint of a chain, and whether the chain passes it upward, from child to parent.
 #[derive(Clone, Copy, Debug)]
 struct Step<'a> {
     joint: &'a TreeJoint,
     upward: bool,
 }
 
-/// The chain of a URDF with the most moving joints.
+/// Chain of a URDF with the most moving joints.
 #[derive(Clone, Debug)]
 pub struct LongestChain {
-    /// Link that no joint carries.
+    /// Root link, which no joint carries.
     pub base_link: String,
-    /// Link that carries no joint.
+    /// End link, which carries no joint.
     pub tool_link: String,
-    /// Joints whose values move it.
+    /// Joints whose values move the chain.
     pub joints: Vec<Joint>,
 }
 
 impl Tree {
-    /// The chain with the most moving joints, the first of the file where several have as many.
+    /// Finds the chain with the most moving joints, the first of the file in case of ties.
     pub fn longest_chain(&self) -> Result<LongestChain, Faults> {
         let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
         let mut longest: Option<(usize, LongestChain)> = None;
@@ -152,7 +153,7 @@ impl Tree {
             }
         }
         if longest.is_none() {
-            // no link ends a chain
+            // without a leaf the joints form a loop, which is reported here
             self.links.iter().try_for_each(|link| self.upward(&link.name).map(drop))?;
         }
         let moving = longest.filter(|(count, _)| *count > 0);
@@ -163,7 +164,7 @@ impl Tree {
         self.joints.iter().find(|joint| joint.name == name)
     }
 
-    /// The joint that moves a link; an error where there are two.
+    /// Joint that moves a link; an error if there are two.
     fn above(&self, link: &str) -> Result<Option<&TreeJoint>, Faults> {
         let mut all = self.joints.iter().filter(|joint| joint.child == link);
         let first = all.next();
@@ -176,7 +177,7 @@ impl Tree {
         }
     }
 
-    /// Joints from a link to the root of the tree.
+    /// Joints from a link up to the root of the tree.
     fn upward<'a>(&'a self, mut link: &'a str) -> Result<Vec<&'a TreeJoint>, Faults> {
         let mut chain = Vec::new();
         while let Some(joint) = self.above(link)? {
@@ -189,8 +190,9 @@ impl Tree {
         Ok(chain)
     }
 
-    /// Joints from one link to another, by way of the link that carries both: up from a link that moves itself, the flange of
-    /// another arm or the table of a positioner, and down to the other.
+    /// Joints from one link to another by way of their common ancestor: up from the base link,
+    /// which may move (the flange of another arm, or the table of a positioner), and down to the
+    /// tool link.
     fn chain<'a>(&'a self, ends: [&'a str; 2]) -> Result<Vec<Step<'a>>, Faults> {
         let [base_link, tool_link] = ends;
         for (key, link) in [("base_link", base_link), ("tool_link", tool_link)] {
@@ -219,7 +221,7 @@ impl Tree {
         Faults(chain.iter().flat_map(|step| step.joint.faults()).collect()).or(chain)
     }
 
-    /// The joint whose value a joint has, and by which factor and offset (mm, rad).
+    /// Joint that drives a joint, with factor and offset (mm, rad).
     fn driven_by<'a>(&'a self, joint: &'a TreeJoint) -> Result<(&'a TreeJoint, f64, f64), Faults> {
         let (mut at, mut factor, mut offset) = (joint, 1.0, 0.0);
         for _ in 0..=self.joints.len() {
@@ -236,7 +238,7 @@ impl Tree {
         Err(joint.fault(TreeFault::MimicsItself(joint.name.clone())).into())
     }
 
-    /// What a link carries with fixed joints, itself included: mass and centre in the frame of the link.
+    /// Mass and centre of mass of a link and all links fixed to it, in the frame of the link.
     fn body(&self, link: &str) -> Body {
         let mut open = vec![(link, Pose::identity())];
         let (mut mass_kg, mut sum) = (0.0, [0.0; 3]);
@@ -303,7 +305,7 @@ impl Description for Keys {
         let mut arm = ArmBuilder::new(targets);
         let (mut joints, mut limits): (Vec<Joint>, Vec<Option<[f64; 2]>>) = Default::default();
         let mut errors = Vec::new();
-        // the sliding axis before a joint, in its frame, and the joint that drives it
+        // preceding sliding axis, in the frame of the joint, and the joint that drives it
         let mut before: Option<(Vector, &str)> = None;
         for Step { joint, upward } in &chain {
             let pass = |arm: &mut ArmBuilder, before: &mut Option<(Vector, &str)>, origin: Pose| {
@@ -330,7 +332,7 @@ impl Description for Keys {
             let prismatic = joint.kind == "prismatic";
             let name = joint.name.clone();
             let drive = Drive { label: name.clone(), name, joint: index, factor, offset, prismatic };
-            // passed upward, it moves the other way
+            // a joint that is passed upward moves in the opposite direction
             let axis = unit(joint.axis).unwrap_or_default().map(|v| if *upward { -v } else { v });
             let parallel = |along: Vector| norm(cross(along, axis)) < PARALLEL;
             let follows = prismatic && before.is_some_and(|(along, by)| by == driver.name && parallel(along));

@@ -114,7 +114,8 @@ impl Documents {
         let held = FolderLock::take(&self.folder)?;
         self.unchanged()?;
         let paths = added.iter().map(|(name, _)| self.path(name).display().to_string()).collect();
-        replace(held, self.manifest.files, added, |_| true, || Ok(()), Durability::Now)?;
+        let files = with_manifest(self.manifest.files, added)?;
+        held.replace(&files, |name| !holds(&files, name), || Ok(()), Durability::Now)?;
         Ok(paths)
     }
 
@@ -206,19 +207,19 @@ impl Run {
     }
 }
 
-/// Replaces a folder by one with these files, those `others` that it keeps, and their manifest.
-pub(super) fn replace(
-    held: FolderLock,
-    mut listed: BTreeMap<String, String>,
-    mut files: Vec<(String, Vec<u8>)>,
-    keeps: impl Fn(&str) -> bool,
-    ready: impl FnOnce() -> Result<()>,
-    durability: Durability,
-) -> Result<()> {
+/// Files of an output folder, by name.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// These files and the manifest, which lists them and those that are `listed` already.
+pub(super) fn with_manifest(mut listed: BTreeMap<String, String>, mut files: Files) -> Result<Files> {
     listed.extend(files.iter().map(|(name, bytes)| (name.clone(), files::sha256(bytes))));
     files.push((ManifestDocument::NAME.to_owned(), to_json(&ManifestDocument::new(listed))?));
-    let new = |name: &str| files.iter().any(|(file, _)| file == name);
-    held.replace(&files, |name| keeps(name) && !new(name), ready, durability)
+    Ok(files)
+}
+
+/// `true` if a file of this name is among `files`.
+pub(super) fn holds(files: &[(String, Vec<u8>)], name: &str) -> bool {
+    files.iter().any(|(file, _)| file == name)
 }
 
 /// Reads `parameters.json`, wherever it is: in the output folder of a run, as that run wrote it.

@@ -120,14 +120,9 @@ impl Output {
             Some(files) => files.contains(name),
             None => etalon_controllers::file_names().any(|file| file == name),
         };
-        documents::replace(
-            held,
-            BTreeMap::new(),
-            self.files,
-            |name| !ours(name),
-            || unchanged(campaign, sources),
-            durability,
-        )?;
+        let files = documents::with_manifest(BTreeMap::new(), self.files)?;
+        let keeps = |name: &str| !ours(name) && !documents::holds(&files, name);
+        held.replace(&files, keeps, || unchanged(campaign, sources), durability)?;
         Ok(names)
     }
 

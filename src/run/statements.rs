@@ -122,7 +122,7 @@ fn observations(campaign: &Campaign, problems: &mut Problems) {
         let message = Message::error(format!("`{key}` must be positive"));
         problems.0.push(message.at(campaign.place_of(&["instrument", key])));
     }
-    if file.observations.is_none() {
+    if file.observations.is_empty() {
         return;
     }
     let beside = [("export", !file.exports.is_empty()), ("log", !file.logs.is_empty()), ("join", file.join.is_some())];
@@ -259,6 +259,14 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
         return;
     }
     let Some(world) = file.world() else { return };
+    if world.nominal_mm.is_empty() == world.tolerance_mm.is_some() {
+        let message = Message::error("`nominal_mm` and `tolerance_mm` of the world frame belong together");
+        let hint = "state the places of the drawing, and how far a point may be from its own";
+        problems.0.push(message.at(campaign.world_place()).hint(hint));
+    }
+    if world.tolerance_mm.is_some_and(|t| t < 0.0) {
+        problems.0.push(Message::error("`tolerance_mm` must not be negative").at(campaign.world_place()));
+    }
     let ways = [world.plane.is_some(), world.targets.is_some(), world.as_exported];
     if ways.iter().filter(|w| **w).count() != 1 {
         problems.0.push(
@@ -417,7 +425,7 @@ fn common_errors(campaign: &Campaign, problems: &mut Problems) {
 /// Uncertainties that are stated and that nothing of the campaign would use.
 fn without_use(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
-    if file.instrument.polar.is_some() && file.observations.is_some() {
+    if file.instrument.polar.is_some() && !file.observations.is_empty() {
         let what = "`polar` is for exports: a table of observations does not show where the instrument is";
         let message = Message::error(what).at(campaign.place_of(&["instrument", "polar"]));
         problems.0.push(message.hint("state the covariance of each row (`cxx_mm2` to `czz_mm2`) in the table"));

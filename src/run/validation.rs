@@ -1,7 +1,8 @@
 //! The pipeline as far as the observations, to judge parameters on them.
 
 use super::walk::{self, Observed};
-use crate::stages::monte_carlo::{self, Draws};
+use crate::stages::identification::{identify, select};
+use crate::stages::monte_carlo::{Draws, Trials};
 use crate::stages::recommendation;
 use crate::stages::validation::{self, Validated};
 use etalon_base::message::{Message, Place, Result};
@@ -11,7 +12,8 @@ use etalon_documents::{GivenFrames, ParametersDocument, RecommendationDocument, 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is written.
 pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, given: GivenFrames) -> Result<Validated> {
     let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
-    let mut found = validation::validate(campaign, stated, robot.as_mut(), &joined, document, given)?;
+    let selected = select(campaign, stated, robot.as_mut(), &joined)?;
+    let mut found = validation::validate(campaign, selected, robot.as_mut(), document, given)?;
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
 }
@@ -21,7 +23,8 @@ pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, give
 pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
     let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
     let inputs = gathered.document.inputs();
-    let mut found = recommendation::recommend(campaign, stated, robot.as_mut(), &joined, &inputs, report)?;
+    let selected = select(campaign, stated, robot.as_mut(), &joined)?;
+    let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
 }
@@ -33,8 +36,9 @@ pub fn uncertainty(
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<UncertaintyDocument> {
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
-    let measured = (&gathered.points[..], &frames);
-    let mut found = monte_carlo::distributions(campaign, stated, robot.as_mut(), &joined, measured, draws, report)?;
+    let identified = identify(campaign, stated, robot.as_mut(), &joined, &frames)?;
+    let trials = Trials::new(campaign, robot.as_ref(), &gathered.points, &frames, &identified);
+    let mut found = trials.distributions(draws, report)?;
     found.provenance.inputs = gathered.document.inputs();
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)

@@ -1,6 +1,7 @@
 //! The hallway: a campaign on its way through the stages, each of which makes something from what those before it have made.
 
 use super::{names, statements};
+use crate::stages::controlled;
 use crate::stages::frames;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::geometric;
@@ -13,7 +14,8 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Presentation, SourceKind,
+    Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, JointTravel, Presentation,
+    SourceKind,
 };
 use etalon_formats::Point;
 use etalon_report::branding;
@@ -56,6 +58,8 @@ pub(super) struct Walk {
     pub frames: Option<FramesDocument>,
     pub tested: Characteristics,
     pub joined: Option<Joined>,
+    /// How far the joints move in the calibration poses, of a check.
+    joints: Vec<JointTravel>,
     pub identified: Option<Identified>,
     pub geometric: Option<GeometricDocument>,
 }
@@ -85,12 +89,28 @@ pub fn observed(campaign: &Campaign) -> Result<Observed> {
     }
 }
 
+/// What a check finds before a run identifies.
+pub struct Checked {
+    /// List of inputs, with all warnings.
+    pub inputs: ImportDocument,
+    /// Every error.
+    pub problems: Problems,
+    /// How far the joints move in the calibration poses.
+    pub joints: Vec<JointTravel>,
+}
+
 /// Checks all that can stop a run before it identifies: the list of inputs with all warnings, and every error.
 pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
+    let Checked { inputs, problems, .. } = checked(campaign);
+    (inputs, problems)
+}
+
+/// [`everything`], and how far the joints move.
+pub fn checked(campaign: &Campaign) -> Checked {
     let mut walk = Walk::gather(campaign, Mode::Check);
     let ended = walk.on(campaign);
     walk.problems.keep(ended);
-    (walk.gathered.document, walk.problems)
+    Checked { inputs: walk.gathered.document, problems: walk.problems, joints: walk.joints }
 }
 
 impl Walk {
@@ -137,7 +157,7 @@ impl Walk {
             names::robot(campaign, robot.as_ref(), problems);
             let before = problems.0.len();
             names::logs(campaign, robot.as_ref(), problems);
-            if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_none() {
+            if complete && whole(&["join"]) && campaign.identifies() && campaign.file.observations.is_empty() {
                 names::targets(campaign, robot.as_ref(), &gathered, problems);
             }
             // without its joints a log cannot be joined, nor can points without their targets
@@ -174,8 +194,9 @@ impl Walk {
         // identify: observations become parameters, and errors before and after
         let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };
         if let (Some(stated), Some(joined), Some(frames)) = (&campaign.file.identify, &self.joined, &self.frames) {
-            let inputs = self.gathered.document.inputs();
-            self.identified = Some(identify(campaign, stated, robot.as_mut(), joined, frames, &inputs)?);
+            let mut identified = identify(campaign, stated, robot.as_mut(), joined, frames)?;
+            identified.parameters.provenance.inputs = self.gathered.document.inputs();
+            self.identified = Some(identified);
         }
         // geometry: balls, a shaft and an arm give the same parameters without a model
         let measured = self.measured.take();
@@ -206,6 +227,10 @@ impl Walk {
             let planar = self.robot.as_ref().is_some_and(|robot| robot.dimension() == 2);
             let frames = frames::make_frames(campaign, points, features, planar);
             self.frames = self.mode.keep(&mut self.problems, frames)?;
+            if let Some(frames) = &mut self.frames {
+                frames.not_controlled = controlled::not_controlled(campaign, self.robot.as_deref(), features);
+                self.mode.keep(&mut self.problems, controlled::check_nominal(campaign, points, frames))?;
+            }
         }
         Ok(())
     }
@@ -226,7 +251,8 @@ impl Walk {
         if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
             let shown = self.problems.keep(preview(campaign, robot.as_mut(), joined)).unwrap_or_default();
             let (errors, warnings): (Vec<_>, Vec<_>) =
-                shown.into_iter().partition(|message| message.severity == Severity::Error);
+                shown.messages.into_iter().partition(|message| message.severity == Severity::Error);
+            self.joints = shown.joints;
             self.problems.0.extend(errors);
             self.gathered.document.messages.extend(warnings);
             let first = joined.observations.first();

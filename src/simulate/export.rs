@@ -1,10 +1,11 @@
-//! An export in the format that the campaign states.
+//! Simulated export in the format that the campaign states.
 
 use super::{Scene, Turn, geometric, repeatability};
 use crate::stages::gather;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 use etalon_formats::Export;
 use etalon_formats::dialect::{ColumnRole, Encoding};
 use etalon_formats::exports::ExportRow;
@@ -13,9 +14,9 @@ use etalon_formats::exports::ExportRow;
 struct Row {
     label: String,
     target: String,
-    /// The measurement; of a point that does not move, the one with the number of the repeat.
+    /// Measurement; for a stationary point, the measurement with the number of the repeat.
     turn: Turn,
-    /// A target of the robot, and no fixed point.
+    /// `true` for a target of the robot, `false` for a fixed point.
     moves: bool,
     xyz: Vector,
 }
@@ -36,47 +37,41 @@ impl Row {
     }
 }
 
-/// The text of an export; an error where import would not read back what is meant.
+/// Text of an export; an error if importing it would not give the simulated points.
 pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<String> {
     let rows = rows(scene, export, stream)?;
     let file = export.file.get_ref();
     let place = || scene.campaign.place(&export.file);
     if rows.is_empty() {
-        return Err(Message::error(format!("nothing in the truth goes to the export `{file}`"))
-            .at(place())
-            .hint("add a [[point]] with this `export`, or `label` or `target` to the export in the campaign")
-            .into());
+        return Err(error!("export-without-points", file).at(place()).into());
     }
     let decimals = scene.truth.decimals;
     if export.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
-        let message = Message::error("simulate writes UTF-8").at(place());
-        return Err(message.hint("leave out `encoding` of this export").into());
+        return Err(error!("simulate-utf8").at(place()).into());
     }
     let written: Vec<ExportRow> = rows.iter().map(|row| row.written(scene)).collect();
     let skipped = &scene.truth.skipped;
     let written = export.format.write(&written, export.unit, decimals, skipped).map_err(|m| m.at(place()))?;
     let read = gather::points_of(scene.campaign, export, &written)?;
-    let wrong = |what: String| {
-        Message::error(format!("`{file}` would not be read as it is meant: {what}")).at(place()).hint(
-            "name target, pose and cycle in `label` or `columns`; `pose = \"row\"` is for one target a file; without a \
-             cycle, `cycles = 1` in the truth",
-        )
-    };
     if read.len() != rows.len() {
-        return Err(wrong(format!("{} of {} rows", read.len(), rows.len())).into());
+        let message = error!("simulated-rows-lost", file, read = read.len(), rows = rows.len());
+        return Err(message.at(place()).into());
     }
     for (row, point) in rows.iter().zip(&read) {
         if !is_meant(row, point) {
             let Turn { pose, cycle, .. } = row.turn;
-            let named = format!("target {:?}, pose {:?}, cycle {:?}", point.target, point.pose, point.cycle);
-            let meant = format!("`{}`, pose {pose}, cycle {cycle}", row.target);
-            return Err(wrong(format!("line {} is {meant}, and names {named}", point.line)).into());
+            let meant = phrase!("measurement-name", target = row.target, pose, cycle);
+            let shown = |value: Option<String>| value.unwrap_or_else(|| "-".to_owned());
+            let target = shown(point.target.as_ref().map(ToString::to_string));
+            let found = [shown(point.pose.map(|p| p.to_string())), shown(point.cycle.map(|c| c.to_string()))];
+            let read = phrase!("measurement-name", target, pose = found[0], cycle = found[1]);
+            return Err(error!("simulated-row-misread", file, line = point.line, meant, read).at(place()).into());
         }
     }
     Ok(written)
 }
 
-/// What was measured: fixed points first, then the targets at every pose.
+/// Measured points: fixed points first, then the targets at every pose.
 fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     let (truth, instrument) = (scene.truth, &scene.campaign.file.instrument);
     let sigma_mm = truth.noise_um.map_or(instrument.standard_uncertainty_mm(), |um| um / 1000.0);
@@ -122,14 +117,14 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Whether `point` states of the row what a join or a feature needs.
+/// `true` if `point` agrees with the row in everything that a join or a feature needs.
 fn is_meant(row: &Row, point: &etalon_formats::Point) -> bool {
     let target = point.target.as_deref() == Some(row.target.as_str());
     let label = *point.label == *row.label;
     if !row.moves {
         return target || label && point.target.is_none();
     }
-    // without a cycle, numbers of rows and times go on from one round to the next
+    // without a cycle, numbers of rows and times continue from one round to the next
     let told = match point.pose {
         Some(pose) if pose == row.turn.pose && point.cycle == Some(row.turn.cycle) => true,
         Some(pose) => pose == row.turn.number && pose == point.row,

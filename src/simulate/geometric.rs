@@ -1,16 +1,17 @@
-//! The points of the geometric calibration (thesis, chapter 2).
+//! Points of the geometric calibration (thesis, chapter 2).
 
 use super::Scene;
 use crate::stages::geometric::{self, Gathered};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_formats::Export;
 
-/// Stream of the noise of homing: no file has it.
+/// Stream of the noise of homing, distinct from the streams of files.
 const HOMING: u64 = 1 << 32;
 
-/// Labelled points that go to `export`; `measure` gives the reading of a point in the world.
+/// Labelled points for `export`; `measure` returns the reading of a point in the world.
 pub(super) fn points(
     scene: &Scene,
     export: &Export,
@@ -29,14 +30,12 @@ pub(super) fn points(
     geometric::labelled(definition, &Gathered { robot: found, bars, balls })
 }
 
-/// Refuses a truth that its campaign cannot name.
+/// Rejects a truth that the campaign cannot name.
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let definition = scene.campaign.file.geometric.as_ref();
     let table = scene.robot.rail_table();
     if scene.truth.geometric.is_some() && (definition.is_none() || table.is_none()) {
-        return Err(Message::error("the truth has [geometric], the campaign has not, or is of no PreXYT")
-            .hint("state [geometric] in campaign.toml: it names the labels")
-            .into());
+        return Err(error!("truth-geometric-without-campaign").into());
     }
     Ok(())
 }

@@ -1,24 +1,25 @@
-//! A log with the columns that the campaign reads.
+//! Simulated log with the columns that the campaign reads.
 
 use super::Scene;
 use crate::stages::gather;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
+use etalon_base::{error, phrase};
 use etalon_campaign::JoinBy;
 use etalon_formats::table::ASSEMBLY;
 use etalon_formats::{JointLog, Log, LogRow};
 
-/// Stream of the noise of the contact: no file has it.
+/// Stream of the noise of the contact, distinct from the streams of files.
 const CONTACT: u64 = 1 << 33;
 
-/// The text of a log; an error where import would not read it.
+/// Text of a log; an error if import would not read it.
 pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     writable(scene, log)?;
     let robot = scene.robot;
     let mut values =
         JointLog { joints: robot.joints().iter().map(|joint| joint.column()).collect(), ..JointLog::default() };
     values.columns.extend(robot.has_assembly_modes().then(|| ASSEMBLY.to_owned()));
-    // a join by pose alone wants one row for all rounds
+    // a join by pose alone needs one row for all rounds
     let once = scene.campaign.file.join_by() == Some(JoinBy::Pose);
     let mut contact = Noise::new(scene.truth.seed, CONTACT);
     for turn in scene.turns(if once { 1 } else { scene.truth.cycles }) {
@@ -38,20 +39,20 @@ pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     Ok(all)
 }
 
-/// An error about a log that rows of standing poses, ten seconds apart, are not.
+/// Rejects logs that cannot consist of rows of standing poses ten seconds apart.
 fn writable(scene: &Scene, log: &Log) -> Result<()> {
     let timed = scene.campaign.file.join_by() == Some(JoinBy::Time);
-    let what = if log.format.has_channels() {
-        "a TwinCAT export"
+    let kind = if log.format.has_channels() {
+        "twincat"
     } else if log.standstill.is_some() {
-        "a log recorded while the robot moves"
+        "moving-log"
     } else if log.period_s.is_some() && timed {
-        "a log whose times follow from its period, for a join by time"
+        "period-log"
     } else if log.columns.values().any(|column| column.occurrence.is_some()) {
-        "a log that names columns twice"
+        "repeated-columns"
     } else {
         return Ok(());
     };
-    let message = Message::error(format!("simulate does not write {what}")).at(scene.campaign.place(&log.file));
-    Err(message.hint("state another log to simulate, then the real one").into())
+    let message = error!("simulate-not-written", what = phrase!("simulated-kind", kind));
+    Err(message.at(scene.campaign.place(&log.file)).into())
 }

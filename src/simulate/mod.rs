@@ -1,4 +1,5 @@
-//! Exports, logs and tables of observations of a robot with known parameters and stated noise, in the formats that a campaign reads.
+//! Simulated exports, logs and tables of observations of a robot with known parameters and stated
+//! noise, in the formats that a campaign reads.
 
 mod export;
 mod geometric;
@@ -17,66 +18,64 @@ pub use truth::{Circle, Drawn, LabelledPoint, Placement, Poses, Truth, true_valu
 pub use unmodelled::{Interpolation, Unmodelled};
 
 use etalon_base::cell::is_formula;
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector};
 use etalon_campaign::Campaign;
 use etalon_robots::Robot;
 
-/// Between two poses of the log.
+/// Time between two poses in the log.
 const INTERVAL_S: f64 = 10.0;
-/// Digits after the decimal mark that a double can fill.
+/// Maximum number of decimals that a double can represent.
 const MOST_DECIMALS: usize = 17;
 
-/// A robot with its true parameters, and where it goes.
+/// A robot with its true parameters and its poses.
 struct Scene<'a> {
     campaign: &'a Campaign,
     truth: &'a Truth,
     robot: &'a dyn Robot,
-    /// True parameters, in mm, rad and 1.
+    /// True parameters (mm, rad or 1).
     values: Vec<f64>,
-    /// Joint values of each pose, in mm and rad.
+    /// Joint values of each pose (mm or rad).
     joints: Vec<Vec<f64>>,
-    /// The point that the tool stands on at each pose, where that is stated.
+    /// Point on which the tool stands at each pose, if stated.
     stands: Vec<Option<Vector>>,
     export_T_world: Pose,
 }
 
-/// One of the measurements: repeats follow each other as whole rounds of all poses.
+/// One measurement; repeats are complete rounds of all poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Turn {
     pose: i64,
     cycle: i64,
-    /// Counted from 1 over all rounds.
+    /// Number of the measurement over all rounds, from 1.
     number: i64,
 }
 
 impl Turn {
-    /// Time of the log.
+    /// Time in the log.
     fn time_s(self) -> f64 {
         INTERVAL_S * self.number as f64
     }
 }
 
 impl Scene<'_> {
-    /// Refuses poses that the robot file states the robot cannot go to; all are reported.
+    /// Rejects poses beyond the stated limits of the robot file; all are reported.
     fn check_reach(&self) -> Result<()> {
-        // as the true robot goes there: where a limit is near, the drawing may be on its other side
+        // with the true parameters: near a limit, the nominal robot may be on its other side
         let violation = |(q, at): (&Vec<f64>, &Option<Vector>)| match at {
             Some(at) => self.robot.limit_violation(&self.values, &self.robot.inverse(&self.values, q, *at)?),
             None => self.robot.limit_violation(&self.values, q),
         };
         let beyond =
             (1..).zip(self.joints.iter().zip(&self.stands)).filter_map(|(pose, p)| Some((pose, violation(p)?)));
-        let told = |(pose, why): (usize, String)| {
-            let message = Message::error(format!("pose {pose} is out of reach: {why}"));
-            message.hint("correct the pose in the truth, or [reach] in robot.toml")
-        };
+        let told = |(pose, why): (usize, String)| error!("truth-pose-out-of-reach", pose, reason = why);
         Problems(beyond.map(told).collect()).check().map(|_| ())
     }
 
-    /// The measurement with this number, from 1.
+    /// Measurement with this number, from 1.
     fn turn(&self, number: i64) -> Turn {
         let poses = (self.joints.len() as i64).max(1);
         Turn { pose: (number - 1) % poses + 1, cycle: (number - 1) / poses + 1, number }
@@ -87,22 +86,24 @@ impl Scene<'_> {
         (1..=cycles.saturating_mul(self.joints.len() as i64)).map(|number| self.turn(number))
     }
 
-    /// What the encoders state at a pose: stated, or of a point that is found again with the contact's noise.
+    /// Encoder values at a pose: as stated, or those of a point that is touched again with the
+    /// contact's noise.
     fn encoders(&self, turn: Turn, contact: &mut Noise) -> Result<Vec<f64>> {
         let pose = turn.pose as usize - 1;
         let Some(at) = self.stands[pose] else { return Ok(self.joints[pose].clone()) };
         let stated = self.campaign.file.contact.map_or(0.0, |c| c.standard_uncertainty_mm());
         let sigma_mm = self.truth.contact_um.map_or(stated, |um| um / 1000.0);
         let found = at.map(|v| v + contact.gaussian(sigma_mm));
-        let mut stated = self.robot.inverse(&self.values, &self.joints[pose], found).ok_or_else(|| {
-            Message::error(format!("pose {}: the true robot does not reach its point {at:?} mm", turn.pose))
-        })?;
+        let mut stated = self
+            .robot
+            .inverse(&self.values, &self.joints[pose], found)
+            .ok_or_else(|| error!("truth-point-out-of-reach", pose = turn.pose, point = format!("{at:?}")))?;
         let errors = self.joint_errors(turn, &stated);
         stated.iter_mut().zip(errors).for_each(|(q, error)| *q -= error);
         Ok(stated)
     }
 
-    /// Where a target is in the world at a pose.
+    /// Position of a target in the world at a pose.
     fn target(&self, turn: Turn, target: usize) -> Vector {
         let mut q = self.joints[turn.pose as usize - 1].clone();
         let errors = self.joint_errors(turn, &q);
@@ -112,7 +113,7 @@ impl Scene<'_> {
         self.truth.unmodelled.as_ref().map_or(p, |u| u.moved(self, p, turn.time_s() / 3600.0))
     }
 
-    /// True minus stated joint values: each joint comes from where it was before its last motion.
+    /// True minus stated joint values; each joint comes from its position before its last motion.
     fn joint_errors(&self, turn: Turn, stated: &[f64]) -> Vec<f64> {
         let Some(unmodelled) = &self.truth.unmodelled else { return Vec::new() };
         let here = &self.joints[turn.pose as usize - 1];
@@ -126,46 +127,37 @@ impl Scene<'_> {
     }
 }
 
-/// Refuses a truth that observes what the campaign does not read, and a table of nothing.
+/// Rejects a truth that observes quantities which the campaign does not read, and an empty table.
 fn check_table(campaign: &Campaign, truth: &Truth) -> Result<()> {
     let has_rows = !truth.observe.is_empty() || !truth.known.is_empty();
-    match &campaign.file.observations {
-        None if has_rows => Err(Message::error("the truth has [[observe]], and the campaign no [observations]")
-            .hint("state the table in campaign.toml: `[observations]` with `file`")
-            .into()),
+    match campaign.file.observations.first() {
+        None if has_rows => Err(error!("observe-without-table").into()),
         Some(stated) if truth.observe.is_empty() => {
-            let message = Message::error("the truth has no [[observe]] for the table of [observations]");
-            let hint =
-                "state what is observed: kind = \"point\", target = \"ball\" ...; docs/observations.md has the kinds";
-            Err(message.at(campaign.place(&stated.file)).hint(hint).into())
+            Err(error!("table-without-observe").at(campaign.place(&stated.file)).into())
         }
         _ => Ok(()),
     }
 }
 
-/// Writes every export, log and table of observations that `campaign` names, when all of them read back as they are meant; gives their names.
+/// Writes all exports, logs and tables of observations of `campaign` if all of them read back as
+/// simulated; returns their names.
 pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     if campaign.file.synthetic.is_none() {
-        return Err(Message::error("the campaign does not state that it is synthetic: its files may be measured ones")
-            .hint(
-                "state `synthetic = \"how the data are made\"` in campaign.toml: every report repeats it; \
-                 `etalon init --synthetic FOLDER` writes such a campaign with a truth",
-            )
-            .into());
+        return Err(error!("campaign-not-synthetic").into());
     }
     if truth.decimals > MOST_DECIMALS {
-        let what = format!("{} decimals are more than a number has", truth.decimals);
-        return Err(Message::error(what).expected(format!("0 to {MOST_DECIMALS}")).into());
+        return Err(error!("truth-decimals", decimals = truth.decimals, most = MOST_DECIMALS).into());
     }
     if let Some(export) = campaign.file.exports.iter().find(|export| !export.joints.is_empty()) {
-        let message = Message::error("a file with joints and points together is not simulated");
-        return Err(message.at(campaign.place(&export.file)).hint("state an export and a [log] of their own").into());
+        return Err(error!("joints-and-points-together").at(campaign.place(&export.file)).into());
     }
-    let table = campaign.file.observations.as_ref();
+    let table = campaign.file.observations.first();
+    if let Some(second) = campaign.file.observations.get(1) {
+        return Err(error!("several-tables").at(campaign.place(&second.file)).into());
+    }
     check_table(campaign, truth)?;
     if let Some(point) = truth.points.iter().find(|point| is_formula(&point.label)) {
-        let what = format!("the label `{}` of a [[point]] would be a formula in a spreadsheet", point.label);
-        return Err(Message::error(what).hint("give the point a label that does not begin with = + - or @").into());
+        return Err(error!("point-label-formula", label = point.label).into());
     }
     let mut robot = campaign.build_robot_with(&observed::targets(truth))?;
     let own = robot.parameters().len();
@@ -174,8 +166,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     let unstated = robot.parameters()[own..].iter().filter(|p| !truth.parameters.contains_key(&p.name));
     let unstated: Vec<String> = unstated.map(|p| format!("`{}`", p.name)).collect();
     if !unstated.is_empty() {
-        let what = format!("[parameters] does not state {}", unstated.join(", "));
-        return Err(Message::error(what).hint("state where the fixed things are that are observed").into());
+        return Err(error!("truth-parameters-missing", parameters = unstated).into());
     }
     let values = true_values(robot.as_ref(), &truth.parameters)?;
     let placed = &truth.export_T_world;
@@ -194,7 +185,7 @@ pub fn simulate(campaign: &Campaign, truth: &Truth) -> Result<Vec<String>> {
     repeatability::check(&scene)?;
     let mut texts = Vec::new();
     for (stream, stated) in campaign.file.exports.iter().enumerate() {
-        // one stream of noise per file: adding a file changes no other
+        // one stream of noise per file, so that adding a file does not change others
         texts.push((&stated.file, export::write(&scene, stated, stream as u64)?));
     }
     for stated in &campaign.file.logs {

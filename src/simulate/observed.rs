@@ -1,61 +1,66 @@
-//! What the truth has observed: rows of a table of observations, by kind, and the fixed things that they refer to.
+//! Observations of the truth: rows of a table of observations, by kind, and the fixed objects to
+//! which they refer.
 
 use super::Truth;
 use crate::stages::kinds::{self, ByColumn, Cell, Cells, Simulated, stated_schema, text};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::{Selection, StatedPoses};
 use etalon_robots::Robot;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// An `[[observe]]` of a truth: one row at each of its poses and in each round. Keys are the columns of the table.
+/// `[[observe]]` of a truth: one row at each of its poses and in each round. Keys are the columns
+/// of the table.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Observe {
     /// `point`, `pose`, `distance`, `contact`, `plane`, `line`, `sphere` or `joints`.
     pub kind: String,
-    /// The target; `joints` need none.
+    /// Name of the target; not needed for `joints`.
     #[serde(default)]
     pub target: String,
-    /// The poses, e.g. `"1-20"`; all of them if absent.
+    /// Poses, e.g. `"1-20"`; all poses if absent.
     pub poses: Option<StatedPoses>,
-    /// What the kind refers to, by column.
+    /// Objects to which the kind refers, by column.
     #[serde(flatten)]
     #[schemars(schema_with = "stated_schema")]
     pub to: ByColumn,
-    /// Of a `point`: the coordinates that are measured, e.g. `"z"` for a dial gauge; all if absent.
+    /// For a `point`: measured coordinates, e.g. `"z"` for a dial gauge; all coordinates if absent.
     pub coordinates: Option<String>,
-    /// Standard uncertainty of a length, written into the row; that of the instrument if absent.
+    /// Standard uncertainty of a length, written into the row; the instrument's uncertainty if
+    /// absent.
     pub u_um: Option<f64>,
-    /// Standard uncertainty of an angle, written into the row; that of the instrument if absent.
+    /// Standard uncertainty of an angle, written into the row; the instrument's uncertainty if
+    /// absent.
     pub urot_deg: Option<f64>,
 }
 
-/// A `[[known]]` of a truth: one row without a pose, about fixed things alone.
+/// `[[known]]` of a truth: one row without a pose, about fixed objects only.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct KnownRow {
     /// `point`, `distance`, `plane`, `line` or `sphere`.
     pub kind: String,
-    /// Name of the fixed point, or of the place on a surface.
+    /// Name of the fixed point, or of the point on a surface.
     pub target: String,
-    /// What it refers to, by column.
+    /// Objects to which the kind refers, by column.
     #[serde(flatten)]
     #[schemars(schema_with = "stated_schema")]
     pub to: ByColumn,
-    /// About where the place on a surface is; the truth brings it there.
+    /// Approximate position of a point on a surface, from which the true position follows.
     pub near_mm: Option<Vector>,
     /// Standard uncertainty, written into the row.
     pub u_um: f64,
 }
 
-/// An `[[observe]]` or `[[known]]` as it is simulated.
+/// An `[[observe]]` or `[[known]]` in its simulated form.
 pub(super) struct Item {
     pub cells: Cells,
     pub simulated: Simulated,
-    /// Index of the target of what is observed.
+    /// Index of the observed target.
     pub target: usize,
     poses: Option<Selection>,
     /// Standard uncertainties that the row states.
@@ -64,13 +69,13 @@ pub(super) struct Item {
 }
 
 impl Item {
-    /// Whether it is observed at a pose.
+    /// `true` if the item is observed at a pose.
     pub(super) fn is_at(&self, pose: i64) -> bool {
         self.poses.as_ref().is_none_or(|poses| poses.contains(PoseName::from(pose), pose as usize - 1, false))
     }
 }
 
-/// The targets that the truth observes, each once.
+/// Observed targets, each once.
 pub(super) fn targets(truth: &Truth) -> Vec<String> {
     let mut targets: Vec<String> = Vec::new();
     for observe in &truth.observe {
@@ -81,10 +86,12 @@ pub(super) fn targets(truth: &Truth) -> Vec<String> {
     targets
 }
 
-/// What `truth` observes at poses; what that refers to is added to the parameters of `robot`.
+/// Observations of `truth` at poses; the objects to which they refer are added to the parameters of
+/// `robot`.
 ///
 /// # Errors
-/// Kinds, targets and joints that there are not, and kinds that lack what they refer to.
+///
+/// Reports unknown kinds, targets and joints, and kinds with missing references.
 pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     let world = world_station(truth)?;
     let mut items = Vec::new();
@@ -94,7 +101,7 @@ pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
             let mut cells = cells(&stated.kind, &stated.target, &stated.to, &world);
             if let Some(coordinates) = &stated.coordinates {
                 if !kind.facts().is_position || cells.text("station").is_some() {
-                    return Err(Message::error("`coordinates` is for kind `point` without a station").into());
+                    return Err(error!("coordinates-of-other-kind").into());
                 }
                 cells.by_column.insert("coordinates".to_owned(), Cell::Text(coordinates.clone()));
             }
@@ -109,10 +116,11 @@ pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     Ok(items)
 }
 
-/// What `truth` states of fixed things; what that refers to is added to the parameters of `robot`.
+/// Statements of `truth` about fixed objects; the objects are added to the parameters of `robot`.
 ///
 /// # Errors
-/// Kinds that state nothing of fixed things, and those that lack what they refer to.
+///
+/// Reports kinds that state nothing about fixed objects, and kinds with missing references.
 pub(super) fn known(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     let world = world_station(truth)?;
     let mut known = Vec::new();
@@ -128,14 +136,15 @@ pub(super) fn known(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     Ok(known)
 }
 
-/// The cells of a row; a station is another one than that whose frame is the world.
+/// Cells of a row; a station is given only if its frame is not the world.
 fn cells(kind: &str, target: &str, to: &ByColumn, world: &str) -> Cells {
     let (kind, target, by_column) = (kind.to_owned(), target.to_owned(), to.clone());
     let station = text(to, "station").filter(|name| *name != world).map(str::to_owned);
     Cells { kind, target, station, by_column, in_truth: true }
 }
 
-/// The station whose frame is the world, as the table will be read: none where something is measured without a station, or else the first.
+/// Station whose frame is the world when the table is read: no station if something is measured
+/// without a station, otherwise the first.
 fn world_station(truth: &Truth) -> Result<String> {
     let measured = truth.observe.iter().filter(|o| kinds::kind(&o.kind).is_ok_and(|kind| kind.facts().has_position));
     let fixed = truth
@@ -161,6 +170,5 @@ fn world_station(truth: &Truth) -> Result<String> {
 }
 
 fn within(table: &str, number: usize, problems: Problems) -> Problems {
-    let within = |m: Message| Message { what: format!("[[{table}]] {number}: {}", m.what), ..m };
-    Problems(problems.0.into_iter().map(within).collect())
+    problems.within(&phrase!("in-numbered-table", table, number))
 }

@@ -1,37 +1,41 @@
-//! Visits of a test of repeatability (thesis 2.4): where a robot stands depends on where it comes from.
+//! Visits of a repeatability test (thesis, 2.4), where the attained position depends on the
+//! previous pose.
 
 use super::{Scene, Turn};
 use crate::stages::geometric;
 use etalon_base::bounds::{MOST, at_most};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, minus};
 use etalon_formats::Export;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Stream of the noise of the robot: no file has it.
+/// Stream of the noise of the robot, distinct from the streams of files.
 const VISITS: u64 = 1 << 34;
-/// A shorter move leaves the play as it is, in mm.
+/// Shortest move that changes the side of the play (mm).
 const MOVED_MM: f64 = 1e-6;
 
-/// `[repeatability]` of a truth: how the robot repeats.
+/// `[repeatability]` of a truth: repeatability of the robot.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Repeating {
-    /// The export that the visits go to.
+    /// Export of the visits.
     pub export: String,
-    /// The ball that is measured: one of the robot's targets.
+    /// Measured ball, one of the robot's targets.
     pub target: String,
-    /// From where it stands after a move along −x to where after one along +x, in µm: it lags behind.
+    /// Play along x: difference between the positions after moves along −x and along +x (µm); the
+    /// robot lags behind its motion.
     pub play_x_um: Vector,
-    /// The same along y.
+    /// Play along y: difference between the positions after moves along −y and along +y (µm); the
+    /// robot lags behind its motion.
     pub play_y_um: Vector,
-    /// How each pose of the trajectory repeats by itself, from pose 1.
+    /// Repeatability of each pose of the trajectory, from pose 1.
     pub pose: Vec<PoseScatter>,
-    /// Joint values of the home position, in mm or deg.
+    /// Joint values of the home position (mm or deg).
     pub home: Vec<f64>,
-    /// How often it is homed.
+    /// Number of homings.
     #[serde(default, deserialize_with = "at_most::<_, _, MOST>")]
     pub homings: i64,
     /// Standard deviation of each coordinate after homing.
@@ -39,18 +43,18 @@ pub struct Repeating {
     pub homing_um: f64,
 }
 
-/// How a pose repeats by itself.
+/// Repeatability of a single pose.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PoseScatter {
     /// Standard deviations of x, y and z.
     pub scatter_um: Vector,
-    /// How far the mechanism, which warps, lifts it.
+    /// Lift by warping of the mechanism.
     #[serde(default)]
     pub lift_um: f64,
 }
 
-/// Labelled visits that go to `export`; `measure` gives the reading of a point in the world.
+/// Labelled visits for `export`; `measure` returns the reading of a point in the world.
 pub(super) fn points(
     scene: &Scene,
     export: &Export,
@@ -63,8 +67,7 @@ pub(super) fn points(
         return Ok(Vec::new());
     }
     let target = scene.robot.targets().iter().position(|t| *t == truth.target).ok_or_else(|| {
-        let message =
-            Message::error(format!("[repeatability] of the truth: the robot has no target `{}`", truth.target));
+        let message = error!("truth-target-unknown", target = truth.target);
         message.hint_names(&truth.target, scene.robot.targets().iter().map(String::as_str))
     })?;
     let mut robot = Noise::new(scene.truth.seed, VISITS);
@@ -79,11 +82,10 @@ pub(super) fn points(
             let pose = name.number().filter(|pose| (1..=scene.joints.len() as i64).contains(pose)).unwrap_or_default();
             let scatter = usize::try_from(pose - 1).ok().and_then(|i| truth.pose.get(i));
             let Some(scatter) = scatter else {
-                let message = Message::error(format!("pose {name} of the trajectory is not in the truth"));
-                return Err(message.hint("add it to `joints` of [[poses]] and to [[repeatability.pose]]").into());
+                return Err(error!("truth-pose-missing", pose = name).into());
             };
             let at = scene.target(Turn { pose, cycle, number: pose }, target);
-            // the side that the last move along an axis left it on
+            // side of the play after the last move along an axis
             for (side, d) in play.iter_mut().zip(minus(at, before)) {
                 if d.abs() > MOVED_MM {
                     *side = -0.5 * d.signum();
@@ -105,17 +107,15 @@ pub(super) fn points(
     Ok(rows)
 }
 
-/// Refuses a truth that its campaign cannot name.
+/// Rejects a truth that the campaign cannot name.
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let Some(truth) = &scene.truth.repeatability else { return Ok(()) };
     if scene.campaign.file.repeatability.is_none() {
-        return Err(Message::error("the truth has [repeatability], the campaign has not")
-            .hint("state [repeatability] in campaign.toml: it names labels and trajectory")
-            .into());
+        return Err(error!("truth-repeatability-without-campaign").into());
     }
     if truth.home.len() != scene.robot.joints().len() {
-        let what = format!("`home` has {} joint values, the robot {}", truth.home.len(), scene.robot.joints().len());
-        return Err(Message::error(what).into());
+        let (values, joints) = (truth.home.len(), scene.robot.joints().len());
+        return Err(error!("truth-home-count", values, joints).into());
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Where the balls, the shaft and the carriages of a table on rails are, for campaigns with a known truth.
+//! Positions of balls, shaft and carriages of a table on rails, for campaigns with a known truth.
 
 use etalon_base::bounds::{MOST, at_most};
 use etalon_base::noise::Noise;
@@ -8,15 +8,16 @@ use etalon_robots::{PlanarPose, RailTable};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Balls and probed points, and the displacements at which they are measured. Places are in the world, lengths in mm.
+/// Balls and probed points, and the displacements at which they are measured. Positions are in the
+/// world, lengths in mm.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Setup {
     /// Ball N.
     pub arc: Arc,
-    /// Ball I, turned with the platform.
+    /// Ball I, rotated with the platform.
     pub turn: Turn,
-    /// The shaft.
+    /// Shaft.
     pub shaft: ShaftSetup,
     /// Repeats of d1 and d3.
     pub offsets: OffsetSetup,
@@ -31,11 +32,12 @@ pub struct Setup {
     pub ball: Vec<BallSetup>,
 }
 
-/// Ball N on the shaft, turned by actuator 3 alone.
+/// Ball N on the shaft, rotated by actuator 3 alone.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Arc {
-    /// Along the shaft from revolute joint 2, to its left, and above the plane.
+    /// Position of the ball: along the shaft from revolute joint 2, to its left, and above the
+    /// plane.
     pub ball_mm: Vector,
     /// Last displacement of actuator 3; the first is zero.
     pub rho3_end_mm: f64,
@@ -44,60 +46,60 @@ pub struct Arc {
     pub count: usize,
 }
 
-/// The platform turned about C, commanded through the nominal inverse kinematics.
+/// Rotation of the platform about C, commanded through the nominal inverse kinematics.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Turn {
-    /// Ball I from C in the world, and above the plane.
+    /// Position of ball I relative to C in the world, and above the plane.
     pub ball_mm: Vector,
     /// Height of balls K and L above the plane.
     pub target_height_mm: f64,
     /// Commanded position of C in the base frame.
     pub at_mm: [f64; 2],
-    /// The orientations run from minus to plus this.
+    /// Largest orientation; orientations range from minus to plus this value.
     pub theta_deg: f64,
     /// Number of orientations.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub count: usize,
 }
 
-/// The shaft, probed on rings all round it.
+/// Shaft, probed on rings all around.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftSetup {
-    /// Its radius.
+    /// Radius of the shaft.
     pub radius_mm: f64,
-    /// Height of its axis above the plane.
+    /// Height of the shaft's axis above the plane.
     pub height_mm: f64,
-    /// First and last ring, along the shaft from revolute joint 2.
+    /// Positions of the first and the last ring along the shaft from revolute joint 2.
     pub rings_mm: [f64; 2],
     /// Number of rings.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub rings: usize,
-    /// Points on each.
+    /// Number of points per ring.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub points: usize,
-    /// The two displacements of actuator 2.
+    /// Two displacements of actuator 2.
     pub rho2_mm: [f64; 2],
     /// Displacement of actuator 3.
     pub rho3_mm: f64,
-    /// How often s is determined.
+    /// Number of determinations of s.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 
-/// Home, actuators 2 and 3 to mid-travel, actuator 1 to its end.
+/// Motions from home: actuators 2 and 3 to mid-travel, actuator 1 to its end.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OffsetSetup {
     /// Commanded displacement of actuators 2 and 3.
     pub rho23_mm: f64,
-    /// End of actuator 1.
+    /// Displacement of actuator 1 at its end.
     pub rho1_end_mm: f64,
-    /// How often, each after homing.
+    /// Number of repeats, each after homing.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
-    /// Standard deviation of the homing of each actuator, in micrometres.
+    /// Standard deviation of the homing of each actuator (µm).
     #[serde(default)]
     pub homing_um: f64,
 }
@@ -108,11 +110,11 @@ pub struct OffsetSetup {
 pub struct LeadSetup {
     /// Number of the actuator, 1 to 3.
     pub actuator: usize,
-    /// The ball with the actuator homed, in the world.
+    /// Position of the ball in the world with the actuator at home.
     pub ball_mm: Vector,
     /// Commanded displacements.
     pub positions_mm: Vec<f64>,
-    /// How often the positions are gone through.
+    /// Number of passes through the positions.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub passes: usize,
 }
@@ -121,31 +123,31 @@ pub struct LeadSetup {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BarSetup {
-    /// One ball, in the world.
+    /// Position of one ball in the world.
     pub from_mm: Vector,
-    /// Its direction, of any length.
+    /// Direction of the bar, not normalised.
     pub direction: Vector,
-    /// Distance of its balls.
+    /// Distance of the balls.
     pub length_mm: f64,
-    /// How often both balls are measured.
+    /// Number of measurements of both balls.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 
-/// A ball that does not move.
+/// A stationary ball.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallSetup {
-    /// Where it is, in the world.
+    /// Position in the world.
     pub at_mm: Vector,
-    /// How often it is measured.
+    /// Number of measurements.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
 
 impl Setup {
-    /// What is measured on a robot with these parameters; `measure` gives the reading of a point in the world. Rails
-    /// and ball R are not of the robot, and left empty.
+    /// Simulates the measurements on a robot with these parameters; `measure` returns the reading
+    /// of a point in the world. Rails and ball R do not belong to the robot and are left empty.
     pub fn measure(
         &self,
         robot: &dyn RailTable,
@@ -238,7 +240,8 @@ impl Setup {
 }
 
 impl ShaftSetup {
-    /// Points all round the shaft; `at` gives the place along it, to its left and at a height.
+    /// Points all around the shaft; `at` returns a position from its coordinates along the shaft,
+    /// to the left, and in height.
     fn points_around(&self, at: impl Fn(f64, f64, f64) -> Vector) -> Vec<Vector> {
         let [first, last] = self.rings_mm;
         let mut points = Vec::new();

@@ -1,4 +1,5 @@
-//! Studies: how near parameters and tool of a robot with a known truth come to it, by what is measured (thesis 3.7 and 4.6).
+//! Studies: agreement of identified parameters and tool poses with a known truth, for different
+//! measurements (thesis, 3.7 and 4.6).
 
 use super::truth::{Circle, stated_joints, true_values};
 use crate::stages::candidates::configurations;
@@ -6,10 +7,11 @@ use crate::stages::remedies::remedied;
 use crate::stages::table_file::TableFile;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::parse;
 use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
 use etalon_identify::{Observation, Settings, identify_from};
@@ -22,39 +24,41 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-/// Largest number of poses of a set, or of the workspace.
+/// Maximum number of poses of a set, or of the workspace.
 const MOST_POSES: u64 = 100_000;
-/// Largest number of errors that are evaluated at once.
+/// Maximum number of errors evaluated at once.
 const MOST_ERRORS: u64 = 5_000_000;
 
 /// Simulated calibrations of one robot.
 pub struct Study<'a> {
-    /// The robot, with its nominal parameters.
+    /// Robot with its nominal parameters.
     pub robot: &'a dyn Robot,
-    /// Its true parameters (mm, rad, 1).
+    /// True parameters (mm, rad or 1).
     pub truth: &'a [f64],
-    /// What is identified, and how.
+    /// Settings of the identification.
     pub settings: Settings,
-    /// Calibrations whose mean is evaluated.
+    /// Number of calibrations whose mean is evaluated.
     pub runs: u64,
     /// Seed of the noise.
     pub seed: u64,
 }
 
-/// Several calibrations with noise of their own.
+/// Several calibrations with independent noise.
 #[derive(Clone, Debug)]
 pub struct Draw {
-    /// Mean of the identified parameters (mm, rad, 1).
+    /// Mean of the identified parameters (mm, rad or 1).
     pub mean: Vec<f64>,
-    /// Their standard deviation; zero for a single calibration.
+    /// Standard deviation of the identified parameters; zero for a single calibration.
     pub standard_deviation: Vec<f64>,
 }
 
 impl Study<'_> {
-    /// Calibrations from the targets that `observations` name, with Gaussian noise of this standard deviation on each coordinate.
+    /// Simulates calibrations from the targets in `observations`, with Gaussian noise of this
+    /// standard deviation on each coordinate.
     ///
     /// # Errors
-    /// What the identification refuses, and parameters that these poses do not determine.
+    ///
+    /// Fails if the identification fails, or if the poses do not determine all parameters.
     pub fn draw(&self, observations: &[Observation], noise_mm: f64, draw: u64) -> Result<Draw> {
         let n = self.truth.len();
         let (mut mean, mut squares) = (vec![0.0; n], vec![0.0; n]);
@@ -65,7 +69,7 @@ impl Study<'_> {
             let found =
                 identify_from(self.robot, &measured, &self.settings, &self.robot.nominal()).map_err(remedied)?;
             if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
-                return Err(Message::error("too few poses to identify all parameters").into());
+                return Err(error!("study-too-few-poses").into());
             }
             for ((mean, square), value) in mean.iter_mut().zip(&mut squares).zip(&found.values) {
                 let before = value - *mean;
@@ -77,10 +81,11 @@ impl Study<'_> {
         Ok(Draw { standard_deviation: standard_deviation.collect(), mean })
     }
 
-    /// Several draws, on all threads.
+    /// Simulates several draws on all threads.
     ///
     /// # Errors
-    /// As [`Self::draw`].
+    ///
+    /// Fails like [`Self::draw`].
     pub fn draws(&self, observations: &[Observation], noise_mm: f64, draws: u64) -> Result<Vec<Draw>> {
         (0..draws).into_par_iter().map(|draw| self.draw(observations, noise_mm, draw)).collect()
     }
@@ -96,18 +101,18 @@ impl Study<'_> {
     }
 }
 
-/// Where poses are commanded and errors counted.
+/// Frame in which poses are commanded and errors are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Frame {
-    /// The robot's own base: the base in the world and the targets cancel.
+    /// Base of the robot: the base in the world and the targets cancel.
     Base,
-    /// The world: an error of the base in the world is one of the tool.
+    /// World: an error of the base in the world is an error of the tool.
     World,
 }
 
 impl Frame {
-    /// Which error it is, in words.
+    /// Definition of the error, in words.
     pub fn error(self) -> &'static str {
         match self {
             Self::Base => "true pose of the tool in the base frame minus the commanded one",
@@ -116,20 +121,21 @@ impl Frame {
     }
 }
 
-/// A commanded pose of the tool, and how far from it the robot is.
+/// A commanded pose of the tool, and the deviation of the robot from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
-    /// The command.
+    /// Commanded pose.
     pub commanded: Pose,
-    /// True position minus commanded one, mm.
+    /// True minus commanded position (mm).
     pub error_mm: Vector,
-    /// Rotation from the commanded to the true orientation, rad.
+    /// Rotation from the commanded to the true orientation (rad).
     pub rotation_rad: Vector,
 }
 
 impl Landing {
-    /// Where a robot with the parameters `truth` is when its controller, which computes with `identified`, is commanded the pose of the
-    /// nominal robot at `joints`; the working mode is kept. `None` where one of them cannot be there.
+    /// Attained pose of a robot with the parameters `truth` if its controller, which computes with
+    /// `identified`, is commanded the pose of the nominal robot at `joints`; the working mode is
+    /// kept. `None` if one of the robots cannot attain the pose.
     pub fn of(robot: &dyn Kinematics, truth: &[f64], identified: &[f64], frame: Frame, joints: &[f64]) -> Option<Self> {
         let base = |p: &[f64]| match frame {
             Frame::Base => Some(Pose::identity()),
@@ -156,38 +162,38 @@ impl Landing {
     }
 }
 
-/// `study.toml`: sets of poses that might be measured, side by side.
+/// `study.toml`: comparison of sets of poses for measurement.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyFile {
-    /// The robot file, beside this one.
+    /// Robot file, relative to this file.
     pub robot: String,
     /// Seed of the noise.
     pub seed: u64,
-    /// Calibrations whose mean is evaluated, and over which three standard deviations are stated.
+    /// Number of calibrations whose mean and three standard deviations are evaluated.
     #[serde(default = "five", deserialize_with = "at_most::<_, _, MOST>")]
     pub runs: u64,
-    /// How often that is drawn, for intervals.
+    /// Number of draws for intervals.
     #[serde(default = "hundred", deserialize_with = "at_most::<_, _, MOST>")]
     pub draws: u64,
-    /// Noise of one coordinate (one standard deviation); several compare instruments.
+    /// Noise of one coordinate (one standard deviation); several values compare instruments.
     pub noise_um: Vec<f64>,
-    /// What is identified from: targets, or the pose (eq. 3.26).
+    /// Basis of the identification: targets, or the pose (thesis, eq. 3.26).
     #[serde(default)]
     pub residuals: ResidualKind,
-    /// Targets of a robot that has none of its own.
+    /// Names of the targets, for a robot without targets of its own.
     #[serde(default)]
     pub targets: Vec<String>,
-    /// Parameters held at their nominal values; `*` replaces any text.
+    /// Parameters held at their nominal values; `*` stands for any text.
     #[serde(default)]
     pub hold: Vec<String>,
-    /// Where poses are commanded and errors counted.
+    /// Frame in which poses are commanded and errors are evaluated.
     pub frame: Frame,
-    /// True parameters by name, in mm, deg and 1; those not given are nominal.
+    /// True parameters by name (mm, deg or 1); other parameters are nominal.
     pub parameters: BTreeMap<String, f64>,
-    /// Where errors are evaluated.
+    /// Poses at which errors are evaluated.
     pub workspace: Vec<Places>,
-    /// The sets.
+    /// Sets of poses.
     #[serde(rename = "set")]
     pub sets: Vec<Set>,
 }
@@ -200,34 +206,35 @@ fn hundred() -> u64 {
     100
 }
 
-/// A set of poses, by its name.
+/// A named set of poses.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Set {
-    /// Its name.
+    /// Name of the set.
     pub name: String,
-    /// Its poses.
+    /// Poses of the set.
     pub poses: Vec<Places>,
 }
 
-/// Poses: of a table, by joint values, or on circles, discs and grids. Positions are those of the platform in the base frame, or of the only
-/// target in the world, which all working modes reach that limits allow.
+/// Poses from a table, by joint values, or on circles, discs and grids. Positions are those of the
+/// platform in the base frame, or of the only target in the world, in all working modes within the
+/// limits.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Places {
-    /// Table of poses, in the form of the candidates of `etalon plan`, beside the file.
+    /// Table of poses relative to this file, in the form of the candidates of `etalon plan`.
     pub file: Option<String>,
-    /// Joint values in mm or deg, and the assembly mode behind them.
+    /// Joint values (mm or deg), followed by the assembly mode.
     pub joints: Vec<Vec<f64>>,
     /// Positions.
     pub positions_mm: Vec<[f64; 2]>,
-    /// Positions evenly on circles.
+    /// Circles with evenly spread positions.
     pub circles: Vec<Circle>,
-    /// Positions evenly in discs (Vogel 1979).
+    /// Discs with evenly spread positions (Vogel 1979).
     pub discs: Vec<Circle>,
-    /// Positions on grids.
+    /// Grids of positions.
     pub grids: Vec<Grid>,
-    /// Orientations at each position, of a platform; by default 0.
+    /// Orientations of a platform at each position; 0 by default.
     pub theta_deg: Vec<f64>,
 }
 
@@ -237,9 +244,9 @@ pub struct Places {
 pub struct Grid {
     /// One corner.
     pub from_mm: [f64; 2],
-    /// The opposite one.
+    /// Opposite corner.
     pub to_mm: [f64; 2],
-    /// Positions along x and y, at both ends too.
+    /// Number of positions along x and y, including both ends.
     pub count: [usize; 2],
 }
 
@@ -264,17 +271,19 @@ impl Circle {
     }
 }
 
-/// Poses of `robot` as observations of all targets without measurements; tables are read from `folder`.
+/// Poses of `robot` as observations of all targets, without measurements; tables are read from
+/// `folder`.
 ///
 /// # Errors
-/// Tables that do not read, positions that a robot is not placed by, and no pose at all.
+///
+/// Reports unreadable tables, positions that do not apply to the robot, and missing poses.
 pub fn observations(places: &[Places], robot: &dyn Robot, folder: &Path) -> Result<Vec<Observation>> {
     let mut all: Vec<(PoseName, Vec<f64>)> = Vec::new();
     for one in places {
         one.add(robot, folder, &mut all)?;
     }
     if all.is_empty() {
-        return Err(Message::error("a set without poses, or none that the robot reaches").into());
+        return Err(error!("study-set-empty").into());
     }
     let targets = vec![Some([0.0; 3]); robot.targets().len()];
     let observe = |(k, (pose, joints)): (usize, (PoseName, Vec<f64>))| Observation {
@@ -288,7 +297,7 @@ pub fn observations(places: &[Places], robot: &dyn Robot, folder: &Path) -> Resu
 }
 
 impl Places {
-    /// Number of poses that are stated, apart from those of tables; working modes do not count.
+    /// Number of stated poses, except for those of tables; working modes do not count.
     fn count(&self) -> u64 {
         let thetas = self.theta_deg.len().max(1) as u64;
         let circles = self.circles.iter().chain(&self.discs).map(|circle| circle.count as u64);
@@ -326,10 +335,8 @@ impl Places {
                 }
                 continue;
             }
-            let ways = robot.inverse_all(&nominal, [x_mm, y_mm, 0.0]).ok_or_else(|| {
-                Message::error(format!("`{}` is not placed by positions", robot.model()))
-                    .hint("state `joints`, or a table in `file`")
-            })?;
+            let ways = robot.inverse_all(&nominal, [x_mm, y_mm, 0.0]);
+            let ways = ways.ok_or_else(|| error!("study-not-by-position", model = robot.model()))?;
             let pose = name();
             all.extend(ways.into_iter().map(|q| (pose, q)));
         }
@@ -341,7 +348,8 @@ impl StudyFile {
     /// Reads `study.toml`.
     ///
     /// # Errors
-    /// What is wrong with it.
+    ///
+    /// Reports errors of the file.
     pub fn read(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         let study: Self = parse(&file, &files::read_text(path)?)?;
@@ -366,18 +374,20 @@ impl StudyFile {
         )
     }
 
-    /// The tables that its sets name.
+    /// Names of the tables of all sets.
     pub fn tables(&self) -> impl Iterator<Item = &String> {
         self.sets.iter().flat_map(|set| &set.poses).chain(&self.workspace).filter_map(|places| places.file.as_ref())
     }
 
-    /// Every set under every noise; `progress` is given the name of each before it is computed.
+    /// Evaluates every set with every noise; `progress` is called with the name of each before it
+    /// is computed.
     ///
     /// # Errors
-    /// Poses out of reach, parameters that a set does not determine, and robots without a pose of the tool.
+    ///
+    /// Reports poses out of reach, parameters that a set does not determine, and robots without a
+    /// tool pose.
     pub fn run(&self, robot: &dyn Robot, folder: &Path, mut progress: impl FnMut(&str)) -> Result<Vec<StudiedDesign>> {
-        let arm =
-            robot.kinematics().ok_or_else(|| Message::error(format!("`{}` has no pose of a tool", robot.model())))?;
+        let arm = robot.kinematics().ok_or_else(|| error!("study-without-tool", model = robot.model()))?;
         let truth = true_values(robot, &self.parameters)?;
         let commands = observations(&self.workspace, robot, folder)?;
         let mut designs = Vec::new();
@@ -392,10 +402,7 @@ impl StudyFile {
                     ..Settings::default()
                 };
                 let study = Study { robot, truth: &truth, settings, runs: self.runs.max(1), seed: self.seed };
-                let at_set = |mut problems: Problems| {
-                    problems.0.iter_mut().for_each(|m| m.what = format!("set `{}`: {}", set.name, m.what));
-                    problems
-                };
+                let at_set = |problems: Problems| problems.within(&phrase!("in-set", set = set.name));
                 let draws = study.draws(&poses, noise_um / 1e3, self.draws.max(1)).map_err(at_set)?;
                 let landings = |p: &[f64]| {
                     commands.iter().filter_map(|o| Landing::of(arm, &truth, p, self.frame, &o.joints)).collect()
@@ -428,7 +435,8 @@ fn parameters(robot: &dyn Robot, truth: &[f64], draws: &[Draw]) -> Vec<DesignPar
     robot.parameters().iter().enumerate().map(one).collect()
 }
 
-/// Largest and RMS error of position, of each coordinate and of orientation, over the draws.
+/// Largest and root-mean-square error of position, of each coordinate and of orientation, over the
+/// draws.
 fn error_spreads(draws: &[Vec<Landing>]) -> Vec<DesignError> {
     type Size = fn(&Landing) -> f64;
     let quantities: [(&str, &str, Size); 5] = [

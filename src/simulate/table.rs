@@ -1,4 +1,4 @@
-//! A table of observations of every kind, in the layout that the campaign states.
+//! Simulated table of observations of all kinds, in the layout that the campaign states.
 
 use super::observed::Item;
 use super::{Scene, Turn};
@@ -9,8 +9,9 @@ use crate::stages::orientations::{AngleOrder, ROTATION_VECTOR};
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, norm};
+use etalon_base::{error, phrase};
 use etalon_campaign::ObservationsDefinition;
-use etalon_formats::dialect::{Decimal, Delimiter, Encoding};
+use etalon_formats::dialect::{ColumnSource, Decimal, Delimiter, Encoding, Header};
 use etalon_formats::log_column;
 use etalon_formats::table::{ASSEMBLY, XYZ};
 use etalon_identify::Kind;
@@ -18,24 +19,26 @@ use etalon_math::Factor;
 use etalon_robots::Quantity;
 use std::collections::BTreeMap;
 
-/// Streams of the noise of the table, and of what joints touch: no export has them.
+/// Streams of the noise of the table and of the drawn poses at contacts, distinct from the streams
+/// of exports.
 const TABLE: u64 = 1 << 36;
 const TOUCHED: u64 = 1 << 37;
-/// Steps of Newton's method, and how near they have to come, mm.
+/// Maximum number of Newton steps, and their convergence tolerance (mm).
 const STEPS: usize = 60;
 const TOUCHES_MM: f64 = 1e-10;
-/// A step turns no joint further than this, rad; of joints that slide a metre counts as much as a radian.
+/// Largest rotation of a joint in a step (rad); for sliding joints one metre counts as one radian.
 const STEP_RAD: f64 = 0.3;
 const RADIAN_MM: f64 = 1000.0;
-/// How often joints are drawn again that do not come to what they touch.
+/// Maximum number of draws for joints that do not reach a contact.
 const ATTEMPTS: u64 = 500;
-/// What is read may be this many standard uncertainties from what is meant.
+/// Largest difference between simulated and re-read values, in standard uncertainties.
 const FAR: f64 = 8.0;
 
-/// Written cells of a row, by the column in mm or deg.
+/// Cells of a row, by the name of the column in mm or deg.
 type Written = BTreeMap<String, String>;
 
-/// The text of the table of what is observed and known; an error where it would not be read as it is meant.
+/// Text of the table of observed and known quantities; an error if it would not read back as
+/// simulated.
 pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Item], known: &[Item]) -> Result<String> {
     writable(scene, stated)?;
     let order: Option<AngleOrder> = match &stated.orientation {
@@ -59,25 +62,34 @@ pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Ite
     Ok(text)
 }
 
-/// An error about a table that is not written.
+/// Rejects table formats that cannot be written.
 fn writable(scene: &Scene, stated: &ObservationsDefinition) -> Result<()> {
-    let what = if stated.sheet.is_some() {
-        "a sheet of a workbook"
+    let kind = if stated.sheet.is_some() {
+        "workbook-sheet"
     } else if stated.encoding.is_some_and(|encoding| encoding != Encoding::Utf8) {
-        "a table in another encoding than UTF-8"
+        "encoding"
     } else if stated.layout().delimiter == Delimiter::Blank {
-        "a table of observations with blanks between columns: cells that a row does not need are empty"
+        "blank-columns"
+    } else if stated.header != Header::Rows(1)
+        || stated.coverage_factor.is_some()
+        || stated.kind.is_some()
+        || !(stated.constants.is_empty() && stated.only.is_empty() && stated.without.is_empty())
+        || stated.columns.values().any(|source| !matches!(source, ColumnSource::Heading(_)))
+    {
+        "computed-columns"
     } else if scene.truth.unmodelled.is_some() {
-        "a table of observations with errors of [unmodelled]"
+        "unmodelled"
     } else if !scene.robot.approached().is_empty() {
-        "a table of observations of a robot with backlash"
+        "backlash"
     } else {
         return Ok(());
     };
-    Err(Message::error(format!("simulate does not write {what}")).at(scene.campaign.place(&stated.file)).into())
+    let message = error!("simulate-not-written", what = phrase!("simulated-kind", kind));
+    Err(message.at(scene.campaign.place(&stated.file)).into())
 }
 
-/// Joint values of a measurement: those of the truth, or those near them, or drawn again, at which targets are where they touch.
+/// Joint values of a measurement at which targets are in contact: the joint values of the truth,
+/// values near them, or newly drawn values.
 fn touching(scene: &Scene, turn: Turn, items: &[&Item]) -> Result<Vec<f64>> {
     let touched: Vec<(&Item, &Kind)> =
         items.iter().filter_map(|item| Some((*item, item.simulated.touches.as_ref()?))).collect();
@@ -102,12 +114,10 @@ fn touching(scene: &Scene, turn: Turn, items: &[&Item]) -> Result<Vec<f64>> {
             return Ok(q);
         }
     }
-    let message =
-        Message::error(format!("pose {}: no joint values near those of the truth touch what they should", turn.pose));
-    Err(message.hint("state joint values that come near to it, or a wider range of drawn ones").into())
+    Err(error!("truth-not-touching", pose = turn.pose).into())
 }
 
-/// Newton's method with steps of least norm, from `q`.
+/// Newton's method with minimum-norm steps from `q`.
 fn touched_from(scene: &Scene, mut q: Vec<f64>, items: &[(&Item, &Kind)], left: &[Vector]) -> Option<Vec<f64>> {
     let (robot, values) = (scene.robot, &scene.values);
     let n = robot.joints().len();
@@ -143,34 +153,36 @@ fn touched_from(scene: &Scene, mut q: Vec<f64>, items: &[(&Item, &Kind)], left: 
     None
 }
 
-/// The rows of a table while it is written.
+/// Rows of a table during writing.
 struct Table<'a> {
     scene: &'a Scene<'a>,
     stated: &'a ObservationsDefinition,
-    /// The order of three angles of an orientation.
+    /// Order of the three angles of an orientation.
     order: Option<AngleOrder>,
     noise: Noise,
     rows: Vec<Written>,
 }
 
 impl Table<'_> {
-    /// Writes a number in the unit that the column has in the file.
+    /// Writes a number in the unit of the column in the file.
     fn set(&self, row: &mut Written, column: &str, value: f64) {
         let text = format!("{:.*}", self.scene.truth.decimals, value / self.heading(column).1);
         let text = if self.stated.layout().decimal == Decimal::Comma { text.replace('.', ",") } else { text };
         row.insert(column.to_owned(), text);
     }
 
-    /// The heading of a column in the file, and what takes its values to mm or deg.
+    /// Heading of a column in the file, and factor that converts its values to mm or deg.
     fn heading(&self, column: &str) -> (String, f64) {
         let renamed = self.stated.columns.iter().find_map(|(name, heading)| {
             let (canonical, factor) = log_column(name).unwrap_or_else(|| (name.clone(), 1.0));
+            let ColumnSource::Heading(heading) = heading else { return None };
             (canonical == column || name == column).then(|| (heading.clone(), factor))
         });
         renamed.unwrap_or_else(|| (column.to_owned(), 1.0))
     }
 
-    /// Adds a row of what is observed at a measurement with its joint values, or known without one.
+    /// Adds a row of a measurement with its joint values, or of a known quantity without joint
+    /// values.
     fn add(&mut self, item: &Item, measurement: Option<(Turn, &[f64])>) -> Result<()> {
         let scene = self.scene;
         let named = kinds::names().filter_map(|column| Some((column, item.cells.text(column)?)));
@@ -206,7 +218,8 @@ impl Table<'_> {
         Ok(())
     }
 
-    /// The table: columns that no row needs are left out, and those that the campaign states in their place.
+    /// Text of the table, without columns that no row needs and columns that the campaign states
+    /// instead.
     fn text(&self) -> String {
         let layout = self.stated.layout();
         let joints = self.scene.robot.joints().iter().map(|joint| joint.column());
@@ -231,19 +244,19 @@ impl Table<'_> {
 }
 
 impl Scene<'_> {
-    /// Standard deviation of a length, of a row that states its uncertainty or not, mm: `noise_um` over the instrument's uncertainty scales all.
+    /// Standard deviation of a length (mm), from the uncertainty stated in the row or otherwise the
+    /// instrument's. The ratio of `noise_um` to the instrument's uncertainty scales all rows.
     fn u_mm(&self, stated_um: Option<f64>) -> f64 {
         let instrument = self.campaign.file.instrument.standard_uncertainty_mm();
         stated_um.map_or(instrument, |um| um / 1000.0) * self.noise_scale()
     }
 
-    /// The same of an angle, rad.
+    /// Standard deviation of an angle (rad), from the uncertainty stated in the row or otherwise
+    /// the instrument's.
     fn u_rad(&self, stated_deg: Option<f64>) -> std::result::Result<f64, Message> {
         let instrument = self.campaign.file.instrument.rotation_uncertainty_rad();
-        let stated = stated_deg.map(f64::to_radians).or(instrument).ok_or_else(|| {
-            Message::error("the uncertainty of an angle is not stated")
-                .hint("state `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]]")
-        })?;
+        let stated = stated_deg.map(f64::to_radians).or(instrument);
+        let stated = stated.ok_or_else(|| error!("angle-uncertainty-missing"))?;
         Ok(stated * self.noise_scale())
     }
 
@@ -253,7 +266,7 @@ impl Scene<'_> {
     }
 }
 
-/// An error where the table is not read as it is meant: other poses, or measurements far from those of the truth.
+/// Checks that the table reads back as simulated: same poses, and measurements close to the truth.
 fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Result<()> {
     let (campaign, file) = (scene.campaign, stated.file.get_ref());
     let here = || campaign.place(&stated.file);
@@ -276,9 +289,5 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let others = others.map(|c| (c.pose, norm(c.error(robot.as_ref(), &values)), c.standard_uncertainty));
     let far = points.chain(others).find(|(_, off, u)| *off > FAR * u * scene.noise_scale().max(1.0) + rounding);
     let Some((pose, off, _)) = far else { return Ok(()) };
-    let what = format!(
-        "`{file}` would not be read as it is meant: an observation of pose {pose} is off by {off:.3} mm or rad"
-    );
-    let hint = "`pose = \"row\"` and `target` of [observations] are for one target and one row a pose";
-    Err(Message::error(what).at(here()).hint(hint).into())
+    Err(error!("simulated-table-misread", file, pose, off).at(here()).into())
 }

@@ -1,9 +1,10 @@
-//! What is true in a simulation, and what is measured.
+//! Truth of a simulation, and its measurements.
 
 use super::setup::Setup;
 use etalon_base::bounds::{MOST, at_most, product_at_most};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::message::{Place, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_campaign::parse;
@@ -13,57 +14,60 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Stream of the noise of drawn poses: no file has it.
+/// Stream of the noise of drawn poses, distinct from the streams of files.
 const DRAWN: u64 = 1 << 40;
-/// How often joint values are drawn that the robot cannot reach.
+/// Maximum number of draws for joint values that the robot cannot reach.
 const ATTEMPTS: u64 = 1000;
 
-/// `truth.toml`: what is true, and what is measured.
+/// `truth.toml`: true robot, and its measurements.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Truth {
     /// Seed of the noise.
     pub seed: u64,
-    /// Repeats of every pose.
+    /// Number of repeats of every pose.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub cycles: i64,
-    /// Gaussian noise of one coordinate (one standard deviation); by default the instrument's standard uncertainty. Over that it scales the
-    /// noise of a whole table of observations: 0 is a table without noise.
+    /// Gaussian noise of one coordinate (one standard deviation); the instrument's standard
+    /// uncertainty by default. The ratio to that uncertainty scales the noise of a whole table of
+    /// observations; 0 gives a table without noise.
     pub noise_um: Option<f64>,
-    /// Gaussian noise with which a coordinate of a labelled point is found again; by default that of the contact.
+    /// Gaussian noise of a coordinate when a labelled point is touched again; that of the contact
+    /// by default.
     pub contact_um: Option<f64>,
-    /// What columns hold that import skips, in their order; `-` where it is not stated.
+    /// Contents of columns that import skips, in their order; `-` if not stated.
     #[serde(default)]
     pub skipped: Vec<String>,
-    /// Digits after the decimal mark in the exports.
+    /// Number of decimals in the exports.
     #[serde(default = "six")]
     pub decimals: usize,
     /// Height of the targets of a planar robot above the plane.
     #[serde(default)]
     pub target_height_mm: f64,
-    /// Where the world is in the coordinates of the exports: there if absent, as tables of observations are in the world.
+    /// Pose of the world in the coordinates of the exports; the identity if absent, as tables of
+    /// observations are in the world.
     #[serde(default)]
     pub export_T_world: Placement,
-    /// True parameters by name, in mm, deg and 1; those not given are nominal.
+    /// True parameters by name (mm, deg or 1); other parameters are nominal.
     pub parameters: BTreeMap<String, f64>,
-    /// Points of features, in the world.
+    /// Points of features in the world.
     #[serde(default, rename = "point")]
     pub points: Vec<LabelledPoint>,
-    /// The export that the geometric calibration goes to.
+    /// Export of the geometric calibration.
     pub geometric_export: Option<String>,
     /// Balls, shaft and carriages of the geometric calibration (thesis, chapter 2).
     pub geometric: Option<Setup>,
-    /// How the robot repeats where a trajectory visits its poses again and again.
+    /// Repeatability of the robot when a trajectory visits its poses repeatedly.
     pub repeatability: Option<super::Repeating>,
-    /// Errors that no parameter describes; without them errors after calibration come out too good.
+    /// Errors that no parameter describes; without them the errors after calibration are too small.
     pub unmodelled: Option<super::Unmodelled>,
     /// Rows of a table of observations at poses.
     #[serde(default)]
     pub observe: Vec<super::Observe>,
-    /// Rows of a table of observations about fixed things.
+    /// Rows of a table of observations about fixed objects.
     #[serde(default)]
     pub known: Vec<super::KnownRow>,
-    /// Poses, numbered from 1 in the order given.
+    /// Poses, numbered from 1 in the given order.
     pub poses: Vec<Poses>,
 }
 
@@ -76,7 +80,7 @@ impl Truth {
         Ok(truth)
     }
 
-    /// Checks that the counts together are not too many.
+    /// Checks that the counts together are not too large.
     fn bounded(&self) -> Result<()> {
         let sum = |counts: &mut dyn Iterator<Item = u64>| counts.fold(0u64, u64::saturating_add);
         let counts = [
@@ -107,13 +111,13 @@ pub struct Placement {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LabelledPoint {
-    /// Its label.
+    /// Label of the point.
     pub label: String,
-    /// The export it goes to.
+    /// Export of the point.
     pub export: String,
-    /// Where it is in the world.
+    /// Position in the world.
     pub at_mm: Vector,
-    /// How often it is measured.
+    /// Number of measurements.
     #[serde(default = "once", deserialize_with = "at_most::<_, _, MOST>")]
     pub repeats: usize,
 }
@@ -126,37 +130,38 @@ fn once() -> usize {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Poses {
-    /// The labelled point that the tool stands on; `joints` then state which way it is reached, and the log what the encoders
-    /// state of it.
+    /// Labelled point on which the tool stands. The key `joints` then selects the solution, and the
+    /// log holds the encoder values at the point.
     pub label: Option<String>,
-    /// Joint values in mm or deg.
+    /// Joint values (mm or deg).
     #[serde(default)]
     pub joints: Vec<Vec<f64>>,
-    /// Circles of platform positions in the base frame, commanded through the nominal inverse kinematics.
+    /// Circles of platform positions in the base frame, commanded through the nominal inverse
+    /// kinematics.
     #[serde(default)]
     pub circles: Vec<Circle>,
-    /// Orientations at each of those positions.
+    /// Orientations at each position of the circles.
     #[serde(default)]
     pub theta_deg: Vec<f64>,
-    /// Joint values that are drawn.
+    /// Random joint values.
     pub drawn: Option<Drawn>,
 }
 
-/// Poses whose joint values are drawn, evenly and each by itself, with the seed; where a pose touches something, they are drawn until they
-/// come there.
+/// Poses with uniformly distributed, independent random joint values; a pose with contacts is drawn
+/// again until the joints reach them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Drawn {
     /// Number of poses.
     #[serde(deserialize_with = "at_most::<_, _, MOST>")]
     pub count: usize,
-    /// Least joint values in mm or deg.
+    /// Smallest joint values (mm or deg).
     pub from: Vec<f64>,
-    /// Greatest ones.
+    /// Largest joint values (mm or deg).
     pub to: Vec<f64>,
 }
 
-/// Positions spread evenly on a circle, from its +x side counterclockwise.
+/// Positions evenly spread on a circle, counterclockwise from its +x side.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Circle {
@@ -179,12 +184,12 @@ impl Circle {
     }
 }
 
-/// Joint values in mm or deg, and the assembly mode behind them of robots that have several, in mm and rad.
+/// Converts joint values from mm and deg to mm and rad; for robots with several assembly modes, the
+/// mode follows.
 pub(super) fn stated_joints(robot: &dyn Robot, q: &[f64]) -> Result<Vec<f64>> {
     let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
     if q.len() != count {
-        let what = format!("a pose has {} joint values, the robot {count} joints", q.len());
-        return Err(Message::error(what).into());
+        return Err(error!("truth-joint-count", values = q.len(), joints = count).into());
     }
     let inward = |(i, q): (usize, &f64)| robot.joints().get(i).map_or(*q, |j| j.quantity.inward(*q));
     Ok(q.iter().enumerate().map(inward).collect())
@@ -200,26 +205,25 @@ impl Poses {
 }
 
 impl Truth {
-    /// Label of the point that the tool stands on at a pose, numbered from 1.
+    /// Label of the point on which the tool stands at a pose, numbered from 1.
     pub(super) fn label_of(&self, pose: i64) -> Option<&str> {
         let mut labels = self.poses.iter().flat_map(|p| std::iter::repeat_n(p.label.as_deref(), p.count()));
         labels.nth(pose.max(1) as usize - 1).flatten()
     }
 
-    /// The point that the tool stands on at each pose, where that is stated.
+    /// Point on which the tool stands at each pose, if stated.
     pub(super) fn stands(&self) -> Result<Vec<Option<Vector>>> {
         let mut all = Vec::new();
         for poses in &self.poses {
             let at = match &poses.label {
                 None => None,
                 Some(_) if !poses.circles.is_empty() => {
-                    return Err(Message::error("`label` in [[poses]] is for `joints`, not for `circles`").into());
+                    return Err(error!("truth-label-with-circles").into());
                 }
                 Some(label) => {
                     Some(self.points.iter().find(|p| p.label == *label).map(|p| p.at_mm).ok_or_else(|| {
-                        let message =
-                            Message::error(format!("[[poses]] names the point `{label}`, which is no [[point]]"));
-                        message.hint_names(label, self.points.iter().map(|p| p.label.as_str()))
+                        error!("truth-point-unknown", label)
+                            .hint_names(label, self.points.iter().map(|p| p.label.as_str()))
                     })?)
                 }
             };
@@ -233,7 +237,7 @@ impl Truth {
         self.poses.iter().map(Poses::count).sum()
     }
 
-    /// The range that a pose, numbered from 0, is drawn from.
+    /// Range of the random joint values of a pose, numbered from 0.
     fn range(&self, mut pose: usize) -> Option<&Drawn> {
         for poses in &self.poses {
             let before = poses.count() - poses.drawn.as_ref().map_or(0, |drawn| drawn.count);
@@ -245,12 +249,13 @@ impl Truth {
         None
     }
 
-    /// Whether a pose, numbered from 0, is drawn.
+    /// `true` if the joint values of a pose, numbered from 0, are random.
     pub(super) fn is_drawn(&self, pose: usize) -> bool {
         self.range(pose).is_some()
     }
 
-    /// Joint values of a pose, numbered from 0, in mm and rad; those of another attempt are others.
+    /// Random joint values of a pose, numbered from 0 (mm or rad); each attempt gives different
+    /// values.
     pub(super) fn drawn(&self, robot: &dyn Robot, pose: usize, attempt: u64) -> Result<Vec<f64>> {
         let Some(range) = self.range(pose) else { return Ok(Vec::new()) };
         let (from, to) = (stated_joints(robot, &range.from)?, stated_joints(robot, &range.to)?);
@@ -258,14 +263,14 @@ impl Truth {
         Ok(from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b) + noise.uniform(0.5 * (b - a))).collect())
     }
 
-    /// Whether joint values, in mm and rad, are in the range that the pose is drawn from.
+    /// `true` if joint values (mm or rad) are in the range of the random pose.
     pub(super) fn is_within(&self, robot: &dyn Robot, pose: usize, q: &[f64]) -> bool {
         let Some(range) = self.range(pose) else { return true };
         let ends = stated_joints(robot, &range.from).ok().zip(stated_joints(robot, &range.to).ok());
         ends.is_some_and(|(from, to)| (0..q.len()).all(|j| from[j] <= q[j] && q[j] <= to[j]))
     }
 
-    /// Joint values of all poses, in mm and rad; `values` are the true parameters.
+    /// Joint values of all poses (mm or rad); `values` are the true parameters.
     pub(super) fn joint_values(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<Vec<f64>>> {
         let mut all = Vec::new();
         for poses in &self.poses {
@@ -273,13 +278,11 @@ impl Truth {
                 all.push(stated_joints(robot, q)?);
             }
             for circle in &poses.circles {
-                let platform = robot
-                    .platform()
-                    .ok_or_else(|| Message::error("`circles` are for planar robots").hint("use `joints`"))?;
+                let platform = robot.platform().ok_or_else(|| error!("truth-circles-not-planar"))?;
                 for [x_mm, y_mm] in circle.positions() {
                     for theta in &poses.theta_deg {
                         let pose = PlanarPose { x_mm, y_mm, theta_rad: theta.to_radians() };
-                        // what a controller logs: rounded to 0.1 um
+                        // controllers log values rounded to 0.1 µm
                         let q = platform.joints_at(&robot.nominal(), pose);
                         all.push(q.iter().map(|q| (q * 1e4).round() / 1e4).collect());
                     }
@@ -297,15 +300,15 @@ impl Truth {
     }
 }
 
-/// Values of all parameters of `robot`, in mm, rad and 1, from those given by name in mm, deg and 1; others are nominal.
+/// Values of all parameters of `robot` (mm, rad or 1) from values by name (mm, deg or 1); other
+/// parameters are nominal.
 pub fn true_values(robot: &dyn Robot, given: &BTreeMap<String, f64>) -> Result<Vec<f64>> {
     let mut values = robot.nominal();
     for (name, value) in given {
         let names = robot.parameters().iter().map(|p| p.name.as_str());
-        let i = robot.index(name).ok_or_else(|| {
-            Message::error(format!("[parameters] names `{name}`, which is not a parameter of this robot"))
-                .hint_names(name, names)
-        })?;
+        let i = robot
+            .index(name)
+            .ok_or_else(|| error!("truth-parameter-unknown", parameter = name).hint_names(name, names))?;
         values[i] = robot.parameters()[i].quantity.inward(*value);
     }
     Ok(values)

@@ -1,7 +1,9 @@
-//! Errors of a simulated robot that no parameter of its model describes: what calibration leaves behind.
+//! Errors of a simulated robot that no parameter of its model describes, so that they remain after
+//! calibration.
 
 use super::Scene;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use schemars::JsonSchema;
@@ -9,37 +11,39 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Stream of the noise of homing: no file has it.
+/// Stream of the noise of homing, distinct from the streams of files.
 const ZEROS: u64 = 1 << 35;
 
-/// `[unmodelled]` of a truth. Joints by name; theirs are in mm or deg.
+/// `[unmodelled]` of a truth. Joints are given by name, with values in mm or deg.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Unmodelled {
-    /// Lost motion of a joint: between where it stands after a move up and after one down.
+    /// Lost motion of a joint: difference between its positions after an upward and after a
+    /// downward move.
     pub backlash: BTreeMap<String, f64>,
     /// Periodic error of an encoder.
     pub interpolation: BTreeMap<String, Interpolation>,
-    /// Standard deviation of the zero of a joint, drawn once for the campaign.
+    /// Standard deviation of the zero of a joint, which is drawn once per campaign.
     pub homing: BTreeMap<String, f64>,
-    /// Growth of all distances from the base in an hour of the log, µm for each metre.
+    /// Growth of all distances from the base per hour of the log (µm per metre).
     pub growth_um_per_m_h: f64,
-    /// How far a robot in space sinks one metre from its base, µm; elsewhere with the third power of the distance (a cantilever).
+    /// Deflection of a spatial robot at a distance of one metre from its base (µm); at other
+    /// distances it grows with the third power (cantilever).
     pub bending_um_at_1_m: f64,
 }
 
-/// Error of an encoder between the lines of its scale: a sine of its value.
+/// Periodic error of an encoder between the lines of its scale: a sine of its value.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Interpolation {
-    /// Largest error.
+    /// Amplitude of the error.
     pub amplitude: f64,
-    /// Travel after which it repeats.
+    /// Period of the error.
     pub period: f64,
 }
 
 impl Unmodelled {
-    /// What it adds, for whoever reads the simulated files.
+    /// Description of the added errors, for readers of the simulated files.
     pub fn stated(&self) -> Vec<String> {
         let named =
             |what: &str, joints: Vec<String>| (!joints.is_empty()).then(|| format!("{what} {}", joints.join(", ")));
@@ -56,21 +60,21 @@ impl Unmodelled {
         all.into_iter().flatten().collect()
     }
 
-    /// Refuses joints that the robot does not have, and periods of zero.
+    /// Rejects unknown joints, and periods of zero.
     pub(super) fn check(&self, scene: &Scene) -> Result<()> {
         let names = || scene.robot.joints().iter().map(|j| j.name.as_str());
         let stated = self.backlash.keys().chain(self.interpolation.keys()).chain(self.homing.keys());
         if let Some(name) = stated.into_iter().find(|name| names().all(|n| n != name.as_str())) {
-            let message = Message::error(format!("[unmodelled] names `{name}`, which is not a joint of this robot"));
+            let message = error!("unmodelled-joint-unknown", joint = name);
             return Err(message.hint_names(name, names()).into());
         }
         if let Some((name, _)) = self.interpolation.iter().find(|(_, i)| i.period <= 0.0 || i.period.is_nan()) {
-            return Err(Message::error(format!("[unmodelled] `period` of `{name}` must be positive")).into());
+            return Err(error!("unmodelled-period", joint = name).into());
         }
         Ok(())
     }
 
-    /// True minus stated joint values (mm, rad) at `stated`, to which the robot came from `before`.
+    /// True minus stated joint values (mm or rad) at `stated`, when the robot comes from `before`.
     pub(super) fn joint_errors(&self, scene: &Scene, stated: &[f64], before: &[f64]) -> Vec<f64> {
         let mut zeros = Noise::new(scene.truth.seed, ZEROS);
         let joints = scene.robot.joints().iter().zip(stated.iter().zip(before));
@@ -87,7 +91,8 @@ impl Unmodelled {
         joints.map(error).collect()
     }
 
-    /// A point in the world as heat and weight move it, mm, `hours` after the begin.
+    /// Position of a point in the world after displacement by heat and weight (mm), `hours` after
+    /// the start.
     pub(super) fn moved(&self, scene: &Scene, point: Vector, hours: f64) -> Vector {
         let base = scene.robot.kinematics().and_then(|k| k.base_in_world(&scene.values));
         let base = base.map_or([0.0; 3], |base| base.translation_mm);

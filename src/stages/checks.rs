@@ -217,6 +217,7 @@ mod tests {
                 after_deg: None,
                 joints: joints.clone(),
                 reliability: None,
+                own_redundancy: None,
             })
         };
         (0..40).flat_map(&mut pose).collect()

@@ -1,6 +1,6 @@
 //! Controller files of formats that leave identified parameters out: their values, and errors at the measured poses.
 
-use super::evaluate::{self, summarise};
+use super::evaluate::summarise;
 use super::identification::Identified;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_base::pose::norm;
@@ -65,16 +65,17 @@ fn of_format(
             .then(|| identified.standard_uncertainty(i).map(|u| p.quantity.outward(u)))
             .flatten(),
     });
-    let errors = errors(robot, found, &values);
+    let errors = errors(robot, found, &values)?;
     Ok(Some(ControllerFiles { formats: Vec::new(), left_out, values: written.collect(), errors }))
 }
 
 /// Errors with nominal, identified and these values, at calibration and validation poses.
-fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Vec<ControllerErrors> {
-    let written = evaluate::errors(robot, &found.sets, &found.again.before, values);
+fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Result<Vec<ControllerErrors>> {
+    let written = found.errors_with(robot, values)?;
     let of_set = |set: &AccuracySet| {
         let of_set = written.iter().filter(|e| e.set == set.name);
-        ControllerErrors::of(set, Some(&summarise(of_set.map(|e| norm(e.after_mm)).collect())))
+        let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.own_share()?)).collect();
+        ControllerErrors::of(set, Some(&summarise(sizes)))
     };
-    found.accuracy.sets.iter().filter_map(of_set).collect()
+    Ok(found.accuracy.sets.iter().filter_map(of_set).collect())
 }

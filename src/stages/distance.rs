@@ -27,17 +27,13 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
     let ranges: Vec<(f64, f64)> = (0..count)
         .map(|j| all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
         .collect();
-    let along = |a: &[f64], b: &[f64], j: usize| {
-        let (low, high) = ranges[j];
-        if high > low { (a[j] - b[j]) / (high - low) } else { 0.0 }
-    };
-    let apart = |a: &[f64], b: &[f64]| (0..count).map(|j| along(a, b, j).powi(2)).sum::<f64>().sqrt();
+    let space = JointSpace { ranges };
     // repeats of a pose, whose joint values scatter, are one; so are the same joint values under several numbers
     let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
         let mut of_pose: BTreeMap<PoseName, Vec<Vec<f64>>> = BTreeMap::new();
         for (pose, q) in observations.iter().filter_map(|o| Some((o.pose, joints(o)?))) {
             let known = of_pose.entry(pose).or_default();
-            if known.iter().all(|k| apart(k, &q) > SCATTER) {
+            if known.iter().all(|k| space.apart(k, &q) > SCATTER) {
                 known.push(q);
             }
         }
@@ -47,17 +43,48 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
     let (mut calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
     divide(&mut calibration, 0);
     let nearest = |from: &[Vec<f64>]| -> Vec<f64> {
-        from.par_iter().map(|q| nearest(q, &calibration, 0, &apart, &along, f64::INFINITY)).collect()
+        from.par_iter().map(|q| space.nearest(q, &calibration, 0, f64::INFINITY)).collect()
     };
     let spacing = median(nearest(&calibration)).filter(|s| *s > 0.0 && s.is_finite())?;
     let distances = nearest(&validation);
-    let outside = |q: &&Vec<f64>| q.iter().zip(&ranges).any(|(q, (low, high))| q < low || q > high);
+    let outside = |q: &&Vec<f64>| q.iter().zip(&space.ranges).any(|(q, (low, high))| q < low || q > high);
     Some(ValidationDistance {
         largest: distances.iter().copied().reduce(f64::max)? / spacing,
         median: median(distances)? / spacing,
         poses: validation.len(),
         outside: validation.iter().filter(outside).count(),
     })
+}
+
+/// The space of the joints, each joint in its range over the calibration poses.
+struct JointSpace {
+    ranges: Vec<(f64, f64)>,
+}
+
+impl JointSpace {
+    /// Distance of two points along an axis alone.
+    fn along(&self, a: &[f64], b: &[f64], axis: usize) -> f64 {
+        let (low, high) = self.ranges[axis];
+        if high > low { (a[axis] - b[axis]) / (high - low) } else { 0.0 }
+    }
+
+    /// Distance of two points.
+    fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
+        (0..self.ranges.len()).map(|axis| self.along(a, b, axis).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Distance from `q` to the nearest other one of `divided` points, or `best` if none is nearer.
+    fn nearest(&self, q: &[f64], divided: &[Vec<f64>], axis: usize, mut best: f64) -> f64 {
+        let Some(middle) = divided.get(divided.len() / 2) else { return best };
+        let (below, above) = (&divided[..divided.len() / 2], &divided[divided.len() / 2 + 1..]);
+        if !std::ptr::eq(q.as_ptr(), middle.as_ptr()) {
+            best = best.min(self.apart(q, middle));
+        }
+        let (near, far) = if q[axis] < middle[axis] { (below, above) } else { (above, below) };
+        let next = (axis + 1) % q.len();
+        best = self.nearest(q, near, next, best);
+        if self.along(q, middle, axis).abs() <= best { self.nearest(q, far, next, best) } else { best }
+    }
 }
 
 /// Orders points so that the middle one divides them along an axis, and each half likewise along the next (a k-d tree, Bentley 1975).
@@ -70,27 +97,6 @@ fn divide(points: &mut [Vec<f64>], axis: usize) {
         divide(below, next);
         divide(&mut above[1..], next);
     }
-}
-
-/// The distance from `q` to the nearest other one of `divided` points, or `best` if none is nearer: `apart` is the distance of two points,
-/// `along` that along an axis alone.
-fn nearest(
-    q: &[f64],
-    divided: &[Vec<f64>],
-    axis: usize,
-    apart: &impl Fn(&[f64], &[f64]) -> f64,
-    along: &impl Fn(&[f64], &[f64], usize) -> f64,
-    mut best: f64,
-) -> f64 {
-    let Some(middle) = divided.get(divided.len() / 2) else { return best };
-    let (below, above) = (&divided[..divided.len() / 2], &divided[divided.len() / 2 + 1..]);
-    if !std::ptr::eq(q.as_ptr(), middle.as_ptr()) {
-        best = best.min(apart(q, middle));
-    }
-    let (near, far) = if q[axis] < middle[axis] { (below, above) } else { (above, below) };
-    let next = (axis + 1) % q.len();
-    best = nearest(q, near, next, apart, along, best);
-    if along(q, middle, axis).abs() <= best { nearest(q, far, next, apart, along, best) } else { best }
 }
 
 /// A warning where validation poses repeat those of the calibration, or lie far from them.
@@ -118,7 +124,6 @@ pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
 mod tests {
     use super::*;
     use etalon_base::noise::Noise;
-    use etalon_base::pose::{minus, norm};
     use etalon_robots::Prexyt;
 
     /// Poses of a grid of four by four by four, 10 mm apart, from `first_mm` in each joint.
@@ -162,10 +167,10 @@ mod tests {
         let mut drawn = || (0..300).map(|_| (0..3).map(|_| noise.uniform(1.0)).collect()).collect::<Vec<Vec<f64>>>();
         let (mut divided, others) = (drawn(), drawn());
         divide(&mut divided, 0);
-        let apart = |a: &[f64], b: &[f64]| norm(minus([a[0], a[1], a[2]], [b[0], b[1], b[2]]));
+        let space = JointSpace { ranges: vec![(0.0, 1.0); 3] };
         for q in divided.iter().chain(&others) {
-            let each = divided.iter().filter(|p| *p != q).map(|p| apart(q, p)).fold(f64::INFINITY, f64::min);
-            assert_eq!(nearest(q, &divided, 0, &apart, &|a, b, j| a[j] - b[j], f64::INFINITY), each);
+            let each = divided.iter().filter(|p| *p != q).map(|p| space.apart(q, p)).fold(f64::INFINITY, f64::min);
+            assert_eq!(space.nearest(q, &divided, 0, f64::INFINITY), each);
         }
         let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation, ..Sets::default() };
         assert!(validation_distance(&Prexyt::default(), &none(grid(0.0))).is_none());

@@ -58,39 +58,124 @@ pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selec
 
 /// Errors of every observation of both sets with two sets of parameters.
 pub fn errors(robot: &dyn Robot, sets: &Sets, before: &[f64], after: &[f64]) -> Vec<PointError> {
-    let mut all = Vec::new();
-    for set in PoseSet::ALL {
-        let (observations, conditions) = sets.of(set);
-        for o in observations {
-            match robot.platform() {
-                Some(platform) => {
-                    let [Some(k), Some(l)] = o.targets[..] else { continue };
-                    let pair = [[k[0], k[1]], [l[0], l[1]]];
-                    let error = |p: &[f64]| platform.pose_error(p, &o.joints, pair).map(|r| -r);
-                    let (b, a) = (error(before), error(after));
-                    let at = platform.measured_pose(after, pair);
-                    all.push(PointError {
-                        set,
-                        pose: o.pose,
-                        cycle: o.cycle,
-                        target: "C".to_owned(),
-                        at_mm: [at.x_mm, at.y_mm, 0.0],
-                        before_mm: [b[0], b[1], 0.0],
-                        after_mm: [a[0], a[1], 0.0],
-                        before_deg: Some(b[2].to_degrees()),
-                        after_deg: Some(a[2].to_degrees()),
-                        joints: logged(robot, &o.joints),
-                        reliability: None,
-                    });
+    BeforeAfter { robot, before, after }.errors(sets)
+}
+
+/// A robot with all parameters before and after an identification.
+#[derive(Clone, Copy)]
+struct BeforeAfter<'a> {
+    robot: &'a dyn Robot,
+    before: &'a [f64],
+    after: &'a [f64],
+}
+
+impl BeforeAfter<'_> {
+    /// Errors of every observation of both sets.
+    fn errors(&self, sets: &Sets) -> Vec<PointError> {
+        let Self { robot, before, after } = *self;
+        let mut all = Vec::new();
+        for set in PoseSet::ALL {
+            let (observations, conditions) = sets.of(set);
+            for o in observations {
+                match robot.platform() {
+                    Some(platform) => {
+                        let [Some(k), Some(l)] = o.targets[..] else { continue };
+                        let pair = [[k[0], k[1]], [l[0], l[1]]];
+                        let error = |p: &[f64]| platform.pose_error(p, &o.joints, pair).map(|r| -r);
+                        let (b, a) = (error(before), error(after));
+                        let at = platform.measured_pose(after, pair);
+                        all.push(PointError {
+                            set,
+                            pose: o.pose,
+                            cycle: o.cycle,
+                            target: "C".to_owned(),
+                            at_mm: [at.x_mm, at.y_mm, 0.0],
+                            before_mm: [b[0], b[1], 0.0],
+                            after_mm: [a[0], a[1], 0.0],
+                            before_deg: Some(b[2].to_degrees()),
+                            after_deg: Some(a[2].to_degrees()),
+                            joints: logged(robot, &o.joints),
+                            reliability: None,
+                            own_redundancy: None,
+                        });
+                    }
+                    None => all.extend(self.target_errors(o, set)),
                 }
-                None => all.extend(target_errors(robot, o, set, before, after)),
+            }
+            for condition in conditions {
+                self.condition_error(condition, set, &mut all);
             }
         }
-        for condition in conditions {
-            condition_error(robot, condition, set, before, after, &mut all);
-        }
+        all
     }
-    all
+
+    /// Adds the error of a condition: of an orientation the angle, beside the error of the same
+    /// target's position.
+    fn condition_error(&self, condition: &Condition, set: PoseSet, all: &mut Vec<PointError>) {
+        let Self { robot, before, after } = *self;
+        let target = &robot.targets()[condition.target];
+        let (b, a) = (condition.error(robot, before), condition.error(robot, after));
+        if matches!(condition.kind, Kind::Joint(_)) {
+            // the value of a joint is not an error of a target
+            return;
+        }
+        if condition.kind.is_orientation() {
+            let same = |e: &&mut PointError| {
+                e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
+            };
+            if let Some(error) = all.iter_mut().rev().find(same) {
+                error.before_deg = Some(norm(b).to_degrees());
+                error.after_deg = Some(norm(a).to_degrees());
+            }
+            return;
+        }
+        all.push(PointError {
+            set,
+            pose: condition.pose,
+            cycle: condition.cycle,
+            target: target.clone(),
+            at_mm: robot.position(after, &condition.joints, condition.target),
+            before_mm: b,
+            after_mm: a,
+            before_deg: None,
+            after_deg: None,
+            joints: logged(robot, &condition.joints),
+            reliability: None,
+            own_redundancy: None,
+        });
+    }
+
+    /// Errors of each target of a pose in space; with three or more, the rotation that is left
+    /// between them.
+    fn target_errors(&self, o: &Observation, set: PoseSet) -> Vec<PointError> {
+        let Self { robot, before, after } = *self;
+        let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
+        let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
+        let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
+        let (b, a) = (predict(before), predict(after));
+        // a rotation needs three targets that are not on one line
+        let turned = |from: &[Vector]| {
+            let fitted = etalon_fit::rigid(from, &measured).ok()?;
+            Some(fitted.to_T_from.angle_rad().to_degrees())
+        };
+        let (before_deg, after_deg) = (turned(&b), turned(&a));
+        let error = |i: usize| PointError {
+            set: set.to_owned(),
+            pose: o.pose,
+            cycle: o.cycle,
+            target: robot.targets()[seen[i].0].clone(),
+            at_mm: measured[i],
+            before_mm: minus(measured[i], b[i]),
+            after_mm: minus(measured[i], a[i]),
+            // one rotation a pose: with its first target
+            before_deg: before_deg.filter(|_| i == 0),
+            after_deg: after_deg.filter(|_| i == 0),
+            joints: logged(robot, &o.joints),
+            reliability: None,
+            own_redundancy: None,
+        };
+        (0..seen.len()).map(error).collect()
+    }
 }
 
 /// Adds the time of each observation (s) from the first, as the last of what errors are drawn against; `true` if there are times.
@@ -116,75 +201,6 @@ pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool 
 /// Values of the joints in mm or deg.
 fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
-}
-
-/// The error of a condition: of an orientation the angle, beside the error of the same target's position.
-fn condition_error(
-    robot: &dyn Robot,
-    condition: &Condition,
-    set: PoseSet,
-    before: &[f64],
-    after: &[f64],
-    all: &mut Vec<PointError>,
-) {
-    let target = &robot.targets()[condition.target];
-    let (b, a) = (condition.error(robot, before), condition.error(robot, after));
-    if matches!(condition.kind, Kind::Joint(_)) {
-        // the value of a joint is not an error of a target
-        return;
-    }
-    if condition.kind.is_orientation() {
-        let same = |e: &&mut PointError| {
-            e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
-        };
-        if let Some(error) = all.iter_mut().rev().find(same) {
-            error.before_deg = Some(norm(b).to_degrees());
-            error.after_deg = Some(norm(a).to_degrees());
-        }
-        return;
-    }
-    all.push(PointError {
-        set,
-        pose: condition.pose,
-        cycle: condition.cycle,
-        target: target.clone(),
-        at_mm: robot.position(after, &condition.joints, condition.target),
-        before_mm: b,
-        after_mm: a,
-        before_deg: None,
-        after_deg: None,
-        joints: logged(robot, &condition.joints),
-        reliability: None,
-    });
-}
-
-/// Errors of each target of a pose in space; with three or more, the rotation that is left between them.
-fn target_errors(robot: &dyn Robot, o: &Observation, set: PoseSet, before: &[f64], after: &[f64]) -> Vec<PointError> {
-    let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, t)| Some((k, (*t)?))).collect();
-    let measured: Vec<Vector> = seen.iter().map(|s| s.1).collect();
-    let predict = |p: &[f64]| -> Vec<Vector> { seen.iter().map(|s| robot.position(p, &o.joints, s.0)).collect() };
-    let (b, a) = (predict(before), predict(after));
-    // a rotation needs three targets that are not on one line
-    let turned = |from: &[Vector]| {
-        let fitted = etalon_fit::rigid(from, &measured).ok()?;
-        Some(fitted.to_T_from.angle_rad().to_degrees())
-    };
-    let (before_deg, after_deg) = (turned(&b), turned(&a));
-    let error = |i: usize| PointError {
-        set: set.to_owned(),
-        pose: o.pose,
-        cycle: o.cycle,
-        target: robot.targets()[seen[i].0].clone(),
-        at_mm: measured[i],
-        before_mm: minus(measured[i], b[i]),
-        after_mm: minus(measured[i], a[i]),
-        // one rotation a pose: with its first target
-        before_deg: before_deg.filter(|_| i == 0),
-        after_deg: after_deg.filter(|_| i == 0),
-        joints: logged(robot, &o.joints),
-        reliability: None,
-    };
-    (0..seen.len()).map(error).collect()
 }
 
 /// Whose errors those of a platform are: parameters that shift balls and tool alike do not show in them.
@@ -254,7 +270,7 @@ pub fn evaluate(
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
     for name in PoseSet::ALL {
-        let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name).collect();
+        let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name && e.own_share().is_some()).collect();
         if !of.is_empty() {
             sets.push(accuracy_of(name, &of, planar, uncertainty));
         }
@@ -269,7 +285,7 @@ pub fn evaluate(
                 .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
         })?;
         let expanded = uncertainty.expanded(quantity);
-        verdicts.push(LimitVerdict::of(name, &errors.unit, limit, pick(&errors.after), expanded, rule));
+        verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
     }
     let (point, error) = if robot.platform().is_some() {
         (
@@ -294,6 +310,8 @@ pub fn evaluate(
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
+        placed_apart: Vec::new(),
+        effects: Vec::new(),
         budget: Vec::new(),
         trends: Vec::new(),
         limits: verdicts,
@@ -336,7 +354,9 @@ pub fn budgets(figures: Vec<(identify::Figure, Contributions)>) -> Vec<FigureBud
 type Size<'a> = &'a dyn Fn(Vector, Option<f64>) -> Option<f64>;
 
 fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size: Size) -> ErrorStatistics {
-    let of = |pick: &dyn Fn(&PointError) -> Option<f64>| summarise(errors.iter().filter_map(|e| pick(e)).collect());
+    let of = |pick: &dyn Fn(&PointError) -> Option<f64>| {
+        summarise(errors.iter().filter_map(|e| Some(pick(e)? / e.own_share()?)).collect())
+    };
     ErrorStatistics {
         quantity,
         unit: unit.to_owned(),
@@ -353,7 +373,7 @@ pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
 }
 
-/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, and `redundancy w detectable_mm`.
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
 pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let text =
         |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
@@ -377,11 +397,16 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
         let values: Vec<f64> = errors.iter().map(|e| e.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
         columns.push(Column::new(name.as_str().into(), values));
     }
+    let own: Vec<Option<f64>> = errors.iter().map(|e| e.own_redundancy).collect();
+    columns.push(Column::new(OWN_REDUNDANCY.into(), own));
     for (name, of) in RELIABILITY {
         columns.push(Column::new(name.into(), errors.iter().map(|e| e.reliability.map(of)).collect::<Vec<_>>()));
     }
     table::frame(errors.len(), columns)
 }
+
+/// Column of the redundancy of readings that place their own target.
+const OWN_REDUNDANCY: &str = "own_redundancy";
 
 /// Name of a column, and the number in it.
 type ReliabilityColumn = (&'static str, fn(ReadingReliability) -> f64);
@@ -411,12 +436,13 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
     let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
     let known = ["set", "pose", "cycle", "target", "before_deg", "after_deg"];
-    let of_reading = |name: &str| RELIABILITY.iter().any(|column| column.0 == name);
+    let of_reading = |name: &str| name == OWN_REDUNDANCY || RELIABILITY.iter().any(|column| column.0 == name);
     let is_joint =
         |name: &str| !known.contains(&name) && !of_reading(name) && !XYZ.iter().any(|axis| name.ends_with(axis));
     let names = frame.get_column_names().into_iter().map(|name| name.as_str()).filter(|name| is_joint(name));
     let joints = names.map(|name| table::numbers(frame, name)).collect::<Result<Vec<_>>>()?;
     let [redundancy, w, detectable] = RELIABILITY.map(|(name, _)| table::numbers(frame, name).unwrap_or_default());
+    let own = table::numbers(frame, OWN_REDUNDANCY).unwrap_or_default();
     let reliability = |i: usize| {
         let redundancy = *redundancy.get(i).filter(|r| r.is_finite())?;
         Some(ReadingReliability { redundancy, w: *w.get(i)?, detectable_mm: *detectable.get(i)? })
@@ -433,6 +459,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
         joints: joints.iter().map(|values| values[i]).collect(),
         reliability: reliability(i),
+        own_redundancy: own.get(i).copied().filter(|r| r.is_finite()),
     };
     Ok((0..frame.height()).map(error).collect())
 }
@@ -470,6 +497,7 @@ mod tests {
             after_deg: None,
             joints: vec![7.0],
             reliability: None,
+            own_redundancy: None,
         };
         let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
         assert!(with_times(&mut errors, &times));

@@ -104,7 +104,11 @@ pub fn make_frames(
     if planar {
         at_height(&mut world, points);
     }
-    Ok(FramesDocument { schema: "etalon/frames/1".to_owned(), world: WorldFrame { planar, ..world } })
+    Ok(FramesDocument {
+        schema: "etalon/frames/1".to_owned(),
+        world: WorldFrame { planar, ..world },
+        not_controlled: Vec::new(),
+    })
 }
 
 /// The world frame from these points alone, without the covariance of one that features define.

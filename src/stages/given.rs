@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 /// # Errors
 /// A document of another robot, or without a parameter of this one.
 pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenParameters> {
+    check_described(robot, document)?;
     let mut values = robot.nominal();
     let (mut missing, mut places, mut free) = (Vec::new(), Vec::new(), Vec::new());
     for (i, p) in robot.parameters().iter().enumerate() {
@@ -64,11 +65,65 @@ fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &
     Message::error(what).hint(lack + "name the robot.toml that they were identified with")
 }
 
+/// Refuses parameters of the robot that its description lacks: their values would be left out. Those without effect, at a nominal zero, may
+/// be missing.
+///
+/// # Errors
+/// The names of these parameters, with the lines that robot.toml needs.
+pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Result<()> {
+    let lacks = |entry: &&ParameterEntry| {
+        let own = robot.parameters().iter().any(|p| p.name == entry.name && entry.unit == p.quantity.unit());
+        entry.role == etalon_documents::Role::Robot && !own && (entry.value != 0.0 || entry.nominal != 0.0)
+    };
+    let lacking: Vec<&str> = document.parameters.iter().filter(lacks).map(|entry| entry.name.as_str()).collect();
+    if lacking.is_empty() || document.robot != robot.model() {
+        return Ok(());
+    }
+    let shown: Vec<String> = lacking.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+    let more = if lacking.len() > NAMED { ", ..." } else { "" };
+    let what = format!("robot.toml does not describe {}{more}, which the parameters hold", shown.join(", "));
+    let lines = needed_lines(robot, &lacking);
+    let hint = match lines[..] {
+        [] => "name the robot.toml that they were identified with".to_owned(),
+        _ => format!("add {} to robot.toml, before its first table", lines.join(" and ")),
+    };
+    Err(Message::error(what).hint(hint).into())
+}
+
+/// Parameters that a message names.
+const NAMED: usize = 5;
+
+/// Lines of robot.toml that add these parameters to those that the robot has.
+fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
+    let mut keys: BTreeMap<&str, (bool, Vec<Vec<String>>)> = BTreeMap::new();
+    let optional = robot.optional_parameters();
+    for p in &optional {
+        if lacking.contains(&p.name.as_str()) || robot.index(&p.name).is_some() {
+            let pair = p.is_pair.then(|| p.joints.clone());
+            let joints = pair.map_or_else(|| p.joints.iter().map(|j| vec![j.clone()]).collect(), |pair| vec![pair]);
+            keys.entry(p.key).or_insert((p.is_pair, Vec::new())).1.extend(joints);
+        }
+    }
+    let is_needed = |key: &str| optional.iter().any(|p| p.key == key && lacking.contains(&p.name.as_str()));
+    let word = |joint: &String| if joint.parse::<u64>().is_ok() { joint.clone() } else { format!("\"{joint}\"") };
+    let line = |(key, (is_pair, mut joints)): (&str, (bool, Vec<Vec<String>>))| {
+        joints.sort_by_key(|of| of.iter().map(|joint| (joint.len(), joint.clone())).collect::<Vec<_>>());
+        joints.dedup();
+        let one = |of: &Vec<String>| {
+            let words = of.iter().map(word).collect::<Vec<_>>().join(", ");
+            if is_pair { format!("[{words}]") } else { words }
+        };
+        format!("`{key} = [{}]`", joints.iter().map(one).collect::<Vec<_>>().join(", "))
+    };
+    keys.into_iter().filter(|(key, _)| is_needed(key)).map(line).collect()
+}
+
 /// Nominal values, and those of parameters of these roles as a document has them: of the robot itself all, of others where it has them.
 ///
 /// # Errors
 /// A document of another robot.
 pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[Role]) -> Result<Vec<f64>> {
+    check_described(robot, document)?;
     let mut values = robot.nominal();
     let mut missing = Vec::new();
     for (value, p) in values.iter_mut().zip(robot.parameters()).filter(|(_, p)| roles.contains(&p.role)) {

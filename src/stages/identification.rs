@@ -1,8 +1,13 @@
 //! Identify: observations become parameters, and errors before and after.
 
+use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
+use crate::stages::commanded::commanded;
+use crate::stages::controlled::base_elsewhere;
+use crate::stages::cross_validation::{proven, undescribed_bending, unused};
 use crate::stages::distance::{far_or_near, validation_distance};
 use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
+use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
@@ -10,14 +15,20 @@ use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::plausible::plausibility;
 use crate::stages::remedies::{readings_to_check, remedied};
 use crate::stages::repeats::stale;
+use crate::stages::solved::Solved;
+use crate::stages::table_file::in_files;
 use crate::stages::tool::Expected;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Problems, Result, Severity, count};
 use etalon_base::pose_name::PoseName;
-use etalon_campaign::{Campaign, Identify, OutlierRule, Selection, Selections};
+use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
-use etalon_documents::{AccuracyDocument, FramePose, FramesDocument, ParametersDocument, PointError, WorldFrame};
+use etalon_documents::{
+    AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
+};
 use etalon_formats::table;
-use etalon_identify::{Condition, FrameError, Identification, Kind, Observation, RobustFit, Settings, Systematic};
+use etalon_identify::{
+    Effects, FrameError, Identification, Observation, RobustFit, Settings, Systematic, ToolPoint, ToolPrediction,
+};
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
@@ -47,9 +58,23 @@ pub struct Again {
     systematic: Systematic,
     /// Nominal parameters with base and targets fitted.
     pub before: Vec<f64>,
+    apart: Apart,
 }
 
 impl Identified {
+    /// Errors of all observations with other values of the parameters.
+    ///
+    /// # Errors
+    /// If targets cannot be placed.
+    pub fn errors_with(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<PointError>> {
+        let Again { apart, before, .. } = &self.again;
+        let mut errors = evaluate::errors(robot, &self.sets, before, values);
+        let (mut before, mut values) = (before.clone(), values.to_vec());
+        let placed = apart.placed(robot, &mut before, &mut values)?;
+        errors.extend(apart.errors(robot, &before, &values, &placed));
+        Ok(errors)
+    }
+
     /// Identifies again with these parameters held at their nominal values.
     ///
     /// # Errors
@@ -57,7 +82,7 @@ impl Identified {
     pub fn without(&self, robot: &dyn Robot, held: &[String]) -> Result<Identification> {
         let hold = self.settings.hold.iter().chain(held).cloned().collect();
         let settings = Settings { hold, ..self.settings.clone() };
-        let Again { systematic, before } = &self.again;
+        let Again { systematic, before, .. } = &self.again;
         etalon_identify::identify_with(robot, &self.sets.calibration, &settings, before, systematic).map_err(remedied)
     }
 
@@ -70,28 +95,23 @@ impl Identified {
     }
 }
 
-/// Identifies the robot from the observations of the first log; other logs are compared with it. `inputs` are the files and
-/// their SHA-256.
+/// Identifies the robot from the observations of the first log; other logs are compared with it.
+/// The parameters state no input files.
 pub fn identify(
     campaign: &Campaign,
     stated: &Identify,
     robot: &mut dyn Robot,
     joined: &Joined,
     frames: &FramesDocument,
-    inputs: &BTreeMap<String, String>,
 ) -> Result<Identified> {
-    let selected = select(campaign, stated, robot, joined)?.leave_unplaced_out(robot)?;
+    let selected = select(campaign, stated, robot, joined)?;
     let robot: &dyn Robot = robot;
-    let Selected { mut sets, settings, poses, selections, mut messages } = selected;
+    let Selected { mut sets, mut settings, poses, selections, apart, mut messages } = selected;
+    let proofs = proven_effects(robot, stated, &sets, &mut settings)?;
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
     let mut solved = Solved::new(robot, &sets, &settings, &systematic)?;
     if stated.outliers == OutlierRule::Exclude {
-        let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
-        let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
-        while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, &settings, &solved.found)? {
-            messages.push(left_out);
-            solved = Solved::new(robot, &sets, &settings, &systematic)?;
-        }
+        messages.extend(solved.exclude_outliers(robot, &mut sets, &settings, &systematic)?);
     }
     for (name, log) in joined.observations.iter().skip(1) {
         let observations = log.positions(robot, &mut messages)?;
@@ -105,30 +125,46 @@ pub fn identify(
             [compare_logs(robot, &first, &other, first.name), compare_logs(robot, &other, &first, first.name)];
         solved.found.warnings.extend(warnings.into_iter().flatten().map(Into::into));
     }
+    if campaign.file.synthetic.is_none() {
+        messages.extend(commanded(robot, &solved.before, &sets.calibration));
+    }
+    let placed = apart.placed(robot, &mut solved.before, &mut solved.found.values)?;
+    messages.extend(placed.message(robot, &sets)?);
     let mut errors = solved.judge(robot, &sets, &settings, messages);
+    errors.extend(apart.errors(robot, &solved.before, &solved.found.values, &placed));
     let Solved { before, mut found } = solved;
-    let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
+    let all = apart.beside(&sets);
+    let uncertainty = ErrorUncertainty::of(campaign, robot, &all, &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
-    accuracy.validation_distance = validation_distance(robot, &sets);
+    accuracy.placed_apart = placed.documents(robot);
+    accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
+    accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
+    found.warnings.extend(accuracy.effects.iter().filter_map(would_prove).map(Into::into));
+    found.warnings.extend(base_elsewhere(campaign, robot, &found.values).map(Into::into));
+    accuracy.validation_distance = validation_distance(robot, &all);
     if evaluate::with_times(&mut errors, &joined.observations[0].1.times()?) {
         accuracy.joints.push(table::TIME.to_owned());
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near).map(Into::into));
-    if sets.validation_conditions.is_empty() {
+    if sets.validation_conditions.is_empty() && !sets.validation.is_empty() {
         let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)
             .map_err(remedied)?;
         accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
     }
     let tool = campaign.file.tool.map(|tool| tool.point());
     let at_tool = |problems: Problems| problems.at(&campaign.place_of(&["tool"]));
-    let expected = Expected::new(robot, tool, &sets, &settings, &before, &found, &accuracy)?;
+    let point = tool.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
+    let held = etalon_identify::held(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
+    let prediction = ToolPrediction { robot, point, before: &before, found: &found, held };
+    let expected = Expected::new(prediction, &settings, &accuracy);
     if tool.is_some() || robot.platform().is_some() {
-        accuracy.tool = expected.accuracy(&sets, &accuracy).map_err(at_tool)?;
+        accuracy.tool = expected.accuracy(&all, &accuracy).map_err(at_tool)?;
         accuracy.map = expected.map(&sets).map_err(at_tool)?;
     }
     let robust = etalon_identify::robust_comparison(robot, &sets.calibration, &settings, &found).map_err(remedied)?;
     found.warnings.extend(robust.as_ref().and_then(|robust| robust_message(robot, robust)).map(Into::into));
-    let mut parameters = parameters_document(robot, &settings, &before, &found, inputs);
+    let mut parameters = parameters_document(robot, &settings, &before, &found, &BTreeMap::new());
+    placed.mark(robot, &found, &mut parameters);
     parameters.robust = robust.map(|robust| robust_summary(robot, &robust));
     if let Some(reliability) =
         etalon_identify::reliability(robot, &sets.calibration, &settings, &found).map_err(remedied)?
@@ -138,16 +174,43 @@ pub fn identify(
     }
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
-    let again = Again { systematic, before };
+    let again = Again { systematic, before, apart };
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
 }
 
-/// Parameters of the nominal robot with base and targets fitted, and what the solver finds from there.
-pub struct Solved {
-    /// All parameters before.
-    pub before: Vec<f64>,
-    /// Those after.
-    pub found: Identification,
+/// Sets the effects that the data prove, where the campaign asks for these, and gives what each is worth.
+fn proven_effects(
+    robot: &dyn Robot,
+    stated: &Identify,
+    sets: &Sets,
+    settings: &mut Settings,
+) -> Result<Option<Vec<EffectProof>>> {
+    if stated.effects != EffectRule::Named(NamedEffects::Proven) {
+        return Ok(None);
+    }
+    check_set_up(robot, &sets.calibration, settings)?;
+    let (chosen, proofs) = proven(robot, sets, settings)?;
+    settings.effects = Effects::These(chosen);
+    Ok(Some(proofs))
+}
+
+/// A remark on an effect that is not identified and would prove itself.
+fn would_prove(proof: &EffectProof) -> Option<Message> {
+    let EffectProof { joints, without_mm, with_mm, is_identified, robot_key, .. } = proof;
+    if *is_identified {
+        return None;
+    }
+    let effect = format!("{:?}", proof.effect).to_lowercase();
+    let of = if joints.is_empty() { String::new() } else { format!(" of joints {}", joints.join(", ")) };
+    let what = format!(
+        "{effect}{of} would prove itself: the error at calibration poses that are left out falls from {without_mm:.3} to {with_mm:.3} mm \
+         (position, root mean square)"
+    );
+    let hint = match robot_key {
+        Some(line) => format!("add `{line}` to robot.toml"),
+        None => format!("add \"{effect}\" to `effects` in [identify], or state `effects = \"proven\"`"),
+    };
+    Some(Message::warning(what).hint(hint))
 }
 
 impl Solved {
@@ -158,6 +221,24 @@ impl Solved {
         Ok(Self { before, found: found.map_err(remedied)? })
     }
 
+    /// Leaves outliers out of the calibration until none is left, and names them.
+    fn exclude_outliers(
+        &mut self,
+        robot: &dyn Robot,
+        sets: &mut Sets,
+        settings: &Settings,
+        systematic: &Systematic,
+    ) -> Result<Vec<Message>> {
+        let readings: usize = sets.calibration.iter().map(|o| o.targets.iter().flatten().count()).sum();
+        let fewest = (readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
+        let mut messages = Vec::new();
+        while let Some(left_out) = leave_outliers_out(robot, &mut sets.calibration, fewest, settings, &self.found)? {
+            messages.push(left_out);
+            *self = Self::new(robot, sets, settings, systematic)?;
+        }
+        Ok(messages)
+    }
+
     /// Errors before and after. What shows that the result can be no robot comes first among its warnings, then what is `said`.
     pub fn judge(
         &mut self,
@@ -166,11 +247,10 @@ impl Solved {
         settings: &Settings,
         said: Vec<Message>,
     ) -> Vec<PointError> {
-        let Self { before, found } = self;
-        let errors = evaluate::errors(robot, sets, before, &found.values);
-        found.warnings.splice(0..0, said.into_iter().map(Into::into));
-        let messages = plausibility(robot, &sets.calibration, settings, before, found, &errors);
-        found.warnings.splice(0..0, messages.into_iter().map(Into::into));
+        let errors = evaluate::errors(robot, sets, &self.before, &self.found.values);
+        self.found.warnings.splice(0..0, said.into_iter().map(Into::into));
+        let messages = plausibility(robot, &sets.calibration, settings, self, &errors);
+        self.found.warnings.splice(0..0, messages.into_iter().map(Into::into));
         errors
     }
 }
@@ -181,57 +261,12 @@ pub struct Selected {
     pub sets: Sets,
     /// Settings of an identification on the calibration poses.
     pub settings: Settings,
+    /// Readings of targets and fixtures that no calibration pose shows: they are in neither set.
+    pub apart: Apart,
     poses: BTreeSet<PoseName>,
     selections: Selections,
     /// Warnings.
     pub messages: Vec<Message>,
-}
-
-/// Targets that a message names.
-const NAMED: usize = 5;
-
-impl Selected {
-    /// Leaves targets that are measured at validation poses alone out of the validation, and holds their places: no calibration
-    /// reading places them, so that an error of theirs says nothing of the robot.
-    ///
-    /// # Errors
-    /// If nothing else is measured at the validation poses.
-    pub fn leave_unplaced_out(mut self, robot: &dyn Robot) -> Result<Self> {
-        let Some(arm) = robot.free_base() else { return Ok(self) };
-        let Self { sets, settings, messages, .. } = &mut self;
-        let mut placed = vec![false; robot.targets().len()];
-        let measured =
-            |o: &Observation| -> Vec<usize> { (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect() };
-        let places = |c: &&Condition| !c.kind.is_orientation() && !matches!(c.kind, Kind::Joint { .. });
-        sets.calibration.iter().flat_map(measured).for_each(|k| placed[k] = true);
-        sets.calibration_conditions.iter().filter(places).for_each(|c| placed[c.target] = true);
-        let of_conditions = sets.validation_conditions.iter().filter(places).map(|c| c.target);
-        let seen = sets.validation.iter().flat_map(measured).chain(of_conditions);
-        let unplaced: BTreeSet<usize> = seen.filter(|&k| !placed[k]).collect();
-        if unplaced.is_empty() {
-            return Ok(self);
-        }
-        for o in &mut sets.validation {
-            o.targets.iter_mut().zip(&placed).filter(|(_, placed)| !**placed).for_each(|(target, _)| *target = None);
-        }
-        sets.validation.retain(|o| o.targets.iter().any(Option::is_some));
-        sets.validation_conditions.retain(|c| placed[c.target] || matches!(c.kind, Kind::Joint { .. }));
-        let names: Vec<String> = unplaced.iter().take(NAMED).map(|&k| format!("`{}`", robot.targets()[k])).collect();
-        let more = if unplaced.len() > NAMED { ", ..." } else { "" };
-        let what = format!(
-            "{} measured at validation poses alone: {}{more}; no calibration pose places them, and they are not judged",
-            count(unplaced.len(), "target"),
-            names.join(", ")
-        );
-        let hint = "measure them at calibration poses too, or move a pose where they are measured to `calibration`";
-        if sets.validation.is_empty() && sets.validation_conditions.is_empty() {
-            return Err(Message::error(format!("{what}: nothing is left to validate with")).hint(hint).into());
-        }
-        messages.push(Message::warning(what).to_decide().hint(hint));
-        let of_place = |k: usize| (0..3).map(move |axis| arm.target_place(k) + axis);
-        settings.hold.extend(unplaced.into_iter().flat_map(of_place).map(|i| robot.parameters()[i].name.clone()));
-        Ok(self)
-    }
 }
 
 /// What a campaign selects of the observations of its first log; what they refer to is added to the parameters of `robot`.
@@ -243,11 +278,12 @@ pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joi
     let poses = observed.poses();
     check_selections(campaign, &poses)?;
     let selections = campaign.selections(stated)?;
-    let sets = evaluate::split(&observed, &poses, &selections);
+    let mut sets = evaluate::split(&observed, &poses, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
-    Ok(Selected { sets, settings, poses, selections, messages })
+    let apart = Apart::take(robot, &mut sets, &mut settings);
+    Ok(Selected { sets, settings, poses, selections, apart, messages })
 }
 
 /// The uncertainties of the world frame: what each pose has by itself, and what all have in common.
@@ -277,16 +313,16 @@ impl<'a> Input<'a> {
     /// Observations of a campaign.
     pub fn of(campaign: &'a Campaign, stated: &Identify, observations: &'a Observations) -> Result<Self> {
         let settings = campaign.settings(stated);
-        let orientation = campaign.file.observations.as_ref().and_then(|o| o.orientation.as_ref());
+        let orientation = campaign.file.observations.iter().find_map(|o| o.orientation.as_ref());
         let order = |text: &Spanned<String>| text.get_ref().parse().map_err(|m: Message| m.at(campaign.place(text)));
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
             order: orientation.map(order).transpose()?,
         };
-        let place = |problems: Problems| match &campaign.file.observations {
-            Some(stated) => problems.at(&Place::file(stated.file.get_ref())),
-            None => problems,
+        let place = |problems: Problems| {
+            let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
+            if files.is_empty() { problems } else { in_files(problems, &files) }
         };
         let exclusions = Exclusion::of_campaign(campaign, stated);
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
@@ -313,15 +349,32 @@ impl<'a> Input<'a> {
 
 /// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
 /// nowhere near the measurements.
-pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Vec<Message>> {
+pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Preview> {
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
-        return Ok(Vec::new());
+        return Ok(Preview::default());
     };
     let observed = Input::of(campaign, stated, observations)?.observed(robot, &mut Vec::new())?;
     let mut messages = stale(robot, &observed.observations);
     let set_up = check_set_up(robot, &observed.observations, &observed.settings);
     messages.extend(set_up.err().unwrap_or_default().0);
-    Ok(messages)
+    // selections that do not read are reported with the statements
+    let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
+    let sets = evaluate::split(&observed, &observed.poses(), &selections);
+    let settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
+    if messages.iter().all(|message| message.severity != Severity::Error) {
+        messages.extend(still_joints(robot, &sets.calibration, &settings));
+    }
+    let joints = travels(robot, &sets.calibration, &settings);
+    Ok(Preview { messages, joints })
+}
+
+/// What a check shows of observations.
+#[derive(Default)]
+pub struct Preview {
+    /// Errors and warnings.
+    pub messages: Vec<Message>,
+    /// How far the joints move in the calibration poses.
+    pub joints: Vec<JointTravel>,
 }
 
 /// An error where the nominal robot is nowhere near the measurements.

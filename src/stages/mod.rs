@@ -1,10 +1,16 @@
 //! The stages of a run, each from documents to the next document.
 
+pub mod apart;
 pub mod candidates;
 mod checks;
+mod commanded;
+pub mod controlled;
 pub mod controller_files;
+mod conventions;
+mod cross_validation;
 pub mod distance;
 pub mod evaluate;
+mod excitation;
 pub mod exclusions;
 pub mod frames;
 pub mod gather;
@@ -24,7 +30,10 @@ pub mod qif_fit;
 pub mod recommendation;
 pub mod remedies;
 pub mod repeats;
+mod resolution;
+pub mod solved;
 pub(crate) mod table_file;
 pub mod tool;
+mod undescribed;
 pub mod validation;
 pub mod verification;

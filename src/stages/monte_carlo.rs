@@ -3,14 +3,15 @@
 
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
-use crate::stages::identification::{Identified, identify};
-use crate::stages::join::Joined;
+use crate::stages::identification::Identified;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{DistributionEntry, Figure, FramePose, FramesDocument, Provenance, UncertaintyDocument};
+use etalon_campaign::Campaign;
+use etalon_documents::{
+    DistributionEntry, Figure, FigureBudget, FramePose, FramesDocument, Provenance, UncertaintyDocument,
+};
 use etalon_formats::Point;
 use etalon_identify::{Identification, Observation, Repeated, Settings, UncertaintySource};
 use etalon_math::statistics::{mean, standard_deviation};
@@ -44,7 +45,7 @@ const NORMAL_95: f64 = 1.959_963_985;
 const OF_END: f64 = 2.671;
 
 /// What a campaign is drawn from.
-struct Trials<'a> {
+pub struct Trials<'a> {
     campaign: &'a Campaign,
     robot: &'a dyn Robot,
     settings: &'a Settings,
@@ -59,6 +60,8 @@ struct Trials<'a> {
     calibration: Vec<Reading>,
     validation: Vec<Reading>,
     systematic: etalon_identify::Systematic,
+    /// Budgets of the figures of the validation errors.
+    budget: &'a [FigureBudget],
     seed: u64,
 }
 
@@ -71,99 +74,14 @@ struct Reading {
     numbers: Vec<usize>,
 }
 
-/// The distributions of a campaign's results; `report` is called with the draws made and the most that may be.
-pub fn distributions(
-    campaign: &Campaign,
-    stated: &Identify,
-    robot: &mut dyn Robot,
-    joined: &Joined,
-    (points, frames): (&[Point], &FramesDocument),
-    draws: Draws,
-    report: &mut dyn FnMut(usize, usize),
-) -> Result<UncertaintyDocument> {
-    let inputs = BTreeMap::new();
-    let identified = identify(campaign, stated, robot, joined, frames, &inputs)?;
-    let robot: &dyn Robot = robot;
-    let (found, settings) = (&identified.found, &identified.settings);
-    let trials = Trials { seed: draws.seed, ..Trials::new(campaign, robot, (points, frames), &identified) };
-    let positions_alone = settings.conditions.is_empty();
-    if !positions_alone && trials.systematic.is_stated() {
-        let what = "errors common to all readings (scale, temperature, homing) are drawn of positions of targets alone";
-        let hint = "`etalon run` states the uncertainties of this campaign by linear propagation";
-        return Err(Message::error(what).hint(hint).into());
-    }
-    let (monte_carlo, digits) = trials.monte_carlo(draws.most, report);
-    let bootstrap = trials.bootstrap(draws.resamples);
-    let n = found.free.len();
-    let linear = |k: usize| -> Option<f64> {
-        use UncertaintySource::{Model, Repeatability, Residuals};
-        let parts = found.budget.of_parameter(k);
-        let stated = parts.iter().filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v);
-        (!parts.is_empty()).then(|| stated.sum::<f64>().sqrt())
-    };
-    // so far do ends of intervals go apart by the number of draws alone, of all parameters in one of a hundred campaigns
-    let normal = Normal::standard();
-    let by_chance = normal.inverse_cdf(1.0 - APART_BY_CHANCE / (4.0 * n as f64));
-    let entry = |k: usize| {
-        let p = &robot.parameters()[found.free[k]];
-        let out = |v: f64| p.quantity.outward(v);
-        let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[k]).collect());
-        let value = found.values[found.free[k]];
-        let (u, tolerance) = (linear(k), numerical_tolerance(drawn.sd));
-        let of_end = OF_END * drawn.sd / (monte_carlo.len() as f64).sqrt();
-        let agrees = |u: f64| {
-            let ends = [value - NORMAL_95 * u, value + NORMAL_95 * u];
-            (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + by_chance * of_end)
-        };
-        DistributionEntry {
-            name: p.name.clone(),
-            unit: p.quantity.unit().to_owned(),
-            value: out(value),
-            linear: u.map(out),
-            standard_uncertainty: found.standard_uncertainty(found.free[k]).map(out),
-            mean: Some(out(drawn.mean)),
-            standard_deviation: out(drawn.sd),
-            interval_95: Some(drawn.interval.map(out)),
-            agrees: u.map(agrees),
-            bootstrap: bootstrap.as_ref().map(|all| out(Distribution::of(all.iter().map(|t| t[k]).collect()).sd)),
-        }
-    };
-    let figure = |(i, figure): (usize, Figure)| {
-        let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[n + i]).collect());
-        let of_budget = identified.accuracy.budget.iter().find(|b| b.figure == figure);
-        DistributionEntry {
-            name: format!("{figure:?}").to_lowercase(),
-            unit: Quantity::Length.unit().to_owned(),
-            value: trials.figures(&found.values, trials.validation.iter().map(|r| &r.observation))[i],
-            linear: None,
-            standard_uncertainty: of_budget.map(|b| b.standard_uncertainty_mm),
-            mean: None,
-            standard_deviation: drawn.sd,
-            interval_95: None,
-            agrees: None,
-            bootstrap: None,
-        }
-    };
-    let figures = [Figure::Mean, Figure::Rms, Figure::Max].into_iter().enumerate().map(figure);
-    Ok(UncertaintyDocument {
-        schema: "etalon/uncertainty/1".to_owned(),
-        robot: robot.model().to_owned(),
-        draws: monte_carlo.len(),
-        two_digits_reached: digits,
-        resamples: bootstrap.as_ref().map_or(0, Vec::len),
-        uncertainties_from: found.uncertainty_from.into(),
-        parameters: (0..n).map(entry).collect(),
-        errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
-        messages: etalon_documents::warning_messages(&found.warnings),
-        provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: Some(draws.seed) },
-    })
-}
-
 impl<'a> Trials<'a> {
-    fn new(
+    /// Trials of a campaign with these `points` and `frames`, from which the parameters were
+    /// `identified`.
+    pub fn new(
         campaign: &'a Campaign,
         robot: &'a dyn Robot,
-        (points, frames): (&[Point], &FramesDocument),
+        points: &[Point],
+        frames: &FramesDocument,
         identified: &'a Identified,
     ) -> Self {
         let settings = &identified.settings;
@@ -187,8 +105,93 @@ impl<'a> Trials<'a> {
             settings,
             planar,
             height_mm,
+            budget: &identified.accuracy.budget,
             seed: 0,
         }
+    }
+
+    /// The distributions of the results, which state no input files; `report` is called with the
+    /// draws made and the most that may be.
+    pub fn distributions(self, draws: Draws, report: &mut dyn FnMut(usize, usize)) -> Result<UncertaintyDocument> {
+        let trials = Self { seed: draws.seed, ..self };
+        let Self { robot, found, settings, .. } = trials;
+        let positions_alone = settings.conditions.is_empty();
+        if !positions_alone && trials.systematic.is_stated() {
+            let what =
+                "errors common to all readings (scale, temperature, homing) are drawn of positions of targets alone";
+            let hint = "`etalon run` states the uncertainties of this campaign by linear propagation";
+            return Err(Message::error(what).hint(hint).into());
+        }
+        let (monte_carlo, digits) = trials.monte_carlo(draws.most, report);
+        let bootstrap = trials.bootstrap(draws.resamples);
+        let n = found.free.len();
+        let linear = |k: usize| -> Option<f64> {
+            use UncertaintySource::{Model, Repeatability, Residuals};
+            let parts = found.budget.of_parameter(k);
+            let stated = parts.iter().filter(|(s, _)| ![Model, Repeatability, Residuals].contains(s)).map(|(_, v)| v);
+            (!parts.is_empty()).then(|| stated.sum::<f64>().sqrt())
+        };
+        // so far do ends of intervals go apart by the number of draws alone, of all parameters in
+        // one of a hundred campaigns
+        let normal = Normal::standard();
+        let by_chance = normal.inverse_cdf(1.0 - APART_BY_CHANCE / (4.0 * n as f64));
+        let entry = |k: usize| {
+            let p = &robot.parameters()[found.free[k]];
+            let out = |v: f64| p.quantity.outward(v);
+            let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[k]).collect());
+            let value = found.values[found.free[k]];
+            let (u, tolerance) = (linear(k), numerical_tolerance(drawn.sd));
+            let of_end = OF_END * drawn.sd / (monte_carlo.len() as f64).sqrt();
+            let agrees = |u: f64| {
+                let ends = [value - NORMAL_95 * u, value + NORMAL_95 * u];
+                (0..2).all(|i| (ends[i] - drawn.interval[i]).abs() <= tolerance + by_chance * of_end)
+            };
+            DistributionEntry {
+                name: p.name.clone(),
+                unit: p.quantity.unit().to_owned(),
+                value: out(value),
+                linear: u.map(out),
+                standard_uncertainty: found.standard_uncertainty(found.free[k]).map(out),
+                mean: Some(out(drawn.mean)),
+                standard_deviation: out(drawn.sd),
+                interval_95: Some(drawn.interval.map(out)),
+                agrees: u.map(agrees),
+                bootstrap: bootstrap.as_ref().map(|all| out(Distribution::of(all.iter().map(|t| t[k]).collect()).sd)),
+            }
+        };
+        let figure = |(i, figure): (usize, Figure)| {
+            let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[n + i]).collect());
+            let of_budget = trials.budget.iter().find(|b| b.figure == figure);
+            DistributionEntry {
+                name: format!("{figure:?}").to_lowercase(),
+                unit: Quantity::Length.unit().to_owned(),
+                value: trials.figures(&found.values, trials.validation.iter().map(|r| &r.observation))[i],
+                linear: None,
+                standard_uncertainty: of_budget.map(|b| b.standard_uncertainty_mm),
+                mean: None,
+                standard_deviation: drawn.sd,
+                interval_95: None,
+                agrees: None,
+                bootstrap: None,
+            }
+        };
+        let figures = [Figure::Mean, Figure::Rms, Figure::Max].into_iter().enumerate().map(figure);
+        Ok(UncertaintyDocument {
+            schema: "etalon/uncertainty/1".to_owned(),
+            robot: robot.model().to_owned(),
+            draws: monte_carlo.len(),
+            two_digits_reached: digits,
+            resamples: bootstrap.as_ref().map_or(0, Vec::len),
+            uncertainties_from: found.uncertainty_from.into(),
+            parameters: (0..n).map(entry).collect(),
+            errors: if trials.validation.is_empty() || !positions_alone { Vec::new() } else { figures.collect() },
+            messages: etalon_documents::warning_messages(&found.warnings),
+            provenance: Provenance {
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+                inputs: BTreeMap::new(),
+                seed: Some(draws.seed),
+            },
+        })
     }
 
     /// Parameters and figures of each draw, and whether two digits of all standard uncertainties are reached.

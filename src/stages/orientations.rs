@@ -1,13 +1,12 @@
 //! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated order.
 
+pub use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::pose::Pose;
-use etalon_formats::table::{self, QUATERNION};
+use etalon_formats::table::{self, MATRIX, QUATERNION};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
-use std::fmt;
-use std::str::FromStr;
 
 /// Columns of a rotation vector.
 pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
@@ -30,95 +29,26 @@ const AS_GOOD: f64 = 3.0;
 /// A misfit beyond this is none of the robot.
 const MISFIT_DEG: f64 = 10.0;
 
-/// In which order three angles turn a body, and whether about its own axes, as they are after each turn, or about those of the world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct AngleOrder {
-    axes: [usize; 3],
-    fixed: bool,
-}
-
-impl AngleOrder {
-    /// All there are.
-    fn all() -> Vec<Self> {
-        let axes = (0..27).map(|k| [k / 9, k / 3 % 3, k % 3]).filter(|[a, b, c]| a != b && b != c);
-        axes.flat_map(|axes| [false, true].map(|fixed| Self { axes, fixed })).collect()
-    }
-
-    /// The orientation of a body that these angles (rad) turn.
-    fn pose(self, angles: [f64; 3]) -> Pose {
-        let turn = |pose: Pose, k: usize| match self.axes[k] {
-            0 => pose.turn_x(angles[k]),
-            1 => pose.turn_y(angles[k]),
-            _ => pose.turn_z(angles[k]),
-        };
-        // turns about fixed axes are those about moving ones in the other order
-        let order = if self.fixed { [2, 1, 0] } else { [0, 1, 2] };
-        order.into_iter().fold(Pose::identity(), turn)
-    }
-
-    /// The angles (rad) that turn a body to this orientation: the second one in [−π/2, π/2], or in [0, π] where the first and third turn about the
-    /// same axis.
-    pub fn angles(self, body: &Pose) -> [f64; 3] {
-        let r = &body.rotation;
-        let [i, j, k] = if self.fixed { [self.axes[2], self.axes[1], self.axes[0]] } else { self.axes };
-        let third = 3 - i - j;
-        let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
-        // elements of the product of the three turns
-        let moving = match i == k {
-            true => [
-                r[j][i].atan2(-sign * r[third][i]),
-                r[j][i].hypot(r[third][i]).atan2(r[i][i]),
-                r[i][j].atan2(sign * r[i][third]),
-            ],
-            false => [
-                (-sign * r[j][k]).atan2(r[k][k]),
-                (sign * r[i][k]).atan2(r[i][i].hypot(r[i][j])),
-                (-sign * r[i][j]).atan2(r[i][i]),
-            ],
-        };
-        if self.fixed { [moving[2], moving[1], moving[0]] } else { moving }
-    }
-}
-
-impl FromStr for AngleOrder {
-    type Err = Message;
-
-    fn from_str(text: &str) -> std::result::Result<Self, Message> {
-        let found = Self::all().into_iter().find(|order| order.to_string() == text);
-        found.ok_or_else(|| {
-            Message::error(format!("`{text}` is not an order of three angles")).expected(
-                "\"zyx\", \"xyz\", \"zyz\" .. about the axes of the body, or \"fixed xyz\" .. about those of the world",
-            )
-        })
-    }
-}
-
-impl fmt::Display for AngleOrder {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let axes: String = self.axes.iter().map(|&axis| ["x", "y", "z"][axis]).collect();
-        write!(f, "{}{axes}", if self.fixed { "fixed " } else { "" })
-    }
-}
-
 /// An orientation as the row of a table states it.
 #[derive(Clone, Copy)]
 pub struct Written {
-    form: Form,
-    /// Numbers of the form, of three the last is 0: rad.
-    numbers: [f64; 4],
+    pub(super) form: Form,
+    /// Numbers of the form, of three or four the others are 0: rad.
+    pub(super) numbers: [f64; 9],
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Form {
+pub(super) enum Form {
     None,
     Quaternion,
+    Matrix,
     Vector,
     Angles,
 }
 
 /// Columns of orientations, in every form.
 pub fn columns() -> impl Iterator<Item = &'static str> {
-    QUATERNION.into_iter().chain(TRIPLES.iter().flat_map(|t| t.0))
+    QUATERNION.into_iter().chain(MATRIX).chain(TRIPLES.iter().flat_map(|t| t.0))
 }
 
 /// `true` if a table has a column of an orientation.
@@ -142,7 +72,7 @@ pub fn numbers(body: &Pose, order: Option<AngleOrder>, is_vector: bool) -> Vec<(
 /// Columns that lack one, or are of two forms.
 pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
     let has = |name: &&str| observations.column(name).is_ok();
-    let forms = [(&QUATERNION[..], 1.0, Form::Quaternion)].into_iter().chain(
+    let forms = [(&QUATERNION[..], 1.0, Form::Quaternion), (&MATRIX[..], 1.0, Form::Matrix)].into_iter().chain(
         TRIPLES
             .iter()
             .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
@@ -150,7 +80,7 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
     let mut given = forms.filter(|(names, ..)| names.iter().any(&has));
     let header = || Place { line: Some(1), ..Place::default() };
     let Some((names, unit, form)) = given.next() else {
-        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 4] }; observations.height()]);
+        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 9] }; observations.height()]);
     };
     if let Some((others, ..)) = given.next() {
         let what = format!("the table has orientations twice: {} and {}", names.join(", "), others.join(", "));
@@ -161,7 +91,7 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
         let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
         return Err(message.at(header()).expected(format!("{}: body in world", names.join(", "))).into());
     }
-    let mut rows = vec![Written { form, numbers: [0.0; 4] }; observations.height()];
+    let mut rows = vec![Written { form, numbers: [0.0; 9] }; observations.height()];
     for (k, name) in names.iter().enumerate() {
         rows.iter_mut().zip(table::numbers(observations, name)?).for_each(|(row, v)| row.numbers[k] = v * unit);
     }
@@ -171,13 +101,17 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
 impl Written {
     /// `true` if the row states any of its numbers.
     pub fn is_given(&self) -> bool {
-        let count = if self.form == Form::Quaternion { 4 } else { 3 };
+        let count = match self.form {
+            Form::Quaternion => 4,
+            Form::Matrix => 9,
+            _ => 3,
+        };
         self.form != Form::None && self.numbers[..count].iter().any(|v| !v.is_nan())
     }
 
     /// The angles, where they need their order (rad).
     pub fn angles(&self) -> Option<[f64; 3]> {
-        let [a, b, c, _] = self.numbers;
+        let [a, b, c, ..] = self.numbers;
         (self.form == Form::Angles).then_some([a, b, c])
     }
 
@@ -186,17 +120,18 @@ impl Written {
     /// # Errors
     /// A number that is missing, or a quaternion that is not of length one.
     pub fn pose(&self, order: Option<AngleOrder>) -> Result<Pose> {
-        let [a, b, c, d] = self.numbers;
-        if !(a + b + c + d).is_finite() {
+        let [a, b, c, d, ..] = self.numbers;
+        if !self.numbers.iter().sum::<f64>().is_finite() {
             let message = Message::error("the orientation is missing or not a number");
             return Err(message
                 .expected("qw, qx, qy, qz: body in world; or a rotation vector, or three angles")
                 .into());
         }
-        let any = AngleOrder { axes: [2, 1, 0], fixed: false };
+        let any = AngleOrder::default();
         let length = (a * a + b * b + c * c + d * d).sqrt();
         match self.form {
             Form::Vector => Ok(Pose::from_rotation_vector([a, b, c])),
+            Form::Matrix => Ok(Pose::from_rotation(self.numbers)?),
             Form::Angles => Ok(order.unwrap_or(any).pose([a, b, c])),
             _ if (length - 1.0).abs() > LENGTH_ONE => {
                 Err(Message::error(format!("the quaternion has the length {length:.4}"))
@@ -239,27 +174,4 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     let fits = all.iter().take_while(|m| m.0 <= AS_GOOD * least).take(NAMED);
     let named: Vec<String> = fits.map(|(deg, order)| format!("`{order}` leaves {deg:.3} deg")).collect();
     message.hint(format!("{state}; of the nominal robot {} (root mean square)", named.join(", ")))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn orders_are_products_of_turns() {
-        let order = |text: &str| text.parse::<AngleOrder>().unwrap();
-        let [x, y, z] = [0.3, -0.7, 1.9];
-        let turned = Pose::identity().turn_z(z).turn_y(y).turn_x(x);
-        assert_eq!(order("zyx").pose([z, y, x]), turned);
-        assert_eq!(order("fixed xyz").pose([x, y, z]), turned);
-        assert_eq!(order("zyz").pose([x, y, z]), Pose::identity().turn_z(x).turn_y(y).turn_z(z));
-        assert_eq!(AngleOrder::all().len(), 24);
-        for order in AngleOrder::all() {
-            let back = order.pose(order.angles(&turned));
-            assert!(back.inverse().then(&turned).angle_rad() < 1e-7, "{order}");
-        }
-        for wrong in ["xxz", "zy", "ZYX ", "rpy"] {
-            assert!(wrong.parse::<AngleOrder>().is_err(), "{wrong}");
-        }
-    }
 }

@@ -1,12 +1,14 @@
 //! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
 
 use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
+use crate::stages::solved::Solved;
+use crate::stages::undescribed::undescribed;
 use etalon_base::message::{Message, count};
-use etalon_base::pose::{centroid, minus, norm};
+use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
+    Identification, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
     moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
@@ -34,19 +36,16 @@ const LEAST_SCALE: f64 = 2e-4;
 const SIGNIFICANT: f64 = 3.0;
 /// Probability with which independent deviations look like a common factor.
 const CHANCE: f64 = 1e-3;
-/// A calibrated model leaves thousandths of the workspace; more than this share of it is another robot.
-const LEFT: f64 = 0.02;
 /// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
 const WORSE: f64 = 1.1;
 
-/// Messages about `found` and the errors that it leaves: errors where it can be no robot, and which of the observations to
-/// look at first where they do not fit.
+/// Messages about what was found and the errors that it leaves: errors where it can be no robot,
+/// and which of the observations to look at first where they do not fit.
 pub fn plausibility(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
-    before: &[f64],
-    found: &Identification,
+    Solved { before, found }: &Solved,
     errors: &[PointError],
 ) -> Vec<Message> {
     let mut messages = implausible(robot, found, errors);
@@ -60,7 +59,7 @@ pub fn plausibility(
         Some(far) => messages.insert(0, far),
         None => {
             if let Some(first) = messages.first_mut().filter(|_| exchanged(robot, &found.values).is_none())
-                && let Some(found) = set_up_error(robot, observations)
+                && let Some(found) = set_up_error(robot, observations, settings.coordinate_uncertainty_mm())
             {
                 first.hint = Some(set_up_hint(&found));
             }
@@ -88,7 +87,8 @@ pub fn plausibility(
     messages
 }
 
-/// An error where the poses give no more coordinates than parameters are identified: nothing is left that could contradict them.
+/// That the poses give no more coordinates than parameters are identified, so that nothing is left that could contradict them: an error where
+/// these rest on the poses alone, a warning beside nominal values.
 fn undetermined(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -107,7 +107,11 @@ fn undetermined(
             count(coordinates, "coordinate"),
             count(determined, "parameter")
         );
-        Message::error(what).hint("measure more poses, spread over the workspace")
+        let message = match settings.prior {
+            Prior::None => Message::error(what),
+            Prior::Tolerances { .. } => Message::warning(what).to_decide(),
+        };
+        message.hint("measure more poses, spread over the workspace")
     })
 }
 
@@ -225,8 +229,10 @@ fn far_before(
     }
     let left: Vec<f64> = errors.iter().filter(|e| e.set == PoseSet::Calibration).map(|e| norm(e.before_mm)).collect();
     let rms_mm = rms(left.iter().copied());
-    let allowed_mm = allowed_mm(robot, observations, before, settings.coordinate_uncertainty_mm())?;
-    (median(left)? > allowed_mm).then(|| warning_message(&far_from_nominal(robot, observations, rms_mm, allowed_mm)))
+    let noise_mm = settings.coordinate_uncertainty_mm();
+    let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
+    (median(left)? > allowed_mm)
+        .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
 }
 
 /// Errors about the parameters found and the errors that they leave; empty where the result is plausible.
@@ -237,32 +243,13 @@ fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError])
         return vec![Message::error(what).hint("exchange the names of the two targets in the labels of the export")];
     }
     messages.extend(beyond_tolerance(robot, found));
-    let mut described = false;
+    let mut calibration_fits = false;
     for set in PoseSet::ALL {
         let of = || errors.iter().filter(|e| e.set == set);
         let (before, after) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
-        let all: Vec<_> = of().map(|e| e.at_mm).collect();
-        let middle = centroid(&all).unwrap_or_default();
-        let spread = rms(of().map(|e| norm(minus(e.at_mm, middle))));
-        let fails = after > LEFT * spread && of().count() > 1;
-        if fails {
-            let hint = match described {
-                true => {
-                    "the calibration poses fit: log and exports of the validation poses are not of the same poses (a log of another \
-                         campaign, or poses that are numbered otherwise)"
-                }
-                false => {
-                    "check units, order and signs of the joints, the nominal parameters, and how log and points are joined"
-                }
-            };
-            messages.push(
-                Message::error(format!(
-                    "the model does not describe this robot: on the {set} poses {after:.3} mm are left (root mean square) of \
-                     positions that spread over {spread:.1} mm"
-                ))
-                .hint(hint),
-            );
-        } else if after > WORSE * before {
+        let undescribed = undescribed(set, errors, calibration_fits);
+        calibration_fits = undescribed.is_none() && of().count() > 1;
+        if undescribed.is_none() && after > WORSE * before {
             messages.push(
                 Message::error(format!(
                     "on the {set} poses the identified robot is worse than the nominal one: {before:.4} mm before, {after:.4} mm \
@@ -271,7 +258,7 @@ fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError])
                 .hint("measure more poses, spread over the workspace, or hold parameters that they do not determine"),
             );
         }
-        described = !fails && of().count() > 1;
+        messages.extend(undescribed);
     }
     messages
 }

@@ -1,5 +1,6 @@
 //! Measured positions of a table, and observations of measured positions with every contradiction in words.
 
+use crate::stages::resolution;
 use etalon_base::message::{Message, Place, Result};
 use etalon_formats::table::{self, COVARIANCES, UNCERTAINTIES};
 use etalon_formats::tables::joints::{joint_values, stated_modes};
@@ -12,6 +13,7 @@ use polars::prelude::DataFrame;
 /// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes that are taken from the
 /// measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
+    let table = &*resolution::of_table(table, messages)?;
     grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
 }
 

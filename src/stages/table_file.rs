@@ -1,14 +1,14 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
 use etalon_formats::{Format, TableLayout};
-use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
+use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
 
@@ -19,6 +19,23 @@ pub(crate) struct TableFile {
     pub name: String,
     text: String,
     pub table: DataFrame,
+    /// Names and texts of further files, whose rows follow; their lines are counted from [`FILE`] times their number.
+    more: Vec<(String, String)>,
+}
+
+/// Lines of the second file of several begin behind this, those of the third behind twice of it.
+const FILE: usize = 1_000_000_000;
+
+/// Problems of the rows of several files, with the file and the line that each is about.
+pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
+    for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
+        if let Some(line) = place.line.filter(|line| *line >= FILE && place.file.is_empty() || *line >= FILE) {
+            place.file = files.get(line / FILE).copied().unwrap_or_default().to_owned();
+            place.line = Some(line % FILE);
+        }
+    }
+    let first = files.first().copied().unwrap_or_default();
+    if files.len() > 1 { problems } else { problems.at(&Place::file(first)) }
 }
 
 impl TableFile {
@@ -62,7 +79,7 @@ impl TableFile {
     /// The same of the text that the file holds.
     fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
-        Ok(Self { table: table(&name, &text)?, name, text })
+        Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })
     }
 
     /// The text that it was read from.
@@ -97,7 +114,31 @@ impl TableFile {
 
     /// Problems of the table, with the lines they are about.
     pub fn place(&self, problems: Problems) -> Problems {
-        problems.in_text(&self.name, &self.text)
+        if self.more.is_empty() {
+            return problems.in_text(&self.name, &self.text);
+        }
+        let names: Vec<&str> =
+            std::iter::once(self.name.as_str()).chain(self.more.iter().map(|(n, _)| n.as_str())).collect();
+        let placed = in_files(problems, &names);
+        let texts = std::iter::once((&self.name, &self.text)).chain(self.more.iter().map(|(name, text)| (name, text)));
+        texts.fold(placed, |problems, (name, text)| match names.len() {
+            _ if problems.0.iter().any(|m| m.place.as_ref().is_some_and(|p| p.file == *name)) => {
+                problems.in_text(name, text)
+            }
+            _ => problems,
+        })
+    }
+
+    /// This table and the rows of another behind its own.
+    fn followed_by(mut self, other: Self) -> Result<Self> {
+        let number = self.more.len() + 1;
+        let lines: Vec<i64> =
+            table::integers(&other.table, "line")?.iter().map(|line| line + (number * FILE) as i64).collect();
+        let mut below = other.table;
+        below.with_column(Column::new("line".into(), lines)).map_err(table::failed)?;
+        self.table = table::stacked(&self.table, &below)?;
+        self.more.push((other.name, other.text));
+        Ok(self)
     }
 }
 
@@ -114,8 +155,34 @@ impl CampaignTables<'_> {
         self.read_with(file, SourceKind::Table, holds, etalon_formats::observations)
     }
 
-    /// The table of observations.
-    pub fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
+    /// A table in this layout and encoding.
+    pub fn laid_out(
+        &mut self,
+        file: &Spanned<String>,
+        holds: &str,
+        layout: TableLayout,
+        encoding: Option<Encoding>,
+    ) -> Result<TableFile> {
+        self.listed(file, SourceKind::Table, holds, |path, bytes| {
+            TableFile::observations(path, &bytes, layout, encoding, None)
+        })
+    }
+
+    /// The tables of observations, one behind the other.
+    pub fn all_observations(&mut self, stated: &[ObservationsDefinition]) -> Result<Option<TableFile>> {
+        let mut all: Option<TableFile> = None;
+        for definition in stated {
+            let table = self.observations(definition)?;
+            all = Some(match all {
+                Some(before) => before.followed_by(table)?,
+                None => table,
+            });
+        }
+        Ok(all)
+    }
+
+    /// A table of observations.
+    fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
         if let Some(key) = stated.meaningless_beside_sheet() {
             let message = Message::error(format!("`{key}` means nothing for a sheet of a workbook"));
             let place = self.campaign.place_of(&["observations", key]);

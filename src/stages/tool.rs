@@ -6,8 +6,8 @@ use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, MapNode, PredictionMap, Statistics, ToolAccuracy};
-use etalon_identify::{Held, Identification, Settings, ToolError, ToolFrame, ToolPoint, UncertaintyFrom, held};
-use etalon_robots::{Kinematics, Robot};
+use etalon_identify::{Settings, ToolError, ToolFrame, ToolPrediction, UncertaintyFrom};
+use etalon_robots::Kinematics;
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Gamma};
@@ -19,43 +19,30 @@ const COVERAGE: f64 = 2.0;
 /// The error that the controller will make at a point with what was found. Its variance is the sum of those of the predicted position, of
 /// parameters that the data do not determine, of what the model leaves out, and of the point's place.
 pub struct Expected<'a> {
-    robot: &'a dyn Robot,
-    point: ToolPoint,
-    before: &'a [f64],
-    found: &'a Identification,
-    held: Vec<Held>,
+    prediction: ToolPrediction<'a>,
     model_mm: f64,
     place_mm: f64,
 }
 
 impl<'a> Expected<'a> {
-    /// At `point`, or, where none is stated, at the centre of a platform, or else at the first target.
-    pub fn new(
-        robot: &'a dyn Robot,
-        point: Option<ToolPoint>,
-        sets: &Sets,
-        settings: &Settings,
-        before: &'a [f64],
-        found: &'a Identification,
-        accuracy: &AccuracyDocument,
-    ) -> Result<Self> {
-        let dimension = robot.dimension() as f64;
+    /// The error by a prediction, and by what the measured accuracy shows beyond the instrument
+    /// that `settings` state.
+    pub fn new(prediction: ToolPrediction<'a>, settings: &Settings, accuracy: &AccuracyDocument) -> Self {
+        let dimension = prediction.robot.dimension() as f64;
         // what is measured beyond the instrument's own error, where the residuals show that there is something
         let position = accuracy.sets.last().and_then(|set| set.of(ErrorQuantity::Position));
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
-        let model_mm = match found.uncertainty_from {
+        let model_mm = match prediction.found.uncertainty_from {
             UncertaintyFrom::Instrument => 0.0,
             _ => (measured.powi(2) - instrument).max(0.0).sqrt(),
         };
-        let point = point.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
-        let place_mm = dimension.sqrt() * point.standard_uncertainty_mm;
-        let held = held(robot, &sets.calibration, settings, found).map_err(remedied)?;
-        Ok(Self { robot, point, before, found, held, model_mm, place_mm })
+        let place_mm = dimension.sqrt() * prediction.point.standard_uncertainty_mm;
+        Self { prediction, model_mm, place_mm }
     }
 
     fn at(&self, joints: &[f64]) -> Result<Option<ToolError>> {
-        self.point.error(self.robot, joints, self.before, self.found, &self.held).map_err(remedied)
+        self.prediction.error(joints).map_err(remedied)
     }
 
     /// Standard uncertainty of the position (k = 1), mm.
@@ -83,8 +70,8 @@ impl<'a> Expected<'a> {
                 "{}; {MADE_OF}; errors of the targets do not show parameters that shift targets and tool alike",
                 self.error()
             ),
-            point_mm: self.point.point_mm,
-            frame: self.point.frame.into(),
+            point_mm: self.prediction.point.point_mm,
+            frame: self.prediction.point.frame.into(),
             set: judged.name,
             poses: observations.iter().map(|o| o.pose).collect::<BTreeSet<PoseName>>().len(),
             before: summarise(sizes_before),
@@ -99,10 +86,10 @@ impl<'a> Expected<'a> {
 
     /// What the error is, in words.
     fn error(&self) -> String {
-        let place = self.point.point_mm;
-        let which = match self.point.frame {
+        let place = self.prediction.point.point_mm;
+        let which = match self.prediction.point.frame {
             ToolFrame::Platform if place == [0.0; 3] => "the platform's centre C".to_owned(),
-            ToolFrame::Targets if place == [0.0; 3] => format!("the target {}", self.robot.targets()[0]),
+            ToolFrame::Targets if place == [0.0; 3] => format!("the target {}", self.prediction.robot.targets()[0]),
             ToolFrame::Platform => format!("the point {place:?} mm in the frame of the platform"),
             ToolFrame::Flange => format!("the point {place:?} mm in the frame of the flange"),
             ToolFrame::Targets => format!("the point {place:?} mm in the frame of the targets"),
@@ -112,11 +99,11 @@ impl<'a> Expected<'a> {
 
     /// On a grid of the workspace that the calibration poses span; `None` without a covariance or inverse kinematics.
     pub fn map(&self, sets: &Sets) -> Result<Option<PredictionMap>> {
-        let Some(kinematics) = self.robot.kinematics() else { return Ok(None) };
-        let values = &self.found.values;
+        let Some(kinematics) = self.prediction.robot.kinematics() else { return Ok(None) };
+        let values = &self.prediction.found.values;
         let mut poses = Vec::new();
         for o in &sets.calibration {
-            let at_mm = self.point.in_base(self.robot, values, &o.joints).map_err(remedied)?;
+            let at_mm = self.prediction.point.in_base(self.prediction.robot, values, &o.joints).map_err(remedied)?;
             if let Some(tool) = kinematics.tool_pose(values, &o.joints).filter(|_| at_mm.iter().all(|v| v.is_finite()))
             {
                 poses.push(Spanning { at_mm, tool, joints: &o.joints });
@@ -130,8 +117,8 @@ impl<'a> Expected<'a> {
                 "{}; {MADE_OF}; 95 % of the errors at a node are at most p95_mm, if they are normal (Box 1954)",
                 self.error()
             ),
-            point_mm: self.point.point_mm,
-            frame: self.point.frame.into(),
+            point_mm: self.prediction.point.point_mm,
+            frame: self.prediction.point.frame.into(),
             spacing_mm,
             nodes,
         }))
@@ -144,7 +131,9 @@ impl<'a> Expected<'a> {
         // in the same orientation the tool is as far from the point
         let lever = minus(near.at_mm, near.tool.translation_mm);
         let target = Pose { translation_mm: minus(at_mm, lever), ..near.tool };
-        let Ok(joints) = kinematics.nearest_joints(&self.found.values, &target, near.joints) else { return Ok(None) };
+        let Ok(joints) = kinematics.nearest_joints(&self.prediction.found.values, &target, near.joints) else {
+            return Ok(None);
+        };
         let within = |k: usize| {
             let all = || poses.iter().map(|pose| pose.joints[k]);
             all().any(|q| q <= joints[k] + SAME) && all().any(|q| q >= joints[k] - SAME)
@@ -153,11 +142,11 @@ impl<'a> Expected<'a> {
             return Ok(None);
         }
         let Some(error) = self.at(&joints)? else { return Ok(None) };
-        let d = self.robot.dimension();
+        let d = self.prediction.robot.dimension();
         let others = (self.model_mm.powi(2) + self.place_mm.powi(2)) / d as f64;
         let mut covariance = error.covariance_mm2;
         (0..d).for_each(|i| covariance[(i, i)] += others);
-        let joint = self.robot.joints().iter().zip(&joints);
+        let joint = self.prediction.robot.joints().iter().zip(&joints);
         Ok(Some(MapNode {
             at_mm,
             joints: joint.map(|(joint, q)| joint.quantity.outward(*q)).collect(),

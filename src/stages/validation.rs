@@ -2,11 +2,10 @@
 
 use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
-use super::identification::{Selected, check_set_up, select};
-use super::join::Joined;
+use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
-use etalon_campaign::{Campaign, Identify};
+use etalon_campaign::Campaign;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
@@ -20,31 +19,35 @@ pub struct Validated {
     pub messages: Vec<Message>,
 }
 
-/// Judges the parameters of a document, or nominal ones, on the observations of a campaign.
+/// Judges the parameters of a document, or nominal ones, on the `selected` observations of a
+/// campaign.
 pub fn validate(
     campaign: &Campaign,
-    stated: &Identify,
+    selected: Selected,
     robot: &mut dyn Robot,
-    joined: &Joined,
     document: Option<&ParametersDocument>,
     frames: GivenFrames,
 ) -> Result<Validated> {
-    let mut selected = select(campaign, stated, robot, joined)?;
-    if frames != GivenFrames::Given {
-        selected = selected.leave_unplaced_out(robot)?;
+    let Selected { mut sets, settings, mut apart, mut messages, .. } = selected;
+    if frames == GivenFrames::Given {
+        // all places are given
+        sets = std::mem::take(&mut apart).beside(&sets);
     }
-    let Selected { sets, settings, mut messages, .. } = selected;
     if frames == GivenFrames::Prior && document.is_none() {
         let message = Message::error("nominal parameters have no uncertainty that `--frames prior` could use");
         return Err(message.hint("name identified ones with `--parameters`, or use `--frames refit`").into());
     }
     check_set_up(robot, &sets.calibration, &settings)?;
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
-    let values = Values::of(robot, document, frames, &sets, &settings)?;
+    let mut values = Values::of(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;
-    let errors = evaluate::errors(robot, &sets, &values.before, &values.after);
-    let uncertainty = ErrorUncertainty::of(campaign, robot, &sets, &settings);
+    let placed = apart.placed(robot, &mut values.before, &mut values.after)?;
+    messages.extend(placed.message(robot, &sets)?);
+    let mut errors = evaluate::errors(robot, &sets, &values.before, &values.after);
+    errors.extend(apart.errors(robot, &values.before, &values.after, &placed));
+    let uncertainty = ErrorUncertainty::of(campaign, robot, &apart.beside(&sets), &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
+    accuracy.placed_apart = placed.documents(robot);
     accuracy.definition = definition(&accuracy, document.is_some(), frames);
     let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();

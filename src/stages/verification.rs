@@ -8,28 +8,46 @@ use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::*;
 use etalon_identify::{
-    Comparison, Detectable, Explanation, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings, Verification,
-    set_up_problem,
+    Comparison, Detectable, Explanation, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings,
+    Verification, set_up_problem,
 };
 use etalon_robots::{Quantity, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Compares observations with the parameters of a document. `stated_mm` is the standard uncertainty of a coordinate where it is not that of
-/// the calibration; `inputs` are the files and their SHA-256.
+/// A calibration that may still hold: the robot with its identified parameters as nominal values,
+/// and how well these predict a coordinate.
+pub struct EarlierCalibration<'r> {
+    robot: &'r dyn Robot,
+    parameters: GivenParameters,
+    noise: ExpectedDeviation,
+    messages: Vec<Message>,
+}
+
+impl<'r> EarlierCalibration<'r> {
+    /// The calibration that a document states. `stated_mm` is the standard uncertainty of a
+    /// coordinate where it is not that of the calibration.
+    ///
+    /// # Errors
+    /// A document of another robot, or a calibration whose residuals give no standard deviation.
+    pub fn new(robot: &'r mut dyn Robot, document: &ParametersDocument, stated_mm: Option<f64>) -> Result<Self> {
+        let parameters = given(robot, document)?;
+        let noise = ExpectedDeviation::of(document, stated_mm)?;
+        let messages = other_nominal(robot, document).into_iter().collect();
+        // what the calibrated robot cannot be is a wrong set-up, wherever its base is
+        robot.definition_mut().set_nominal(&parameters.values);
+        Ok(Self { robot, parameters, noise, messages })
+    }
+}
+
+/// Compares observations with the parameters of a calibration; `inputs` are the files and their
+/// SHA-256.
 pub fn verify(
-    robot: &mut dyn Robot,
-    document: &ParametersDocument,
+    calibration: EarlierCalibration,
     mut observations: Vec<Observation>,
-    stated_mm: Option<f64>,
     inputs: BTreeMap<String, String>,
 ) -> Result<VerificationDocument> {
-    let parameters = given(robot, document)?;
-    let noise = ExpectedDeviation::of(document, stated_mm)?;
-    let mut messages: Vec<Message> = other_nominal(robot, document).into_iter().collect();
-    // what the calibrated robot cannot be is a wrong set-up, wherever its base is
-    robot.definition_mut().set_nominal(&parameters.values);
-    let robot: &dyn Robot = robot;
+    let EarlierCalibration { robot, parameters, noise, mut messages } = calibration;
     messages.extend(stale(robot, &observations));
     if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
         return Err(etalon_documents::warning_message(&problem).into());
@@ -84,23 +102,18 @@ pub fn verify(
     })
 }
 
-/// Chooses `count` of the candidate poses, by what `parameters` of a document and their uncertainty leave to detect: one by one the pose with
-/// which the least detectable changes, and those from which on a joint is named, have the least product; then each is exchanged for a better
-/// one (Fedorov 1972).
+/// Chooses `count` of the candidate poses, by what the parameters of a calibration and their
+/// uncertainty leave to detect: one by one the pose with which the least detectable changes, and
+/// those from which on a joint is named, have the least product; then each is exchanged for a
+/// better one (Fedorov 1972).
 pub fn plan(
-    robot: &mut dyn Robot,
-    document: &ParametersDocument,
+    calibration: EarlierCalibration,
     mut candidates: Vec<Observation>,
     count: usize,
-    stated_mm: Option<f64>,
     inputs: BTreeMap<String, String>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<VerificationPlanDocument> {
-    let parameters = given(robot, document)?;
-    let noise = ExpectedDeviation::of(document, stated_mm)?;
-    let messages: Vec<Message> = other_nominal(robot, document).into_iter().collect();
-    robot.definition_mut().set_nominal(&parameters.values);
-    let robot: &dyn Robot = robot;
+    let EarlierCalibration { robot, parameters, noise, messages } = calibration;
     for o in &mut candidates {
         let at = |k: usize| robot.position(&parameters.values, &o.joints, k);
         o.targets = o.targets.iter().enumerate().map(|(k, seen)| seen.map(|_| at(k))).collect();

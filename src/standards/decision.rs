@@ -1,5 +1,5 @@
-//! Decision rules: how the uncertainty of a value counts when its limit is judged (JCGM 106:2012,
-//! ISO 14253-1, ILAC-G8:09/2019).
+//! Decision rules: role of the uncertainty of a value when its limit is judged (JCGM 106:2012, ISO
+//! 14253-1, ILAC-G8:09/2019).
 
 use crate::iso9283::statistics::interval::Interval;
 
@@ -23,13 +23,13 @@ use crate::iso9283::statistics::interval::Interval;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DecisionRule {
-    /// The value alone is compared with the limit (ILAC-G8:09/2019, 4.2.1).
+    /// Simple acceptance: the value alone is compared with the limit (ILAC-G8:09/2019, 4.2.1).
     SimpleAcceptance,
-    /// The limit has a guard band as wide as the expanded uncertainty, on either side (ISO 14253-1;
+    /// Guard band of the expanded uncertainty on either side of the limit (ISO 14253-1;
     /// ILAC-G8:09/2019, 4.2.2 and 4.2.3).
     #[default]
     Guarded,
-    /// Simple acceptance where the expanded uncertainty is at most a quarter of the limit (JCGM
+    /// Simple acceptance if the expanded uncertainty is at most a quarter of the limit (JCGM
     /// 106:2012, 8.2.1).
     SharedRisk,
 }
@@ -45,12 +45,12 @@ pub enum Conformity {
     Neither,
 }
 
-/// Largest expanded uncertainty over the limit with which a risk is shared.
+/// Largest ratio of expanded uncertainty to limit for shared risk.
 const SHARED: f64 = 0.25;
 
 impl DecisionRule {
-    /// Judges a value that may be at most `limit`; `interval` is that of 95 %, where it is known. A
-    /// guarded decision is wrong in at most 5 % of cases either way.
+    /// Judges a value against an upper limit; `interval` is its 95 % interval, if known. A guarded
+    /// decision is wrong in at most 5 % of cases either way.
     pub fn judge(self, value: f64, interval: Option<Interval>, limit: f64) -> Conformity {
         let within = if value <= limit { Conformity::Conforming } else { Conformity::NotConforming };
         match (self, interval) {
@@ -64,7 +64,7 @@ impl DecisionRule {
 }
 
 impl Conformity {
-    /// Conformity of several values that all must be within a limit.
+    /// Combines the conformities of several values that must all be within a limit.
     pub fn of_all(values: impl IntoIterator<Item = Self>) -> Self {
         values.into_iter().fold(Self::Conforming, |all, one| match (all, one) {
             (Self::NotConforming, _) | (_, Self::NotConforming) => Self::NotConforming,
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn each_rule_counts_the_uncertainty_in_its_way() {
-        // value, U, then by simple acceptance, guarded, shared risk; limit 0.40
+        // value, U, then conformity by simple acceptance, guarded and shared risk; limit 0.40
         let cases = [
             (0.30, Some(0.03), [Conforming, Conforming, Conforming]),
             (0.39, Some(0.03), [Conforming, Neither, Conforming]),

@@ -1,12 +1,12 @@
-//! Positioning of a linear axis by ISO 230-2:2014 (terms and formulas of its clause 3): deviations of measured from programmed positions,
-//! approached n times from either side.
+//! Positioning of a linear axis by ISO 230-2:2014 (terms and formulas of clause 3): deviations of
+//! measured from programmed positions, approached n times from either direction.
 
 use etalon_math::statistics::{mean, standard_deviation};
 
-/// The runs to one position from one side.
+/// Runs to one position from one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
-    /// Runs, n.
+    /// Number of runs n.
     pub runs: usize,
     /// Mean unidirectional positioning deviation x̄i.
     pub mean_mm: f64,
@@ -16,14 +16,14 @@ pub struct Approach {
     pub repeatability_mm: f64,
 }
 
-/// One position of the axis, approached from both sides.
+/// One position of the axis, approached from both directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisPosition {
     /// Programmed position.
     pub position_mm: f64,
-    /// In positive direction (↑).
+    /// Approach in positive direction (↑).
     pub forward: Approach,
-    /// In negative direction (↓).
+    /// Approach in negative direction (↓).
     pub backward: Approach,
     /// Mean bidirectional positioning deviation x̄i = (x̄i↑ + x̄i↓) / 2.
     pub mean_mm: f64,
@@ -33,14 +33,14 @@ pub struct AxisPosition {
     pub repeatability_mm: f64,
 }
 
-/// A quantity of both directions together, and of each.
+/// A quantity of both directions together, and of each direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directions {
-    /// Bidirectional.
+    /// Bidirectional value.
     pub both_mm: f64,
-    /// Unidirectional, in positive direction (↑).
+    /// Unidirectional value in positive direction (↑).
     pub forward_mm: f64,
-    /// Unidirectional, in negative direction (↓).
+    /// Unidirectional value in negative direction (↓).
     pub backward_mm: f64,
 }
 
@@ -73,16 +73,19 @@ pub struct AxisPositioning {
     pub mean_reversal_mm: f64,
     /// Positioning repeatability R = max Ri.
     pub repeatability: Directions,
-    /// Systematic positioning error E = max x̄i − min x̄i, of both directions together over all x̄i↑ and x̄i↓.
+    /// Systematic positioning error E = max x̄i − min x̄i; the bidirectional value is over all x̄i↑
+    /// and x̄i↓.
     pub systematic: Directions,
-    /// Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the bidirectional means.
+    /// Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the bidirectional
+    /// means.
     pub mean_systematic_mm: f64,
-    /// Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si), of both directions together over ↑ and ↓.
+    /// Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si); the bidirectional value is
+    /// over ↑ and ↓.
     pub accuracy: Directions,
 }
 
 impl Approach {
-    /// Of deviations in mm; `None` of fewer than two.
+    /// Evaluates deviations (mm); `None` for fewer than two.
     pub fn new(deviations_mm: &[f64]) -> Option<Self> {
         let runs = deviations_mm.len();
         let (mean_mm, estimator_mm) = (mean(deviations_mm.iter().copied()), standard_deviation(deviations_mm));
@@ -91,7 +94,7 @@ impl Approach {
 }
 
 impl AxisPosition {
-    /// A position from its runs of either side.
+    /// Evaluates a position from its runs in both directions.
     pub fn new(position_mm: f64, forward: Approach, backward: Approach) -> Self {
         let reversal_mm = forward.mean_mm - backward.mean_mm;
         let together = 2.0 * (forward.estimator_mm + backward.estimator_mm) + reversal_mm.abs();
@@ -106,7 +109,7 @@ impl AxisPosition {
     }
 }
 
-/// Width of the band from the lowest to the highest of values; zero of none.
+/// Width of the band from the lowest to the highest value; zero without values.
 fn band(values: impl Iterator<Item = f64> + Clone) -> f64 {
     let highest = values.clone().fold(f64::NEG_INFINITY, f64::max);
     let lowest = values.fold(f64::INFINITY, f64::min);
@@ -114,7 +117,7 @@ fn band(values: impl Iterator<Item = f64> + Clone) -> f64 {
 }
 
 impl AxisPositioning {
-    /// Of all positions.
+    /// Evaluates all positions.
     pub fn new(positions: &[AxisPosition]) -> Self {
         let forward = || positions.iter().map(|p| p.forward);
         let backward = || positions.iter().map(|p| p.backward);
@@ -147,8 +150,9 @@ impl AxisPositioning {
 mod tests {
     use super::*;
 
-    /// Deviations in nm of a stage measured at the Paul Scherrer Institute and the quantities that its own program states
-    /// (ecmccfg, examples/test/fat_sat/report.md), rounded there to 0.1 and 0.01 nm.
+    /// Deviations (nm) of a stage measured at the Paul Scherrer Institute, and the quantities that
+    /// its own program states (ecmccfg, examples/test/fat_sat/report.md), rounded to 0.1 nm and
+    /// 0.01 nm.
     #[test]
     fn a_measured_axis_has_the_quantities_that_another_program_states() {
         let forward = [
@@ -199,10 +203,12 @@ mod tests {
         close(axis.mean_systematic_mm, 27.7);
         close(axis.accuracy.forward_mm, 64.28);
         close(axis.accuracy.backward_mm, 88.81);
-        // of both directions that program takes one of the two; by the definitions, from its means and estimators:
-        close(axis.repeatability.both_mm, 68.82); // its R(5)
+        // for bidirectional values that program takes one of the two directions; expected by
+        // definition from its means and estimators:
+        close(axis.repeatability.both_mm, 68.82); // R(5) of that program
         close(axis.systematic.both_mm, -84.82 + 121.62);
-        // upper limit at position 5↓ is lower than at 3↓: -90.82 + 2 × 10.43; lower limit at 5↓: -121.62 - 2 × 15.73
+        // upper limit at position 5↓ is lower than at 3↓: −90.82 + 2 × 10.43; lower limit at 5↓:
+        // −121.62 − 2 × 15.73
         assert!((axis.accuracy.both_mm * 1e6 - (-88.62 + 2.0 * 12.18 + 121.62 + 2.0 * 15.73)).abs() < 0.03);
         assert!(axis.accuracy.both_mm >= axis.accuracy.backward_mm && axis.systematic.both_mm >= 33.0e-6);
     }

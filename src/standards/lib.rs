@@ -1,5 +1,5 @@
-//! Characteristics of standards, one a file with its clause: ISO 9283, ISO 230-2, decision rules.
-#![allow(non_snake_case)] // world_T_base: frames in names
+//! Characteristics of standards, one per file with its clause: ISO 9283, ISO 230-2, decision rules.
+#![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 pub mod decision;
 pub mod iso230;

@@ -273,10 +273,10 @@ type Refusal = (String, fn(&mut Truth), &'static str);
 fn what_a_dialect_cannot_say_is_refused_and_not_written_otherwise() {
     let polyworks = |label: &str| format!("format = \"polyworks\"\nunit = \"mm\"\nlabel = \"{label}\"");
     let cases: [Refusal; 5] = [
-        (polyworks("{target}_{pose}"), |_| {}, "line 119 is `K`, pose 1, cycle 2"),
-        (polyworks("{target}{pose}{cycle}"), |_| {}, "would not be read as it is meant"),
-        (polyworks("{pose}_{cycle}"), |_| {}, "would not be read as it is meant"),
-        (polyworks("{target}_{pose}_{cycle}"), |t| t.decimals = 100_000, "decimals"),
+        (polyworks("{target}_{pose}"), |_| {}, "error[simulated-row-misread]"),
+        (polyworks("{target}{pose}{cycle}"), |_| {}, "error[simulated-row"),
+        (polyworks("{pose}_{cycle}"), |_| {}, "error[simulated-row"),
+        (polyworks("{target}_{pose}_{cycle}"), |t| t.decimals = 100_000, "error[truth-decimals]"),
         (polyworks("{target}\\\" {pose}"), |t| t.cycles = 1, "the row has 5 fields"),
     ];
     for (export, change, part) in cases {

@@ -63,11 +63,6 @@ fn a_file_with_joints_and_points_is_joined_by_its_rows() {
         (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "the header has no column `RP9`"),
         (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
         (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "has no column for joint `rho3`"),
-        (
-            format!("{apart}\n{JOINTS}").replace("header = 1", "header = 1, comment = \"#\""),
-            "",
-            "`joints` are read of delimited text",
-        ),
     ] {
         let scratch = campaign(&export.replace("rho3_m m", "\"rho3_m m\""), more, &rows);
         select(&scratch);
@@ -158,6 +153,7 @@ fn a_serial_arm_touches_points_by_their_label() {
          [log]\nfile = \"log.csv\"\ndelimiter = \";\"\ncolumns = {{ label = \"touches\", {} }}\n[join]\nby = \"label\"\ntargets = [\"tip\"]\n{TAIL}",
         joints.join(", ")
     );
+    let text = text.replacen("[instrument]", "synthetic = \"computed\"\n[instrument]", 1);
     std::fs::write(scratch.path().join("campaign.toml"), text.replace("\"1-40\"", "\"1-36\"")).unwrap();
     ends(&scratch, "check", 0, &[]);
     ends(&scratch, "run", 0, &[]);
@@ -238,7 +234,7 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
         ["x", "y", "z"].iter().fold(proposed, |text, c| text.replace(&format!("{c}_UNIT"), &format!("{c}_mm")));
     let campaign = |observations: &str| {
         let text = format!(
-            "name = \"c\"\nrobot = \"robot.toml\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n\
+            "name = \"c\"\nrobot = \"robot.toml\"\nsynthetic = \"computed\"\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 20\ncoverage_factor = 2\n\
              expanded_rotation_uncertainty_deg = 0.01\n{observations}\n[identify]\ncalibration = \"all\"\n"
         );
         std::fs::write(folder.path().join("cobot/campaign.toml"), text).unwrap();
@@ -276,4 +272,144 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
     std::fs::write(folder.path().join("cobot/plain.csv"), format!("{head}{cut},none,probe{rest}")).unwrap();
     let (code, said, _) = campaign("[observations]\nfile = \"plain.csv\"");
     assert!(code == Some(2) && said.contains("plain.csv:2") && said.contains("none"), "{said}");
+}
+
+#[test]
+fn uncertainties_that_are_rounded_to_zero_are_read_as_their_resolution() {
+    // microns, rounded to whole ones: those below half of one are 0
+    let cells: Vec<String> = rows()
+        .iter()
+        .enumerate()
+        .map(|(i, row)| {
+            let u = if i % 3 == 0 { "0,000" } else { "0,003" };
+            let kept = row.rsplitn(4, ';').last().unwrap();
+            format!("{kept};{u};{u};{u}")
+        })
+        .collect();
+    let export = format!("{FORMAT}, pose = \"Pose\", u1 = \"U\", u2 = \"V\", u3 = \"W\" }} }}\n{JOINTS}");
+    let scratch = campaign(&export, "", &cells);
+    scratch.replace("campaign.toml", "\"1-40\"", "\"P1-P40\"");
+    let said = ends(&scratch, "run", 0, &["`u1` is 0 in 40 rows", "u = 0.00029 mm", "half of the last digit"]);
+    assert_eq!(said.matches("is 0 in").count(), 2, "one warning a column that was measured:\n{said}");
+    // a table of observations
+    let written = std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap();
+    let table: Vec<String> = written
+        .lines()
+        .enumerate()
+        .map(|(i, line)| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let u = match i {
+                0 => "u_mm",
+                i if i % 3 == 0 => "0",
+                _ => "0.003",
+            };
+            let keep = |k: &usize| !cells_of_covariance(&written).contains(k);
+            let kept: Vec<&str> = (0..cells.len()).filter(keep).map(|k| cells[k]).collect();
+            format!("{},{u}", kept.join(","))
+        })
+        .collect();
+    let identify = |text: &str| {
+        std::fs::write(scratch.path().join("o.csv"), text).unwrap();
+        let command = ["identify", "--robot", "campaign/robot.toml", "--observations", "campaign/o.csv"];
+        crate::support::scratch::said(&scratch, &[&command[..], &["--standard-uncertainty-um", "3"]].concat())
+    };
+    let (code, said) = identify(&table.join("\n"));
+    assert!(code == Some(0) && said.matches("is 0 in").count() == 1, "{said}");
+    assert!(said.contains("u = 0.00029 mm"), "{said}");
+    // where all are 0 no resolution shows
+    let (code, said) = identify(&table.join("\n").replace(",0.003", ",0"));
+    assert!(code == Some(0) && said.contains("the uncertainty of the instrument counts"), "{said}");
+    // what is negative is none
+    let (code, said) = identify(&table.join("\n").replace(",0.003", ",-0.003"));
+    assert!(code == Some(2) && said.contains("is not the uncertainty of a coordinate"), "{said}");
+}
+
+/// Columns of covariances in the first line of a table.
+fn cells_of_covariance(table: &str) -> Vec<usize> {
+    let header = table.lines().next().unwrap().split(',');
+    header.enumerate().filter(|(_, name)| name.starts_with('c') && name.ends_with("mm2")).map(|(k, _)| k).collect()
+}
+
+/// A six-axis arm whose reflector a tracker measured, all in one file with semicolons: neither [log] nor [join] is stated, and `target`
+/// names the reflector.
+#[test]
+fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let program = |arguments: &[&str]| {
+        let output = std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output();
+        let output = output.unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(program(&["init", "c", "--robot", "ur5e"]).0, Some(0));
+    let arm = etalon::campaign::read_robot(&at.join("c/robot.toml")).unwrap();
+    let arm = arm.build(&["LR".to_owned(), "RR".to_owned()]).unwrap();
+    let mut values = arm.nominal();
+    for (p, value) in arm.parameters().iter().zip(&mut values) {
+        *value += match p.name.as_str() {
+            "LR_x" | "RR_y" => 80.0,
+            "LR_z" | "RR_z" => 55.0,
+            "base_x" => 1500.0,
+            "d_4" => 0.3,
+            "theta_3" => 0.002,
+            _ => 0.0,
+        };
+    }
+    let mut noise = Noise::new(17, 1);
+    let row = |noise: &mut Noise| {
+        let q: Vec<f64> = (0..6).map(|_| noise.uniform(1.4)).collect();
+        let points = [0, 1].map(|k| arm.position(&values, &q, k).map(|x| x + noise.gaussian(0.01)));
+        let cells = q.iter().map(|q| q.to_degrees()).chain(points.into_iter().flatten());
+        cells.map(|v| format!("{v:.6}").replace('.', ",")).collect::<Vec<_>>().join(";") + "\n"
+    };
+    let head = "J1;J2;J3;J4;J5;J6;X1;Y1;Z1;X2;Y2;Z2\n";
+    for name in ["a.csv", "b.csv"] {
+        let text: String = (0..40).map(|_| row(&mut noise)).collect();
+        std::fs::write(at.join("c").join(name), head.to_owned() + &text).unwrap();
+    }
+    let joints: Vec<String> = (1..=6).map(|i| format!("q{i}_deg = \"J{i}\"")).collect();
+    let export = |file: &str, n: usize, target: &str, pose: &str| {
+        format!(
+            "[[export]]\nfile = \"{file}\"\nunit = \"mm\"\ntarget = \"{target}\"\n{pose}\n\
+             format = {{ delimiter = \";\", decimal = \",\", header = 1, columns = {{ x = \"X{n}\", y = \"Y{n}\", z = \"Z{n}\" }} }}\n\
+             joints = {{ {} }}\n",
+            joints.join(", ")
+        )
+    };
+    let run = |exports: &str| {
+        let text = format!(
+            "{HEAD}{exports}[frame.world]\nas_exported = true\n[identify]\ncalibration = \"index mod 10 < 7\"\nvalidation = \"rest\"\n"
+        );
+        std::fs::write(at.join("c/campaign.toml"), text).unwrap();
+        program(&["run", "c"])
+    };
+    let found = || -> ParametersDocument {
+        serde_json::from_slice(&std::fs::read(at.join("c/out/parameters.json")).unwrap()).unwrap()
+    };
+    let rms = || found().residuals.rms;
+
+    let (code, said) = run(&export("a.csv", 1, "LR", ""));
+    assert_eq!(code, Some(0), "{said}");
+    assert!(rms() < 0.02, "{}", rms());
+    // two points of each row; a second file, whose rows go on
+    let both = export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "");
+    let (code, said) = run(&both);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(rms() < 0.02 && found().parameters.iter().any(|p| p.name == "RR_x"), "{}", rms());
+    let second = export("b.csv", 1, "LR", "pose = \"row + 100\"");
+    let (code, said) = run(&(both.clone() + &second));
+    assert_eq!(code, Some(0), "{said}");
+    let poses = found().residuals.count;
+    assert!(rms() < 0.02 && poses > 200, "{} {poses}", rms());
+
+    // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
+    let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
+    assert!(code == Some(2) && said.contains("is there twice at pose 1") && said.contains("row + 100"), "{said}");
+    let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
+    assert!(code == Some(2) && said.contains("state different `joints`"), "{said}");
+    let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));
+    assert!(
+        code == Some(2) && said.contains("at least one target") && said.contains("`target` of the exports"),
+        "{said}"
+    );
 }

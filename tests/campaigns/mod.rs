@@ -1,10 +1,13 @@
 //! Laws of campaigns that hold without outside data.
 
+mod apart;
 mod blunders;
 mod budget;
 mod code;
 pub mod controllers;
 pub mod dialects;
+mod effects;
+mod gauge;
 mod joins;
 mod meanings;
 mod mixed;
@@ -13,5 +16,6 @@ mod platform_controllers;
 mod pose_names;
 mod repeatability;
 mod texts;
+mod uncontrolled;
 mod whole;
 pub mod workbooks;

@@ -173,6 +173,6 @@ fn formats_of_other_robots_are_refused() {
     let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
     for format in ["linuxcnc-hexapod", "linuxcnc-delta", "klipper-delta", "reprap-delta", "reprap-five-bar"] {
         let (code, said) = etalon(&["export", &found, "--format", format, "--robot", &file.display().to_string()]);
-        assert!(code == Some(2) && said.contains("`serial` is not a"), "{said}");
+        assert!(code == Some(2) && said.contains("error[format-for-other-robots]"), "{said}");
     }
 }

@@ -98,10 +98,10 @@ fn mistaken_names_of_poses_are_named() {
     ends(&scratch, "check", 2, &["`hume` names no pose that was measured", "did you mean `home`"]);
     // one pose in two spellings, in two files
     let scratch = named(|pose| format!("P{pose}"), |pose| format!("p0{pose}"));
-    ends(&scratch, "check", 2, &["`P1` and `p01` differ only in capital letters", "encoders.csv:2"]);
+    ends(&scratch, "check", 2, &["error[pose-name-two-spellings]: `P1` and `p01`", "encoders.csv:2"]);
     // other names in the log
     let scratch = named(|pose| pose.to_string(), |pose| format!("P{pose}"));
-    ends(&scratch, "check", 2, &["pose `P1` of log `log` was not measured", "encoders.csv:2", "there are: 1, 10,"]);
+    ends(&scratch, "check", 2, &["pose `P1` of log `log` was not measured", "encoders.csv:2", "use one of: 1, 10,"]);
     // a typo in the log: its pose has no partner
     let scratch = named(any, |pose| if pose == 1 { "hom".to_owned() } else { any(pose) });
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"P_home, A-3, 10b, 5-8\"");

@@ -227,10 +227,10 @@ fn leads_and_measured_errors_become_tables() {
         assert!((value(&table, &format!("$AA_ENC_COMP[0,{i},AX1]")) - deviation).abs() < 1e-6, "{table}");
     }
     for (arguments, why) in [
-        (&["geometric.json", "--axis", "rho1_mm=0:100:50"][..], "no lead of `rho1_mm` was measured"),
+        (&["geometric.json", "--axis", "rho1_mm=0:100:50"][..], "error[lead-not-measured]: no lead of `rho1_mm` "),
         (&["geometric.json", "--axis", "rho3_mm=0:400:50"], "rho3_mm = 350: the lead was not measured there"),
-        (&["geometric.json", "--axis", "rho3_mm"], "has no positions"),
-        (&["errors.csv", "--axis", "x"], "not those of a grid"),
+        (&["geometric.json", "--axis", "rho3_mm"], "error[axis-without-positions]"),
+        (&["errors.csv", "--axis", "x"], "error[not-a-grid]"),
         (&["um.csv", "--axis", "x"], "changes by 3.5 from 0 to 50"),
         (&["errors.csv", "--axis", "x", "--axis", "z"], "z_mm"),
     ] {
@@ -266,15 +266,15 @@ fn tables_that_would_mislead_a_control_are_refused() {
         (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik", "--sign", "add"], "--sign is for tables"),
         (
             &["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:25", "--to", "beckhoff-plane", "--sign", "add"],
-            "same distance",
+            "error[plane-steps-differ]",
         ),
         (&["--axis", "q1_mm=0:100:30"], "not whole steps"),
         (&["--axis", "q1_mm=0:100:50", "--axis", "q1_mm=0:100:50"], "one base axis or two"),
         (&["--axis", "q1_mm=0:100:50", "--corrected", "q2_mm", "--to", "linuxcnc"], "the one that it corrects"),
-        (&["--axis", "q1_mm=0:100:50", "--corrected", "x"], "all of x_mm, y_mm, z_mm, or all joints"),
+        (&["--axis", "q1_mm=0:100:50", "--corrected", "x"], "error[axes-mixed]"),
         (&["--axis", "q1_deg=0:100:50"], "joints q1_mm, q2_mm"),
-        (&["--axis", "q1_mm=0:100:50", "--at", "q3_mm=1"], "has no axis `q3_mm`"),
-        (&["--axis", "q1_mm=0:300:1", "--to", "linuxcnc"], "too many for LinuxCNC"),
+        (&["--axis", "q1_mm=0:100:50", "--at", "q3_mm=1"], "error[axis-unknown]: the robot has no axis `q3_mm`"),
+        (&["--axis", "q1_mm=0:300:1", "--to", "linuxcnc"], "error[axis-table-too-long]"),
     ] {
         let (out, code, said) = cross.table(arguments);
         assert!(code == Some(2) && out.is_empty() && said.contains(why), "{arguments:?}: {said}");

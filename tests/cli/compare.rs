@@ -73,7 +73,7 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
     assert!(shown.contains("Parameters of the robot") && shown.contains("  CHANGED"), "{shown}");
     // as order, so sign
     let back = etalon(at, &["compare", "autumn", "spring", "--json"]);
-    assert!(text(&back.stderr).contains("has the later date"), "{}", text(&back.stderr));
+    assert!(text(&back.stderr).contains("warning[campaigns-out-of-order]"), "{}", text(&back.stderr));
     let back: CompareDocument = serde_json::from_slice(&back.stdout).unwrap();
     let back = back.trends.iter().find(|t| t.name == "s").unwrap().changes[0];
     assert!((back.change + change.change).abs() < 1e-12 && (back.p.unwrap() - change.p.unwrap()).abs() < 1e-12);
@@ -96,7 +96,7 @@ fn a_parameter_that_changed_is_found_and_what_cannot_be_compared_is_refused() {
         &edit("parameters.json", "etalon/parameters/2", "etalon/parameters/1"),
         &["\"etalon/parameters/1\"", "expected: "],
     );
-    refused(&edit("parameters.json", "\"prexyt\"", "\"serial\""), &["different models of robots"]);
+    refused(&edit("parameters.json", "\"prexyt\"", "\"serial\""), &["error[models-differ]"]);
     refused(
         &edit("parameters.json", "\"name\": \"s\"", "\"name\": \"stretch\""),
         &["different parameters: s, stretch"],

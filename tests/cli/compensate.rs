@@ -126,7 +126,7 @@ fn targets_that_the_robot_does_not_reach_are_refused_by_name() {
     assert!(code == Some(1) && said.contains("target far: out of reach"), "{said}");
     // what does not go together
     for (more, part) in [
-        (&["--format", "mecaprol"][..], "Mecaprol commands a five-bar"),
+        (&["--format", "mecaprol"][..], "error[mecaprol-other-robot]"),
         (&["--format", "galil"], "--counts-per-unit"),
         (&["--tool", "1,2"], "expected x,y,z"),
         (&["--tool", "1,2,3,1,1,0,0"], "unit quaternion"),
@@ -256,7 +256,7 @@ fn programs_have_other_targets_and_nothing_else_changed() {
     }
     // what a program computes from a target is named
     let (name, program, _) = &irb120_programs()[0];
-    assert!(real.compensate(name, program, &[]).2.contains("poses of Offs are left as they are"));
+    assert!(real.compensate(name, program, &[]).2.contains("warning[poses-computed-by-program]: poses of Offs "));
 }
 
 #[test]
@@ -283,11 +283,11 @@ fn g_code_keeps_its_modal_words() {
         }
     }
     for (program, part) in [
-        ("G21 G90\nG0 X200 Y150 C0\nG2 X1 Y1 I1 J1\n", "G2 is not compensated"),
-        ("G20\nG0 X1 Y1 C0\n", "G20 is not compensated"),
-        ("G91\nG0 X1 Y1 C0\n", "G91 is not compensated"),
-        ("G0 X200 Y150\n", "`C` has no value yet"),
-        ("G0 X[#1+2] Y150 C0\n", "`X` is not a number"),
+        ("G21 G90\nG0 X200 Y150 C0\nG2 X1 Y1 I1 J1\n", "error[movement-not-compensated]: `G2`"),
+        ("G20\nG0 X1 Y1 C0\n", "error[movement-not-compensated]: `G20`"),
+        ("G91\nG0 X1 Y1 C0\n", "error[movement-not-compensated]: `G91`"),
+        ("G0 X200 Y150\n", "error[coordinate-unknown]: `C`"),
+        ("G0 X[#1+2] Y150 C0\n", "error[coordinate-not-number]: `X`"),
         ("G55 G0 X200 Y150 C0\n", "the program uses `G55`"),
         ("G0 X900 Y150 C0\n", "target line 1: rho1 = "),
     ] {
@@ -307,8 +307,8 @@ fn programs_that_cannot_be_compensated_target_by_target_are_refused() {
             format!("MoveL {target},v10,fine,tool0\\WObj:=w1;\nMoveL {target},v10,fine,tool0\\WObj:=w2;"),
             "each as a program",
         ),
-        ("a.mod", target.replace("0.6", "0.9"), "has the length 1.2"),
-        ("a.src", "PTP {X 300}\n".to_owned(), "states a part of X, Y, Z"),
+        ("a.mod", target.replace("0.6", "0.9"), "error[quaternion-length]"),
+        ("a.src", "PTP {X 300}\n".to_owned(), "error[move-incomplete]"),
         ("a.src", "FOLD {TOOL_NO 3,BASE_NO 0}\nPTP {X 300,Y 0,Z 500,A 0,B 0,C 0}".to_owned(), "uses `TOOL_NO 3`"),
         ("a.script", "set_tcp(p[0,0,0.1,0,0,0])\nmovel(p[0.3,0.1,0.5,3.0,0.5,0])".to_owned(), "uses `p[0,0,0.1"),
     ] {
@@ -338,9 +338,9 @@ fn programs_of_mecaprol_and_galil_have_other_targets_alone() {
     assert_eq!(new, bytes(&expected), "{}", String::from_utf8_lossy(&new));
     for (program, more, part) in [
         ("MoveC X40 Y330;", &[][..], "--start"),
-        ("MoveC X40;", &start, "has not both X and Y"),
+        ("MoveC X40;", &start, "error[move-incomplete]"),
         ("WCS X20 Y60 Z0 W0;\nMoveC X40 Y330;", &start, "uses `WCS X20 Y60 Z0 W0`"),
-        ("MoveC X40 Y330 M1;\nMoveC X40 Y330 M2;", &start, "changes the working mode"),
+        ("MoveC X40 Y330 M1;\nMoveC X40 Y330 M2;", &start, "error[working-mode-changes]"),
         ("MoveC X4000 Y330;", &start, "out of reach"),
     ] {
         let (new, code, said) = five_bar.compensate("face.mp", program.as_bytes(), more);
@@ -366,10 +366,10 @@ fn programs_of_mecaprol_and_galil_have_other_targets_alone() {
     let expected = expected.replace("90000,-220000,56000", &n(1).join(","));
     assert_eq!(text(&new), expected);
     for (program, part) in [
-        ("PA 100000,-200000\n", "not a position of every axis"),
-        ("PA AX,AY,AZ\n", "not a position of every axis"),
-        ("PAX=100\n", "not a position of every axis"),
-        ("PA 1000,-2000,500;PR 1,1,1\n", "`PR 1,1,1` is not compensated"),
+        ("PA 100000,-200000\n", "error[move-incomplete]"),
+        ("PA AX,AY,AZ\n", "error[move-incomplete]"),
+        ("PAX=100\n", "error[move-incomplete]"),
+        ("PA 1000,-2000,500;PR 1,1,1\n", "error[movement-not-compensated]: `PR 1,1,1`"),
         ("PA 900000000,-200000,52000\n", "target line 1: "),
     ] {
         let (new, code, said) = table.compensate("table.dmc", program.as_bytes(), &counts);
@@ -391,7 +391,7 @@ fn a_command_in_another_configuration_is_named() {
         let ([x, y, z], [w, a, b, c]) = (pose.translation_mm, pose.quaternion());
         let target = format!("[[{x},{y},{z}],[{w},{a},{b},{c}],[{quarter},0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
         let (_, code, said) = real.compensate("a.mod", format!("MoveL {target},v10,fine,tool0;").as_bytes(), &[]);
-        assert_eq!(code == Some(1), said.contains("the command is in another configuration"), "{said}");
+        assert_eq!(code == Some(1), said.contains("warning[configuration-changed]"), "{said}");
         codes.push(code);
     }
     // the correction of joint 1 has one sign

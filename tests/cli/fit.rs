@@ -41,13 +41,17 @@ fn a_probe_is_stated_with_its_side() {
             "{part:?} is not said: {said}"
         );
     };
-    refused("sphere", &["--probe-radius-mm", "2.5"], "the side of the probe is not stated");
-    refused("sphere", &["--probe-side", "inside"], "--probe-side without a probe");
-    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "left"], "`left` is not a side");
-    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "0,0,1"], "has an inside");
-    refused("sphere", &["--probe-radius-mm", "13", "--probe-side", "outside"], "cannot have touched");
-    refused("sphere", &["--probe-radius-mm", "-1", "--probe-side", "outside"], "the probe radius is -1 mm");
-    refused("plane", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "has no inside");
+    refused("sphere", &["--probe-radius-mm", "2.5"], "error[probe-side-missing]");
+    refused("sphere", &["--probe-side", "inside"], "error[probe-radius-missing]");
+    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "left"], "error[probe-side-unknown]");
+    refused("sphere", &["--probe-radius-mm", "2.5", "--probe-side", "0,0,1"], "error[probe-side-needs-inside]");
+    refused("sphere", &["--probe-radius-mm", "13", "--probe-side", "outside"], "error[probe-larger-than-element]");
+    refused(
+        "sphere",
+        &["--probe-radius-mm", "-1", "--probe-side", "outside"],
+        "error[probe-radius-not-positive]: the probe radius is -1 mm",
+    );
+    refused("plane", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "error[probe-side-needs-direction]");
     refused("enclosing-sphere", &["--probe-radius-mm", "2.5", "--probe-side", "inside"], "not compensated");
     let up = run("plane", &["--probe-radius-mm", "2.5", "--probe-side", "-0.1,-0.1,-1"]);
     let document: FitDocument = serde_json::from_slice(&up.stdout).unwrap();
@@ -98,8 +102,8 @@ fn qif_features_are_set_against_what_the_file_states() {
     assert!((outside[0].radius_mm.unwrap() - 10.0).abs() < 1e-9);
     for (rest, part) in [
         (&["--unit", "inch"][..], "the unit of the file is 1 mm, and 25.4 mm was stated"),
-        (&["--radius-mm", "15"], "neither columns nor one radius"),
-        (&["--probe-side", "0,0,1"], "has an inside"),
+        (&["--radius-mm", "15"], "error[qif-with-columns]"),
+        (&["--probe-side", "0,0,1"], "error[probe-side-needs-inside]"),
     ] {
         let refused = fitted(rest);
         assert_eq!(refused.status.code(), Some(2));
@@ -190,7 +194,7 @@ fn points_that_determine_nothing_are_messages_and_never_numbers_that_are_none() 
                     assert!(size.into_iter().flatten().all(f64::is_finite), "{element} of {what}: {document:?}");
                 }
                 Some(2) => {
-                    assert!(said.starts_with("error: ") && output.stdout.is_empty(), "{element} of {what}: {said}")
+                    assert!(said.starts_with("error") && output.stdout.is_empty(), "{element} of {what}: {said}")
                 }
                 code => panic!("{element} of {what}: {code:?}: {said}"),
             }

@@ -346,7 +346,7 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     assert!(read("at_once/etalon_kinematics.py").contains("# campaign: "));
     // nothing is written over
     let refused = etalon(&folder.path(), &["recommend", ".", "--write", "robot.toml"]);
-    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("is there already"));
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("error[file-exists]"));
     // a table as drawn: nothing is invented
     for (from, to) in
         [("gamma = 0.0828", "gamma = 0.0"), ("d3 = 0.8528", "d3 = 0.0"), ("delta = 0.9992", "delta = 1.0")]
@@ -357,4 +357,149 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     let nothing = json(&etalon(&folder.path(), &["recommend", ".", "--json"]));
     let parameters = nothing["parameters"].as_array().unwrap();
     assert!(parameters.iter().all(|p| p["verdict"] == "hold"), "{}", nothing["parameters"]);
+}
+
+/// Parameters that hold what robot.toml does not describe are refused with the lines to add.
+#[test]
+fn keys_that_given_parameters_need_are_required_of_robot_toml() {
+    let folder = run("rail-arm");
+    let robot = std::fs::read_to_string(folder.path().join("robot.toml")).unwrap();
+    let key = |name: &str| robot.lines().find(|line| line.starts_with(name)).unwrap();
+    for (less, lines) in [
+        (&["harmonics"][..], &["`harmonics = [2, 3]`"][..]),
+        (&["backlash", "harmonics"], &["`backlash = [2, 3, 4]`", "`harmonics = [2, 3]`"]),
+    ] {
+        let mut text = robot.clone();
+        less.iter().for_each(|name| text = text.replace(key(name), ""));
+        std::fs::write(folder.path().join("less.toml"), text).unwrap();
+        let observed =
+            ["verify", "out/observations.csv", "--robot", "less.toml", "--parameters", "out/parameters.json"];
+        let exported = ["export", "out/parameters.json", "--robot", "less.toml", "--to", "files", "--format", "json"];
+        for command in [&observed[..], &exported] {
+            let refused = etalon(&folder.path(), command);
+            let said = text_of(&refused);
+            assert_eq!(code(&refused), Some(2), "{said}");
+            let parts = [&["robot.toml does not describe `", "to robot.toml"][..], lines].concat();
+            assert!(parts.iter().all(|part| said.contains(part)), "{command:?}: {said}");
+        }
+    }
+    // a part of a key is completed
+    let part = robot.replace(key("harmonics"), "harmonics = [3]");
+    std::fs::write(folder.path().join("robot.toml"), part).unwrap();
+    let refused = etalon(&folder.path(), &["validate", ".", "--parameters", "out/parameters.json"]);
+    let said = text_of(&refused);
+    assert!(code(&refused) == Some(2) && said.contains("`harmonics = [2, 3]`"), "{said}");
+    assert!(said.contains("`harmonic_2_sin1`") && !said.contains("`harmonic_3_sin1`"), "{said}");
+}
+
+fn text_of(output: &Output) -> String {
+    text(&output.stderr)
+}
+
+/// Positions, distances from an anchor and values of a second encoder, of an arm of three axes whose lengths are off. Synthetic.
+fn mixed_kinds() -> Scratch {
+    use etalon::base::noise::Noise;
+    use etalon::base::pose::{minus, norm};
+    let folder = copy_sample("draw-wire");
+    let joint = |[alpha, a, theta, d]: [f64; 4]| {
+        format!("    {{ alpha_deg = {alpha}, a_mm = {a}, theta_deg = {theta}, d_mm = {d} }},\n")
+    };
+    let joints = [[0.0, 0.0, 0.0, 290.0], [-90.0, 0.0, -90.0, 0.0], [0.0, 270.0, 0.0, 0.0]].map(joint).concat();
+    std::fs::write(folder.path().join("robot.toml"), format!("model = \"serial\"\njoint = [\n{joints}]\n")).unwrap();
+    let robot = etalon::campaign::read_robot(&folder.path().join("robot.toml")).unwrap();
+    let robot = robot.build(&["ball".to_owned()]).unwrap();
+    let mut values = robot.nominal();
+    for (name, error) in [("ball_x", 150.0), ("ball_y", 20.0), ("ball_z", 30.0), ("a_3", 0.8), ("theta_3", 0.004)] {
+        values[robot.index(name).unwrap()] += error;
+    }
+    let (mut noise, u) = (Noise::new(40, 11), 0.05);
+    let mut table = "kind,pose,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,other,distance_mm,u_mm\n".to_owned();
+    for pose in 1..=36 {
+        let q: Vec<f64> = (0..3).map(|_| noise.uniform(1.4)).collect();
+        let at = robot.position(&values, &q, 0);
+        let q = q.iter().map(|q| format!("{:.12}", q.to_degrees())).collect::<Vec<_>>().join(",");
+        if pose % 3 == 0 {
+            let d = norm(minus(at, [900.0, 400.0, 60.0])) + noise.gaussian(u);
+            table += &format!("distance,{pose},ball,{q},,,,anchor,{d:.6},{u}\n");
+        } else {
+            let [x, y, z] = at.map(|v| v + noise.gaussian(u));
+            table += &format!("point,{pose},ball,{q},{x:.6},{y:.6},{z:.6},,,{u}\n");
+        }
+    }
+    std::fs::write(folder.path().join("observations.csv"), table).unwrap();
+    folder.replace("campaign.toml", "calibration = \"1-60\"\nvalidation = \"rest\"", "calibration = \"all\"");
+    folder
+}
+
+#[test]
+fn recommend_judges_every_kind_by_one_measure_of_error() {
+    let folder = mixed_kinds();
+    let answered = etalon(&folder.path(), &["recommend", ".", "--json"]);
+    assert_eq!(code(&answered), Some(0), "{}", text(&answered.stderr));
+    let answer = json(&answered);
+    let steps = answer["steps"].as_array().unwrap();
+    let accepted: Vec<&Value> = steps.iter().filter(|s| s["accepted"] == true).collect();
+    assert!(accepted.len() > 1, "{steps:?}");
+    // poses that were used and poses that were not, by the same measure, without a factor of √3
+    for step in &accepted {
+        let [used, left_out] = ["rms_mm", "held_out_rms_mm"].map(|name| step[name].as_f64().unwrap());
+        assert!((0.8..1.6).contains(&(left_out / used)), "{used} {left_out}");
+    }
+    let last = accepted.last().unwrap()["held_out_rms_mm"].as_f64().unwrap();
+    assert!(last < 0.2, "{last}");
+}
+
+/// Effects that are chosen by poses that are left out, and those that would have been.
+#[test]
+fn proven_effects_are_identified_and_others_are_named() {
+    let folder = copy_sample("prexyt-cmm");
+    let accuracy = |rule: &str, said: &[&str]| {
+        let path = folder.path().join("campaign.toml");
+        let sample = std::fs::read_to_string(&path).unwrap();
+        let kept: Vec<&str> = sample.lines().filter(|line| !line.starts_with("effects = ")).collect();
+        std::fs::write(&path, kept.join("\n").replace("[identify]", &format!("[identify]\n{rule}"))).unwrap();
+        let ran = etalon(&folder.path(), &["run", "."]);
+        assert!(code(&ran).is_some_and(|code| code < 2), "{}", text(&ran.stderr));
+        for part in said {
+            assert!(text(&ran.stderr).contains(part), "{part}: {}", text(&ran.stderr));
+        }
+        document(&folder.path(), "accuracy.json")
+    };
+    folder.replace(
+        "campaign.toml",
+        "calibration = \"1-8\"\nvalidation = \"9-59\"",
+        "calibration = \"1-24\"\nvalidation = \"25-59\"",
+    );
+    let all = accuracy("effects = \"proven\"", &[]);
+    let effects = all["effects"].as_array().unwrap();
+    assert!(!effects.is_empty() && effects.iter().all(|e| e["is_identified"] == true), "{effects:?}");
+    for e in effects {
+        assert!(e["with_mm"].as_f64().unwrap() < e["without_mm"].as_f64().unwrap(), "{e}");
+    }
+    // as `recommend` has it
+    let answer = json(&etalon(&folder.path(), &["recommend", ".", "--json"]));
+    let accepted =
+        answer["steps"].as_array().unwrap().iter().filter(|s| s["accepted"] == true && !s["effect"].is_null());
+    let accepted: Vec<&Value> = accepted.map(|s| &s["effect"]).collect();
+    assert_eq!(accepted, effects.iter().map(|e| &e["effect"]).collect::<Vec<_>>());
+    // what the campaign leaves out, and the data prove
+    let without =
+        accuracy("effects = [\"zeros\", \"gains\"]", &["geometry", "would prove itself", "left out falls from"]);
+    let geometry = without["effects"].as_array().unwrap().iter().find(|e| e["effect"] == "geometry").unwrap();
+    assert!(geometry["is_identified"] == false, "{geometry}");
+    assert!(geometry["with_mm"].as_f64().unwrap() < 0.5 * geometry["without_mm"].as_f64().unwrap(), "{geometry}");
+}
+
+#[test]
+fn what_was_not_drawn_is_not_said_to_contain_anything() {
+    let folder = copy_sample("prexyt-cmm");
+    // an instrument that is said to be much better than it is: the model seems to misfit
+    folder.replace("campaign.toml", "expanded_uncertainty_um = ", "expanded_uncertainty_um = 0.1 # ");
+    let said = |more: &[&str]| {
+        let answered = etalon(&folder.path(), &[&["uncertainty", ".", "--draws", "100"], more].concat());
+        assert_eq!(code(&answered), Some(0), "{}", text(&answered.stderr));
+        text(&answered.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let without = said(&["--resamples", "0"]);
+    assert!(without.contains("the model leaves out more") && !without.contains("bootstrap"), "{without}");
 }

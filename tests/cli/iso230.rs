@@ -90,7 +90,10 @@ fn a_sinumerik_with_its_table_is_where_it_is_programmed() {
 #[test]
 fn tables_that_are_no_test_of_an_axis_are_refused() {
     for (rows, why) in [
-        ("0,0.001,1\n0,0.002,1\n0,0,-1\n", "position 0 mm has fewer than two runs in direction -1"),
+        (
+            "0,0.001,1\n0,0.002,1\n0,0,-1\n",
+            "error[iso230-few-runs]: position 0 mm has fewer than two runs in direction -1",
+        ),
         ("0,0.001,2\n", "a row has no position"),
         ("", "no rows"),
         // measured in metres

@@ -72,11 +72,11 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
     for (stream, options, said) in [
         (String::new(), "", "the table has no rows"),
         ("time_s,x_mm,y_mm\n".to_owned(), "", "the table has no rows"),
-        ("time_s,x_mm,y_mm\n0,1,2\n".to_owned(), "", "two samples or more"),
+        ("time_s,x_mm,y_mm\n0,1,2\n".to_owned(), "", "error[stream-too-short]"),
         (good.replacen("time_s", "clock_s", 1), "", "the recording has no time column"),
         (stamped("\n0.01,"), "", "stream.csv:4"),
-        (stamped("\n0.005,"), "", "time does not go on"),
-        (stamped("\nNaN,"), "", "`NaN` is not a number"),
+        (stamped("\n0.005,"), "", "error[time-not-increasing]"),
+        (stamped("\nNaN,"), "", "a coordinate or the time is missing"),
         (stamped("\n,"), "", "stream.csv:4"),
         (stamped("\n0.02,1e200,0,180\n0.021,"), "", "a coordinate is missing or is not a finite number"),
         (good.clone(), "--rate-hz 1000000", "no robot moves like this"),
@@ -85,13 +85,17 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (good.clone(), "--band-mm -1", "unexpected argument"),
         (good.clone(), "--near-mm inf", "--near-mm must be positive"),
         (good.clone(), "--path path.csv --path-points 1", "--path-points must be"),
-        (good.clone(), "--path far.csv", "no pass of the commanded path"),
+        (good.clone(), "--path far.csv", "error[path-without-pass]"),
         (good.clone(), "--path spatial.csv", "different coordinates"),
-        (good.clone(), "--path point.csv", "commanded path: points 1 and 2 are the same"),
-        (good.clone(), "--path nowhere.csv", "cannot read `nowhere.csv`"),
+        (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
+        (good.clone(), "--path nowhere.csv", "error[cannot-read-file]: cannot read `nowhere.csv`"),
         (good.clone(), "--commanded twice.csv", "pose 1 is commanded twice"),
-        (good.clone(), "--columns x,y --delimiter comma", "do not say their length unit"),
-        (good.clone(), "--path path.csv --weave-stroke-mm 2 --weave-hz 3 --weave-across 1,0,0", "weaving"),
+        (good.clone(), "--columns x,y --delimiter comma", "error[option-unit-missing]"),
+        (
+            good.clone(),
+            "--path path.csv --weave-stroke-mm 2 --weave-hz 3 --weave-across 1,0,0",
+            "error[weave-direction]",
+        ),
     ] {
         std::fs::write(here.join("stream.csv"), &stream).unwrap();
         std::fs::write(here.join("spatial.csv"), "x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n").unwrap();
@@ -184,13 +188,13 @@ fn a_plan_writes_tables_that_the_command_takes_and_targets() {
 
     for (options, said) in [
         ("", "--workspace-mm"),
-        (" --workspace-mm 1,2,3", "has 3 numbers"),
-        (" --workspace-mm 0,0,0,0,0,0", "not a box"),
-        (" --workspace-mm 0,0,0,NaN,1,1", "not a box"),
-        (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "is not a test plane"),
-        (" --workspace-mm 0,0,1,1 --test-plane C1-C2-C7-C8", "one test plane"),
-        (" --workspace-mm 0,0,0,1,1,1 --orientation-deg 1,2", "has 2 angles"),
-        (" --workspace-mm 0,0,0,1,1,1 --reorientation-deg 1,2,3", "without an orientation"),
+        (" --workspace-mm 1,2,3", "error[workspace-numbers]"),
+        (" --workspace-mm 0,0,0,0,0,0", "error[workspace-not-box]"),
+        (" --workspace-mm 0,0,0,NaN,1,1", "error[workspace-not-box]"),
+        (" --workspace-mm 0,0,0,1,1,1 --test-plane C1-C2", "error[test-plane-unknown]"),
+        (" --workspace-mm 0,0,1,1 --test-plane C1-C2-C7-C8", "error[planar-test-plane]"),
+        (" --workspace-mm 0,0,0,1,1,1 --orientation-deg 1,2", "error[angle-count]"),
+        (" --workspace-mm 0,0,0,1,1,1 --reorientation-deg 1,2,3", "error[reorientation-alone]"),
     ] {
         let refused = run(here, &format!("iso9283 --plan{options}"));
         assert_eq!(refused.status.code(), Some(2), "{options}");
@@ -316,7 +320,7 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
         }
     }
     let again = answer(dextar, "350,250,430,330");
-    assert!(again.status.code() == Some(2) && text_of(&again).contains("is there already"), "{}", text_of(&again));
+    assert!(again.status.code() == Some(2) && text_of(&again).contains("error[file-exists]"), "{}", text_of(&again));
     let table = std::fs::read_to_string(here.join("test/poses-joints.csv")).unwrap();
     assert!(table.starts_with("pose,assembly,theta1_deg,theta2_deg\n1,") && table.lines().count() == 6, "{table}");
     let outside = answer(dextar, "300,200,2300,2200");

@@ -58,7 +58,7 @@ fn repeatability_needs_no_commanded_poses() {
         assert!(alone.get("ap_a_deg").is_none());
     }
     let output = etalon(sample(), &["iso9283", "pose", "poses.csv", "--all", "--json"]);
-    assert!(text_of(&output).contains("no commanded poses are stated: AP is not determined"), "{}", text_of(&output));
+    assert!(text_of(&output).contains("warning[commanded-missing]"), "{}", text_of(&output));
     let all: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(all["distances"].as_array().unwrap().is_empty() && all["drifts"].as_array().unwrap().is_empty());
     assert!(all["conventions"].to_string().contains("no commanded poses: AP, distances and drift are not determined"));
@@ -73,7 +73,7 @@ fn options_that_contradict_are_refused() {
         (&["iso9283", "pose", "poses.csv", "--ap-limit-mm", "0.5"][..], "--commanded"),
         (&["iso9283", "pose"], "<POSES>"),
         (&["iso9283"], "<POSES|--stream"),
-        (&["iso9283", "plan"], "--workspace-mm has 0 numbers"),
+        (&["iso9283", "plan"], "error[workspace-numbers]: --workspace-mm has 0 numbers"),
         (&["iso9283", "pose", "poses.csv", "--stream", "poses.csv"], "--stream"),
         (&["iso9283", "poses.csv", "--workspace-mm", "1,2,3,4"], "--workspace-mm"),
         (&["iso9283", "path", "nothing.csv"], "nothing.csv"),

@@ -89,7 +89,7 @@ fn robots_approaches_and_cycles_are_told_apart() {
 
     // two ways a cycle: sets of drift are of cycles, and what is no RP of the standard is said
     let (ways, said) = answer(&table(&[("A", 0.0)], &[("east", 0.0), ("west", 0.1)]));
-    assert!(said.contains("approached in several ways: pose 1, 2"), "{said}");
+    assert!(said.contains("warning[several-approaches]: several approaches at pose 1, 2:"), "{said}");
     assert!(ways.drifts.iter().all(|d| d.ap_mm.len() == 2), "{:?}", ways.drifts);
     assert!(ways.approaches[0].approaches.iter().all(|a| a.rp_mm.unwrap() < 0.01), "{:?}", ways.approaches);
 

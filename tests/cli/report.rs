@@ -48,5 +48,5 @@ fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does()
     assert!(dressed.contains("Approved by") && !dressed.contains("Sealed"));
     let again = etalon(scratch.root(), &["report", "--write-templates", "campaign/own"]);
     assert_eq!(again.status.code(), Some(2));
-    assert!(text(&again.stderr).contains("is there already"));
+    assert!(text(&again.stderr).contains("error[file-exists]"));
 }

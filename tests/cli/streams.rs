@@ -96,7 +96,7 @@ fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
         ),
         ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["needs its `unit`"]),
         ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),
-        ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "time does not go on"]),
+        ("exports/motion.csv", "0.03,", "0.01,", &["motion.csv:5", "error[time-not-increasing]"]),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
         let path = scratch.path().join(file);

@@ -179,8 +179,8 @@ fn errors_that_no_parameter_describes_are_stated_and_refused_by_name() {
     }
     ends(&scratch, "run", 0, &["the robot has errors that the model does not describe"]);
     for (wrong, part) in [
-        ("backlash = { rho4 = 0.03 }", "`rho4`, which is not a joint of this robot"),
-        ("interpolation = { rho1 = { amplitude = 0.004, period = 0 } }", "`period` of `rho1` must be positive"),
+        ("backlash = { rho4 = 0.03 }", "error[unmodelled-joint-unknown]: [unmodelled] names `rho4`"),
+        ("interpolation = { rho1 = { amplitude = 0.004, period = 0 } }", "error[unmodelled-period]"),
     ] {
         with(wrong);
         ends(&scratch, "simulate", 2, &[part]);

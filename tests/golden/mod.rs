@@ -5,6 +5,8 @@ mod motion;
 mod pose_test;
 
 use crate::support::scratch::copy_sample;
+use etalon::base::catalogue::{Entry, entries};
+use etalon::documents::{Explanation, ExplanationDocument};
 use std::path::Path;
 
 fn compare(path: &str, text: &str) {
@@ -24,6 +26,22 @@ fn committed_schemas_are_current() {
         assert!(help.split([' ', ',', '\n']).any(|word| word == name), "`{name}` is not in `etalon schema --help`");
         compare(&format!("schemas/{name}.schema.json"), &text);
     }
+}
+
+#[test]
+fn the_page_of_messages_is_current() {
+    let explained: Vec<_> = entries().into_iter().filter(Entry::is_message).collect();
+    let mut page =
+        "# Messages\n\nGenerated from the catalogue (`src/base/messages`). `etalon explain ID` prints the same.\n"
+            .to_owned();
+    for message in ExplanationDocument::new(&explained).messages {
+        let Explanation { id, text, expected, hint, meaning, reason, action, example } = message;
+        page += &format!("\n## {id}\n\n> {text}\n");
+        page.extend(expected.map(|text| format!(">\n> expected: {text}\n")));
+        page.extend(hint.map(|text| format!(">\n> hint: {text}\n")));
+        page += &format!("\n{meaning} {reason}\n\n- What to do: {action}\n- Example: {example}\n");
+    }
+    compare("docs/messages.md", &page);
 }
 
 /// Documents that hold no computed number: the same bytes on every machine.

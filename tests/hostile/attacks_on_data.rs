@@ -158,7 +158,11 @@ fn counts_are_bounded_before_anything_is_allocated() {
     for (from, to, part) in [
         ("draws = 100", "draws = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
         ("runs = 5", "runs = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
-        ("count = 1000 }", "count = 1000000 }", "too many positions in `workspace`: 3000000 poses"),
+        (
+            "count = 1000 }",
+            "count = 1000000 }",
+            "error[counts-too-large]: too many positions in `workspace`: 3000000 poses",
+        ),
         ("draws = 100", "draws = 1000000", "too many calibrations: 1000000 draws x 5 runs"),
     ] {
         let scratch = copy_sample("prexyt-cmm");

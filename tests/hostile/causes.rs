@@ -116,7 +116,7 @@ fn targets_exchanged_at_one_pose_are_found_there() {
     let scratch = copy_sample("prexyt-cmm");
     let at_pose_3 = |line: &str| if line[1..].starts_with("_3_") { exchanged(line) } else { line.to_owned() };
     rewrite(&scratch, "exports/poses.txt", at_pose_3);
-    let said = run(&scratch, 1, &["the model does not describe this robot", "of 80 readings are outliers"]);
+    let said = run(&scratch, 1, &["the model does not describe these measurements", "of 80 readings are outliers"]);
     // about l_kl at both balls of pose 3, in all five cycles
     let most = said.split("robust fit: ").nth(1).unwrap().lines().next().unwrap();
     let first: Vec<&str> = most.split("), ").take(10).collect();

@@ -127,7 +127,7 @@ fn a_numbered_column_beyond_the_width_is_said_once() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho3_mm = 9");
     let said = said(&scratch, &["the log has 5 columns, none of them is number 9", "campaign.toml:25"]);
-    assert_eq!(said.matches("error: ").count(), 1, "{said}");
+    assert_eq!(said.lines().filter(|l| l.starts_with("error")).count(), 1, "{said}");
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "`1.5` is not a whole number"]),
         ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "`1e300` is not a whole number"]),
         ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "`x` is not a number"]),
-        ("1,1,L,nan,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,nan,2,3,4,5", "`nan` is not a number"]),
+        ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "`inf` is not a number"]),
         ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "the row has 7 fields"]),
         ("1,1,L,1,2,3,4,5,6\n", ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "the row has 9 fields"]),
         ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "occurs twice"]),

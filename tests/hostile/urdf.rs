@@ -10,7 +10,7 @@ fn wrong_urdf_files_are_refused_by_name() {
         (
             "<link name=\"tool\">",
             "<link name=\"tools\">",
-            vec!["names the link `tool`", "arm.urdf:113", "did you mean `tools`"],
+            vec!["error[urdf-joint-link-unknown]", "names the link `tool`", "arm.urdf:113", "did you mean `tools`"],
         ),
         ("<child link=\"tool\"/>", "", vec!["joint `flange_to_tool` has no <child", "arm.urdf:113"]),
         (
@@ -31,13 +31,17 @@ fn wrong_urdf_files_are_refused_by_name() {
             "<axis xyz=\"0 0 0\"/>",
             vec!["the axis of joint `wrist_2` has no direction", "arm.urdf:"],
         ),
-        ("<axis xyz=\"0 1 1\"/>", "<axis xyz=\"0 1\"/>", vec!["`xyz` has 2 numbers", "three"]),
+        (
+            "<axis xyz=\"0 1 1\"/>",
+            "<axis xyz=\"0 1\"/>",
+            vec!["error[urdf-number-count]: `xyz` has 2 numbers", "expected: 3 numbers"],
+        ),
         (
             "xyz=\"0 -0.1 0.4\"",
             "xyz=\"0 -100 400\"",
             vec!["412 m from its parent", "divide those of this file by 1000"],
         ),
-        ("rpy=\"0.1 0 0\"", "rpy=\"90 0 0\"", vec!["beyond a full turn", "radians"]),
+        ("rpy=\"0.1 0 0\"", "rpy=\"90 0 0\"", vec!["error[urdf-angles-beyond-turn]", "radians"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 O.36\"", vec!["`O.36` is not a number", "arm.urdf:"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 ${length}\"", vec!["xacro arm.urdf.xacro > arm.urdf"]),
         (
@@ -93,4 +97,17 @@ fn a_log_without_a_joint_of_the_urdf_is_named() {
     let scratch = copy_sample("column-arm");
     scratch.replace("campaign.toml", "lift_m = ", "column_upper_joint_m = ");
     ends(&scratch, "check", 2, &["lift"]);
+}
+
+#[test]
+fn a_comment_that_mentions_xacro_refuses_no_file() {
+    let scratch = copy_sample("column-arm");
+    let text = std::fs::read_to_string(scratch.path().join("arm.urdf")).unwrap();
+    let at = text.find("<link").unwrap();
+    let commented =
+        format!("{}<!-- <xacro:include filename=\"arm.xacro\"/> made by xacro -->\n{}", &text[..at], &text[at..]);
+    std::fs::write(scratch.path().join("arm.urdf"), &commented).unwrap();
+    ends(&scratch, "check", 0, &[]);
+    std::fs::write(scratch.path().join("arm.urdf"), commented.replace("made by xacro -->", "--><xacro:arm/>")).unwrap();
+    ends(&scratch, "check", 2, &["macros of xacro"]);
 }

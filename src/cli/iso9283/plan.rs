@@ -1,8 +1,9 @@
-//! `etalon iso9283 plan`
+//! Command `etalon iso9283 plan`.
 
 use super::super::{Verdict, pose_table, print, print_written, say};
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::Problems;
 use etalon_campaign::read_robot;
 use etalon_documents::{Iso9283Places, Iso9283PlanDocument, to_json};
 use etalon_formats::table::{ANGLES, XYZ};
@@ -10,27 +11,28 @@ use etalon_standards::iso9283::plan::{PlanError, TestRequest, UnknownReach, plan
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// The test itself.
+/// Options of the layout of a test.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Plan of a test")]
 pub(super) struct PlanOptions {
-    /// Workspace: smallest x,y,z, then largest x,y,z; of planar robots x,y, then x,y
+    /// Workspace: smallest x,y,z, then largest x,y,z; for planar robots x,y, then x,y.
     #[arg(long, value_name = "MM,...", value_delimiter = ',', allow_hyphen_values = true)]
     workspace_mm: Vec<f64>,
-    /// Test plane: C1-C2-C7-C8 (default), C2-C3-C8-C5, C3-C4-C5-C6 or C4-C1-C6-C7
+    /// Test plane: C1-C2-C7-C8 (default), C2-C3-C8-C5, C3-C4-C5-C6 or C4-C1-C6-C7.
     #[arg(long, value_name = "CORNERS", requires = "workspace_mm")]
     test_plane: Option<String>,
-    /// Commanded angles a,b,c; of planar robots c
+    /// Commanded angles a,b,c; for planar robots c.
     #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "workspace_mm")]
     orientation_deg: Vec<f64>,
-    /// Change of the angles along the path with reorientation, there and back
+    /// Change of the angles along the path with reorientation, there and back.
     #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "workspace_mm")]
     reorientation_deg: Vec<f64>,
-    /// Robot file: whether the robot reaches the places within its limits, and with which joint values; a place out of reach
-    /// is exit code 1
+    /// Robot file, to check that the robot reaches all places within its limits; a place out of
+    /// reach gives exit code 1. Joint values are reported.
     #[arg(long, value_name = "FILE", requires = "workspace_mm")]
     robot: Option<PathBuf>,
-    /// Write each list of places as CSV, and as targets of a controller (.json, .h), and the programme, into this folder
+    /// Folder for the lists of places as CSV and as targets of a controller (.json, .h), and for
+    /// the programme.
     #[arg(long, value_name = "FOLDER", requires = "workspace_mm")]
     write: Option<PathBuf>,
 }
@@ -41,8 +43,7 @@ impl PlanOptions {
             [x0, y0, x1, y1] => [[x0, y0, 0.0], [x1, y1, 0.0]],
             [x0, y0, z0, x1, y1, z1] => [[x0, y0, z0], [x1, y1, z1]],
             _ => {
-                let message = Message::error(format!("--workspace-mm has {} numbers", self.workspace_mm.len()));
-                return Err(Problems::from(message.expected("six, or four for planar robots")).into());
+                return Err(Problems::from(error!("workspace-numbers", count = self.workspace_mm.len())).into());
             }
         };
         let plan = plan(&TestRequest {
@@ -78,17 +79,13 @@ impl PlanOptions {
 
 fn without_plan(error: PlanError) -> Problems {
     match error {
-        PlanError::ReorientationAlone => {
-            let message = Message::error("a reorientation without an orientation to begin with");
-            message.hint("state --orientation-deg as well").into()
-        }
+        PlanError::ReorientationAlone => error!("reorientation-alone").into(),
         PlanError::Other(problems) => problems,
     }
 }
 
 fn unknown_reach(model: &str) -> Problems {
-    let message = Message::error(format!("what a robot of model `{model}` reaches its file does not state"));
-    message.hint("leave --robot out, and try the places on the robot at low speed").into()
+    error!("reach-unknown", model).into()
 }
 
 fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<String>> {
@@ -106,14 +103,14 @@ fn write(folder: &Path, document: &Iso9283PlanDocument) -> anyhow::Result<Vec<St
     Ok(files::write_new(folder, &all)?)
 }
 
-/// A list of places as a table: commanded poses, or a commanded path.
+/// List of places as a table: commanded poses, or a commanded path.
 fn csv(places: &Iso9283Places) -> String {
     let there = |name: &&str| places.points.first().is_some_and(|p| p.contains_key(*name));
     let columns: Vec<&str> = XYZ.into_iter().chain(ANGLES).filter(there).collect();
     pose_table(&columns, (1..).zip(&places.points))
 }
 
-/// Joint values of a list of places; those that are not reached are left out.
+/// Joint values of a list of places, without places out of reach.
 fn joints(places: &Iso9283Places) -> String {
     let rows = (1..).zip(&places.joints).filter_map(|(pose, joints)| Some((pose, joints.as_ref()?)));
     let columns = places.joints.iter().flatten().next().into_iter().flat_map(|joints| joints.keys());

@@ -1,4 +1,4 @@
-//! `etalon iso9283 path`
+//! Command `etalon iso9283 path`.
 
 use super::super::given::Table;
 use super::super::table_file::TableFile;
@@ -17,52 +17,56 @@ use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 use std::path::{Path, PathBuf};
 
-/// A recorded motion.
+/// Options of a recorded motion.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Recorded motion")]
 pub(super) struct StreamOptions {
-    /// Format of the recording, e.g. spatialanalyzer: no columns are to be stated then, --unit and the rate are
+    /// Format of the recording, e.g. spatialanalyzer; replaces --columns, but needs --unit and
+    /// --rate-hz.
     #[arg(long, value_name = "NAME", requires_all = ["stream", "rate_hz"], conflicts_with = "columns")]
     format: Option<String>,
     #[command(flatten)]
     text: TextFormat,
-    /// Sampling rate of the recording, instead of its time stamps: those of some exports are full seconds
+    /// Sampling rate of the recording, which replaces time stamps; some exports state full seconds
+    /// only.
     #[arg(long, value_name = "HZ", requires = "stream")]
     rate_hz: Option<f64>,
-    /// Standing: all positions within this distance of their mean
+    /// Standstill: largest distance of positions from their mean.
     #[arg(long, value_name = "MM", default_value_t = 0.1)]
     still_mm: f64,
-    /// Standing: for at least this time
+    /// Standstill: minimum duration.
     #[arg(long, value_name = "S", default_value_t = 0.2)]
     still_s: f64,
-    /// How near a standstill is to its pose, and an attained path to the commanded one
+    /// Largest distance of a standstill from its pose, and of an attained path from the commanded
+    /// path.
     #[arg(long, value_name = "MM", default_value_t = 10.0)]
     near_mm: f64,
-    /// Limit band about the attained pose, for stabilisation time, overshoot, posing time; about a leg after its corner
+    /// Limit band about the attained pose, for stabilisation time, overshoot and posing time; about
+    /// a leg after its corner.
     #[arg(long, value_name = "MM", requires = "stream")]
     band_mm: Option<f64>,
-    /// Write the standstills as a table of poses, which `etalon iso9283 FILE` evaluates
+    /// Write the standstills as a table of poses for `etalon iso9283 FILE`.
     #[arg(long, value_name = "FILE", requires = "stream")]
     write_poses: Option<PathBuf>,
-    /// Commanded path: the recording's columns without time, a row a point
+    /// Commanded path: the columns of the recording without time, with one row per point.
     #[arg(long, value_name = "FILE", requires = "stream")]
     path: Option<PathBuf>,
-    /// Command points on the path, at whose normal planes passes are compared
+    /// Number of command points on the path, in whose normal planes passes are compared.
     #[arg(long, value_name = "N", default_value_t = 50)]
     path_points: usize,
-    /// Commanded velocity on the path
+    /// Commanded velocity on the path.
     #[arg(long, value_name = "MM_S", requires = "path")]
     velocity_mm_s: Option<f64>,
-    /// Central part of the path over which velocities are compared, in per cent
+    /// Central part of the path in which velocities are evaluated (%).
     #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
     central_percent: f64,
-    /// The path is the centre line of a weave with this stroke from side to side
+    /// Stroke of a weave from side to side; the path is then its centre line.
     #[arg(long, value_name = "MM", requires_all = ["path", "weave_hz", "weave_across"])]
     weave_stroke_mm: Option<f64>,
-    /// Swings there and back by second
+    /// Frequency of the weave in full swings per second.
     #[arg(long, value_name = "HZ", requires = "weave_stroke_mm")]
     weave_hz: Option<f64>,
-    /// The way it swings, e.g. 0,1,0
+    /// Direction of the weave, e.g. 0,1,0.
     #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
     weave_across: Vec<f64>,
 }
@@ -151,7 +155,7 @@ fn poses(table: &TableFile) -> Result<Vec<CommandedPose>> {
     commanded_poses(table.named()).map_err(|p| table.place(p))
 }
 
-/// Standstills at poses as a table of poses.
+/// Table of poses from the standstills at poses.
 fn csv(document: &Iso9283StreamDocument, recording: &Recording) -> String {
     let axes = if recording.spatial { 3 } else { 2 };
     let columns = XYZ[..axes].iter().copied().chain(recording.angles.iter().map(|&k| ANGLES[k]));

@@ -1,4 +1,4 @@
-//! C99 without dependencies but `math.h`.
+//! C99 code with `math.h` as the only dependency.
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
@@ -42,7 +42,7 @@ impl Exporter for C99 {
     }
 }
 
-/// The functions of these formulas, behind a declaration each.
+/// Functions of the formulas, each preceded by a declaration.
 pub(crate) fn functions(formulas: &[Formula]) -> Result<String> {
     let functions: Vec<Function> = formulas.iter().map(|formula| Function::new(formula, &C)).collect();
     render(include_str!("../templates/kinematics.c.j2"), context! { functions => Serde(functions) })

@@ -1,7 +1,9 @@
-//! The model as code: direct and inverse kinematics with the identified parameters, in languages that controllers and programs compile.
+//! Kinematics as code: direct and inverse kinematics with the identified parameters, in languages
+//! that controllers and programs compile.
 //!
-//! Every language writes the same recorded formulas ([`Formula`]); where the inverse, or of a hexapod the direct kinematics, has no closed
-//! form it is Newton's method on them, as the program itself has it.
+//! All languages write the same recorded formulas ([`Formula`]). If the inverse, or the direct
+//! kinematics of a hexapod, has no closed form, the code uses Newton's method on these formulas, as
+//! the program itself does.
 
 mod c99;
 mod python;
@@ -12,33 +14,34 @@ pub(super) use python::PythonCode;
 pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, scl, units};
 
 use super::Given;
+use etalon_base::error;
 use etalon_base::expression::{Formula, Operation};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use serde::Serialize;
 
-/// The formulas of the robot with its identified parameters.
+/// Formulas of the robot with its identified parameters.
 pub(super) fn formulas(given: &Given) -> Result<Vec<Formula>> {
     let (robot, values) = given.robot()?;
     let formulas = robot.kinematics().map(|arm| arm.formulas(&values)).unwrap_or_default();
     if formulas.is_empty() {
-        return Err(Message::error(format!("the kinematics of `{}` have no formulas", robot.model())).into());
+        return Err(error!("formulas-missing", model = robot.model()).into());
     }
     let finite = |step: &Operation| !matches!(step, Operation::Constant(bits) if !f64::from_bits(*bits).is_finite());
     if !formulas.iter().flat_map(|formula| &formula.steps).all(finite) {
-        return Err(Message::error("a constant of the kinematics is not finite").into());
+        return Err(error!("formula-constant-not-finite").into());
     }
     Ok(formulas)
 }
 
-/// How a language writes a step.
+/// Notation of a language.
 trait Notation {
-    /// A number.
+    /// Notation of a number.
     fn constant(&self, value: f64) -> String;
 
-    /// A function of operands, by its name in C.
+    /// Call of a function with operands, by its name in C.
     fn call(&self, function: &str, operands: &[&str]) -> String;
 
-    /// The statement that keeps step `number`.
+    /// Statement that stores step `number`.
     fn keep(&self, number: usize, value: &str) -> String;
 }
 
@@ -46,7 +49,7 @@ trait Notation {
 #[derive(Serialize)]
 pub(super) struct Function {
     name: &'static str,
-    /// What it takes and gives, for a comment.
+    /// Inputs and outputs, for a comment.
     about: String,
     inputs: usize,
     outputs: Vec<String>,
@@ -63,7 +66,8 @@ impl Function {
     }
 }
 
-/// Statements of a formula and the names of its outputs: numbers and inputs are where they are used, all else is kept as `t`.
+/// Statements of a formula and names of its outputs. Numbers and inputs are written where they are
+/// used, all other steps are stored in `t`.
 fn statements(formula: &Formula, notation: &dyn Notation) -> (String, Vec<String>) {
     let mut names: Vec<String> = Vec::with_capacity(formula.steps.len());
     let mut out = String::new();
@@ -99,13 +103,13 @@ fn statements(formula: &Formula, notation: &dyn Notation) -> (String, Vec<String
     (out, outputs)
 }
 
-/// How many steps are kept: one at least, so that no array is empty.
+/// Number of stored steps, at least one, so that no array is empty.
 fn kept(formula: &Formula) -> usize {
     let inline = |step: &&Operation| matches!(step, Operation::Constant(_) | Operation::Input(_));
     (formula.steps.len() - formula.steps.iter().filter(inline).count()).max(1)
 }
 
-/// What a function takes and gives, for a comment.
+/// Inputs and outputs of a function, for a comment.
 fn interface(formula: &Formula) -> String {
     let names = formula.inputs.join(", ");
     let outputs: Vec<&str> = formula.outputs.iter().map(|(name, _)| name.as_str()).take(12).collect();

@@ -1,4 +1,4 @@
-//! Python without dependencies but `math`.
+//! Python code with `math` as the only dependency.
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};

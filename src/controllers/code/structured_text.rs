@@ -1,5 +1,5 @@
-//! Structured Text (IEC 61131-3) on LREAL: functions and function blocks as data, which TwinCAT, CODESYS and the like read as text, PLCopen
-//! as XML, and Siemens as SCL.
+//! Structured Text (IEC 61131-3) with LREAL: functions and function blocks as data, which TwinCAT,
+//! CODESYS and others read as text, PLCopen as XML, and Siemens as SCL.
 
 use super::{Notation, formulas, interface, kept, statements};
 use crate::template::real_literal;
@@ -17,10 +17,10 @@ pub(crate) struct Unit {
     pub name: String,
     pub comment: String,
     pub inputs: Vec<Variable>,
-    /// None of a function, which returns an LREAL.
+    /// Outputs; empty for a function, which returns an LREAL.
     pub outputs: Vec<Variable>,
     pub locals: Vec<Variable>,
-    /// Statements; names of other units begin with ETALON_ or FB_Etalon.
+    /// Statements; names of other units start with ETALON_ or FB_Etalon.
     pub body: String,
 }
 
@@ -33,7 +33,7 @@ pub(crate) enum Kind {
     Real,
     Integer,
     Truth,
-    /// LREALs from 0 to the last of each index.
+    /// LREALs with indices from 0 to these maxima.
     Array(Vec<usize>),
     /// An instance of a function block.
     Block(&'static str),
@@ -53,7 +53,8 @@ impl Notation for Iec {
             _ => format!("{}({})", function.to_ascii_uppercase(), operands.join(", ")),
         }
     }
-    /// The root of a negative number stops a controller: it is zero, and the output not valid.
+    /// The square root of a negative number stops a controller; it is replaced by zero with an
+    /// invalid output.
     fn keep(&self, number: usize, value: &str) -> String {
         match value.strip_prefix("SQRT(").and_then(|rest| rest.strip_suffix(')')) {
             Some(of) => format!(
@@ -64,7 +65,7 @@ impl Notation for Iec {
     }
 }
 
-/// Angle of the vector (x, y), rad.
+/// Angle of the vector (x, y) (rad).
 const ATAN2: &str = "\
 IF ABS(x) >= ABS(y) THEN
   IF x = 0.0 THEN
@@ -82,7 +83,7 @@ ELSE
   ETALON_ATAN2 := -1.5707963267948966 - ATAN(x / y);
 END_IF;
 ";
-/// An angle between -2 pi and 2 pi brought to -pi ... pi.
+/// Angle between −2π and 2π wrapped to −π ... π.
 const WRAP: &str = "\
 IF angle > 3.141592653589793 THEN
   ETALON_WRAP := angle - 6.283185307179586;
@@ -93,8 +94,8 @@ ELSE
 END_IF;
 ";
 
-/// Newton's method with the recorded step; `{N}` and `{L}` are the joints and the last of them,
-/// `{I}` the last input of the step.
+/// Newton's method with the recorded step. `{N}` is the number of joints, `{L}` the index of the
+/// last joint, `{I}` the last input of the step.
 const INVERSE: &str = "\
 q := start;
 valid := FALSE;
@@ -117,7 +118,7 @@ FOR search := 0 TO 99 DO
 END_FOR;
 ";
 
-/// Steps to the pose, as long as they are large.
+/// Newton steps to the pose while they are large.
 const DIRECT: &str = "\
 FOR i := 0 TO 11 DO
   inside[i] := start[i];
@@ -150,13 +151,13 @@ impl Unit {
         self.outputs.is_empty()
     }
 
-    /// Its variables under the words that begin their lists.
+    /// Variables by the keyword of their list.
     pub fn lists(&self) -> impl Iterator<Item = (&'static str, &[Variable])> {
         let lists = [("VAR_INPUT", &self.inputs), ("VAR_OUTPUT", &self.outputs), ("VAR", &self.locals)];
         lists.into_iter().filter(|(_, list)| !list.is_empty()).map(|(word, list)| (word, list.as_slice()))
     }
 
-    /// The block of a formula.
+    /// Function block of a formula.
     fn of(formula: &Formula) -> Self {
         let (mut body, outputs) = statements(formula, &Iec);
         let (first, rest) = formula.name.split_at(1);
@@ -174,7 +175,7 @@ impl Unit {
         }
     }
 
-    /// The search for joint values by the correction.
+    /// Function block of the search for joint values by Newton corrections.
     fn inverse(formula: &Formula) -> Self {
         let (inputs, joints) = (formula.inputs.len(), formula.outputs.len() - 4);
         let block = |name, of| Variable { name, kind: Kind::Block(of) };
@@ -192,7 +193,7 @@ impl Unit {
         }
     }
 
-    /// Steps of Newton's method to a pose.
+    /// Function block of Newton steps to a pose.
     fn direct(formula: &Formula) -> Self {
         let joints = formula.inputs.len() - 12;
         let block = Variable { name: "iteration", kind: Kind::Block("FB_EtalonStep") };
@@ -217,7 +218,8 @@ fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
     names.iter().map(|name| Variable { name, kind: Kind::Integer })
 }
 
-/// Functions and function blocks of the robot with its identified parameters, each behind those that it calls.
+/// Functions and function blocks of the robot with its identified parameters, each after those that
+/// it calls.
 pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
     let mut all = vec![
         Unit::function("ETALON_ATAN2", "Angle of the vector (x, y), rad.", &["y", "x"], ATAN2),
@@ -234,7 +236,7 @@ pub(crate) fn units(given: &Given) -> Result<Vec<Unit>> {
     Ok(all)
 }
 
-/// The name of a type; Siemens writes some with small letters, and those of blocks in quotation marks.
+/// Name of a type; Siemens writes some in mixed case, and types of blocks in quotation marks.
 fn type_name(kind: &Kind, siemens: bool) -> String {
     let real = if siemens { "LReal" } else { "LREAL" };
     match kind {
@@ -283,7 +285,8 @@ impl Exporter for StructuredText {
     }
 }
 
-/// Functions and function blocks in Siemens SCL, for S7-1200 and S7-1500: variables have a `#`, names of blocks quotation marks.
+/// Functions and function blocks in Siemens SCL, for S7-1200 and S7-1500: variables are preceded by
+/// `#`, names of blocks are in quotation marks.
 pub(crate) fn scl(units: &[Unit]) -> String {
     let mut out = String::new();
     for unit in units {
@@ -296,7 +299,7 @@ pub(crate) fn scl(units: &[Unit]) -> String {
     out
 }
 
-/// The statements of a unit with `#` before its variables and quotation marks around functions.
+/// Statements of a unit with `#` before its variables, and quotation marks around functions.
 fn with_marks(unit: &Unit) -> String {
     let own = |word: &str| word == unit.name || unit.lists().any(|(_, list)| list.iter().any(|v| v.name == word));
     let (mut out, mut rest, mut depth) = (String::new(), unit.body.as_str(), 0);
@@ -306,7 +309,7 @@ fn with_marks(unit: &Unit) -> String {
         let (word, behind) = rest.split_at(length);
         rest = behind;
         depth += i32::from(first == '(') - i32::from(first == ')');
-        // what a call names is not its own
+        // named arguments of a call are not variables of the unit
         let named = depth > 0 && rest.starts_with(" := ");
         match word {
             _ if own(word) && !named && !out.ends_with('.') => out.extend(["#", word]),

@@ -1,13 +1,14 @@
 //! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
 
 use super::{Given, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::{error, phrase};
 use std::fmt::Write;
 
-/// Counts of each axis for a mm or deg of its joint.
+/// Counts of each axis per mm or deg of its joint.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Galil {
-    /// One an axis.
+    /// One factor per axis.
     pub counts_per_unit: Vec<f64>,
 }
 
@@ -15,30 +16,30 @@ pub struct Galil {
 const LARGEST: f64 = 2_147_483_647.0;
 
 impl Galil {
-    /// Counts of joint values in mm and deg.
+    /// Converts joint values (mm or deg) to counts.
     pub fn counts(&self, joints: &[f64]) -> Vec<f64> {
         joints.iter().zip(&self.counts_per_unit).map(|(q, counts)| (q * counts).round()).collect()
     }
 
-    /// Joint values of counts, mm and deg.
+    /// Converts counts to joint values (mm or deg).
     pub fn joints(&self, counts: &[f64]) -> Vec<f64> {
         counts.iter().zip(&self.counts_per_unit).map(|(n, counts)| n / counts).collect()
     }
 
-    /// A program that goes to joint values (mm, deg) one after the other.
+    /// Program that moves to a sequence of joint values (mm or deg).
     ///
     /// # Errors
-    /// More axes than a controller has, or counts that it cannot hold.
+    ///
+    /// Fails with more axes than a controller has, or if counts exceed its range.
     pub fn list(&self, given: &Given, targets: &[(String, Vec<f64>)]) -> Result<String> {
         let axes = "ABCDEFGH".get(..self.counts_per_unit.len());
-        let axes = axes.ok_or_else(|| Message::error("a Galil controller has eight axes at most"))?;
+        let axes = axes.ok_or_else(|| error!("galil-axes", joints = self.counts_per_unit.len()))?;
         let mut out: String = given.header("counts")?.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#TARGETS\n";
         for (name, joints) in targets {
             let counts = self.counts(joints);
             if counts.iter().any(|n| n.is_nan() || n.abs() > LARGEST) {
-                let message = Message::error(format!("target {name}: {counts:?} counts are out of range"));
-                return Err(message.expected(format!("at most {LARGEST} counts")).into());
+                return Err(error!("galil-counts-out-of-range", target = name, counts, most = LARGEST).into());
             }
             let cells: Vec<String> = counts.iter().map(|n| format!("{n}")).collect();
             let _ = writeln!(out, "REM {}\nPA {};BG {axes};AM {axes}", super::super::comment(name), cells.join(","));
@@ -46,10 +47,11 @@ impl Galil {
         Ok(out + "EN\n")
     }
 
-    /// The targets of a program: absolute positions of all axes, `PA n,n,n`, in counts.
+    /// Targets of a program: absolute positions of all axes, `PA n,n,n`, in counts.
     ///
     /// # Errors
-    /// Positions of some axes or by variables, relative and coordinated movements.
+    ///
+    /// Reports positions of some axes only or by variables, and relative and coordinated movements.
     pub fn targets(&self, program: &[u8]) -> Result<Program> {
         let text = masked(program, b'\'');
         let (mut found, mut problems, mut at) = (Program::default(), Vec::new(), 0);
@@ -60,7 +62,7 @@ impl Galil {
                 at += command.len() + 1;
                 let words = command.trim_ascii();
                 let written = String::from_utf8_lossy(words);
-                // letters that go on are a variable's, but for an axis with its sign
+                // further letters belong to a variable, except for an axis with its sign
                 let (name, rest) = words.split_at(words.len().min(2));
                 let of_axis = matches!(rest, [axis, b'=', ..] if axis.is_ascii_uppercase());
                 if remark || !of_axis && rest.first().is_some_and(|b| b.is_ascii_alphanumeric() && !b.is_ascii_digit())
@@ -77,11 +79,18 @@ impl Galil {
                             slots: slots(&numbers),
                             configuration: None,
                         }),
-                        None => problems.push(at_line(i + 1, format!("`{written}` is not a position of every axis"))),
+                        None => problems.push(at_line(
+                            i + 1,
+                            error!(
+                                "move-incomplete",
+                                command = written.as_ref(),
+                                coordinates = phrase!("position-of-every-axis"),
+                            ),
+                        )),
                     },
                     b"PR" | b"IP" | b"LI" | b"VP" | b"CR" => {
-                        let what = format!("`{written}` is not compensated: only absolute positions (PA) are");
-                        problems.push(at_line(i + 1, what));
+                        let message = error!("movement-not-compensated", command = written.as_ref());
+                        problems.push(at_line(i + 1, message));
                     }
                     _ => {}
                 }
@@ -91,7 +100,7 @@ impl Galil {
         Ok(found)
     }
 
-    /// One number for each axis, and nothing else up to the end of the text.
+    /// One number per axis up to the end of the text, without anything else.
     fn positions(&self, text: &[u8], from: usize) -> Option<Vec<Number>> {
         let (mut at, mut all) = (from, Vec::new());
         while all.len() < self.counts_per_unit.len() {

@@ -1,15 +1,16 @@
-//! G-code (ISO 6983, LinuxCNC's dialect): words X Y Z A B C, mm and deg, Rz(C) Ry(B) Rx(A) as LinuxCNC's kinematics modules have it; a robot
-//! in the plane has X, Y, and C where it turns.
+//! G-code (ISO 6983, LinuxCNC's dialect): words X Y Z A B C in mm and deg, with Rz(C) Ry(B) Rx(A)
+//! as in LinuxCNC's kinematics modules. A planar robot has X, Y and, if it rotates, C.
 
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, Slot, at_line, number};
-use etalon_base::message::Result;
+use etalon_base::error;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use std::fmt::Write;
 use std::ops::Range;
 
 pub(super) struct Gcode;
 
-/// Codes that move along straight lines or change no coordinates.
+/// Codes of straight movements, and codes that change no coordinates.
 const HARMLESS: [&str; 20] = [
     "0", "1", "4", "17", "18", "19", "21", "40", "49", "54", "55", "56", "57", "58", "59", "61", "64", "80", "90", "94",
 ];
@@ -65,8 +66,7 @@ impl CommandLanguage for Gcode {
         let mut last = vec![None; letters.len()];
         for (i, line) in program.split(|b| *b == b'\n').enumerate() {
             let words = words(line);
-            let said = |what: String| at_line(i + 1, what);
-            problems.extend(words.iter().filter_map(forbidden).map(said));
+            problems.extend(words.iter().filter_map(forbidden).map(|message| at_line(i + 1, message)));
             found.objects.extend(
                 words.iter().filter(|w| w.letter == 'G' && w.value.floor() > 54.0 && w.value < 60.0).map(|w| w.text()),
             );
@@ -77,8 +77,7 @@ impl CommandLanguage for Gcode {
                     *known = mine(letter).map(|w| w.value).or(*known);
                 }
                 if let Some(missing) = letters.iter().zip(&last).find(|(_, v)| v.is_none()) {
-                    let message = said(format!("`{}` has no value yet", missing.0));
-                    problems.push(message.hint("state it in the first block that moves"));
+                    problems.push(at_line(i + 1, error!("coordinate-unknown", letter = missing.0)));
                 }
                 let slot = |letter: &&'static str| match mine(letter) {
                     Some(word) => Slot { range: at + word.number.start..at + word.number.end, prefix: "" },
@@ -124,7 +123,7 @@ impl Word {
     }
 }
 
-/// The words of a block, comments left out; a letter before what is not a number has none.
+/// Words of a block without comments; a letter without a number has none.
 fn words(line: &[u8]) -> Vec<Word> {
     let (mut all, mut at, mut comment) = (Vec::new(), 0, false);
     while let Some(&byte) = line.get(at) {
@@ -145,16 +144,13 @@ fn words(line: &[u8]) -> Vec<Word> {
     all
 }
 
-/// What of a word makes that its program cannot be compensated block by block.
-fn forbidden(word: &Word) -> Option<String> {
+/// Reason why a word prevents compensation block by block.
+fn forbidden(word: &Word) -> Option<Message> {
     match word.letter {
         'G' if HARMLESS.contains(&word.value.to_string().as_str()) => None,
-        'G' => Some(format!(
-            "G{} is not compensated: only straight movements by absolute coordinates in mm are",
-            word.value
-        )),
-        '#' | 'O' => Some("parameters and subroutines are not compensated".to_owned()),
-        letter if "XYZABC".contains(letter) && word.value.is_nan() => Some(format!("`{letter}` is not a number")),
+        'G' => Some(error!("movement-not-compensated", command = word.text())),
+        '#' | 'O' => Some(error!("subroutine-not-compensated")),
+        letter if "XYZABC".contains(letter) && word.value.is_nan() => Some(error!("coordinate-not-number", letter)),
         _ => None,
     }
 }

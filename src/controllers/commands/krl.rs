@@ -1,5 +1,6 @@
-//! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}`, mm and deg, Rz(A) Ry(B) Rx(C); `E6POS`, `POS`, and `{A1 .., A6 ..}` of joints
-//! (KUKA System Software, operating and programming instructions).
+//! KRL (KUKA): `{X 1, Y 2, Z 3, A 4, B 5, C 6, S 2, T 35}` in mm and deg, with Rz(A) Ry(B) Rx(C);
+//! `E6POS`, `POS`, and `{A1 .., A6 ..}` for joints (KUKA System Software, operating and programming
+//! instructions).
 
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, at_line, line_of, masked, name_of,
@@ -7,13 +8,14 @@ use super::{
 };
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use std::fmt::Write;
 use std::ops::Range;
 
 pub(super) struct Krl;
 
 const NAMES: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
-/// Movements that place the tool at a pose.
+/// Movements of the tool to a pose.
 const MOVES: [&str; 6] = ["PTP", "LIN", "CIRC", "SPTP", "SLIN", "SCIRC"];
 
 impl CommandLanguage for Krl {
@@ -66,7 +68,8 @@ struct Field {
     value: Number,
 }
 
-/// Takes an aggregate as what it is; an error where it is a target that cannot be compensated.
+/// Adds an aggregate to the program by its kind; returns an error for a target that cannot be
+/// compensated.
 fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<Message> {
     let open = inside.start - 1;
     let colon = text[inside.clone()].iter().position(|b| *b == b':').map(|i| inside.start + i);
@@ -103,8 +106,9 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     }
     let line = line_of(text, open);
     if numbers.len() < NAMES.len() {
-        let message = at_line(line, "the target states a part of X, Y, Z, A, B and C");
-        return moves.then(|| message.hint("state all of them: the others are those of the position before it"));
+        let command = format!("{{{}}}", String::from_utf8_lossy(&text[inside]).trim());
+        let coordinates = phrase!("pose-of-six");
+        return moves.then(|| at_line(line, error!("move-incomplete", command, coordinates)));
     }
     found.targets.push(ProgramTarget {
         name: name_of(text, open, "="),
@@ -116,7 +120,7 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
     None
 }
 
-/// Tools and bases that a program names.
+/// Collects tools and bases named in a program.
 fn frames(text: &[u8], found: &mut Program) {
     let text = String::from_utf8_lossy(text).to_ascii_uppercase();
     for (key, into) in [("TOOL_NO ", &mut found.tools), ("BASE_NO ", &mut found.objects)] {

@@ -1,9 +1,11 @@
-//! Mecaprol (DexTAR): `MoveC X.. Y..;`, mm. The working mode (`M`) is left to the program: it stays as it is. By programs that are public
-//! (oKermorgant/ecn_Dextar): `WCS X.. Y.. W..` is the frame of the targets, `TCS Z..` the tool, `!` begins a comment.
+//! Mecaprol (DexTAR): `MoveC X.. Y..;` in mm. The working mode (`M`) of the program is kept. In
+//! published programs (oKermorgant/ecn_Dextar), `WCS X.. Y.. W..` is the frame of the targets,
+//! `TCS Z..` is the tool, and `!` starts a comment.
 
 use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -61,7 +63,10 @@ impl CommandLanguage for Mecaprol {
                                 configuration: None,
                             });
                         }
-                        _ => problems.push(at_line(i + 1, format!("`{}` has not both X and Y", written()))),
+                        _ => problems.push(at_line(
+                            i + 1,
+                            error!("move-incomplete", command = written(), coordinates = phrase!("x-and-y")),
+                        )),
                     },
                     _ => {}
                 }
@@ -69,15 +74,14 @@ impl CommandLanguage for Mecaprol {
             }
         }
         if modes.len() > 1 {
-            let message = at_line(1, "the program changes the working mode");
-            problems.push(message.hint("give the targets of each working mode as a program of their own"));
+            problems.push(at_line(1, error!("working-mode-changes")));
         }
         super::none(problems)?;
         Ok(found)
     }
 }
 
-/// The number behind a letter that begins a word.
+/// Number after a letter at the start of a word.
 fn word(command: &[u8], letter: u8) -> Option<Number> {
     let begins = |pair: &[u8]| pair[0].is_ascii_whitespace() && pair[1] == letter;
     let at = command.windows(2).position(begins)?;

@@ -1,6 +1,8 @@
-//! Poses to command, in the languages of controllers: as a list, or in place of the targets of a program that is there.
+//! Poses to command in the languages of controllers, either as a list or in place of the targets of
+//! an existing program.
 //!
-//! A program is bytes: what is not a target stays as it is, whatever its encoding and line ends.
+//! A program is a sequence of bytes: everything except targets is preserved, whatever its encoding
+//! and line ends.
 
 mod galil;
 mod gcode;
@@ -12,15 +14,17 @@ mod urscript;
 pub use galil::Galil;
 
 use super::Given;
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Decimals of a length in mm where none are stated; other numbers have so many more or less that they are as fine.
+/// Default number of decimals of a length in mm; other numbers have more or fewer decimals for the
+/// same resolution.
 pub const DECIMALS: usize = 6;
 
-/// What of a pose a robot has.
+/// Degrees of freedom of a robot's pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Freedoms {
     /// Position in the plane.
@@ -36,72 +40,74 @@ pub enum Freedoms {
 pub struct Command {
     /// Name of the target.
     pub name: String,
-    /// The pose.
+    /// Pose.
     pub pose: Pose,
 }
 
 /// A language in which poses are commanded.
 pub trait CommandLanguage: Sync {
-    /// Units of its numbers.
+    /// Units of the numbers.
     fn units(&self) -> &'static str;
 
-    /// The numbers of a pose as the language orders them.
+    /// Numbers of a pose in the order of the language.
     fn numbers(&self, pose: &Pose, freedoms: Freedoms) -> Vec<f64>;
 
-    /// The pose of such numbers.
+    /// Pose of numbers in the order of the language.
     fn pose(&self, numbers: &[f64], freedoms: Freedoms) -> Pose;
 
-    /// Decimals of these numbers that go with [`DECIMALS`] of a length in mm.
+    /// Number of decimals of each number for [`DECIMALS`] decimals of a length in mm.
     fn decimals(&self, freedoms: Freedoms) -> Vec<usize>;
 
-    /// A list of poses; each number is written already.
+    /// List of poses with numbers that are already formatted.
     fn list(&self, header: &[String], commands: &[(String, Vec<String>)], freedoms: Freedoms) -> String;
 
-    /// The targets of a program.
+    /// Targets of a program.
     ///
     /// # Errors
-    /// Targets that cannot be compensated one by one, or a language whose programs are not read.
+    ///
+    /// Reports targets that cannot be compensated individually, and languages whose programs cannot
+    /// be read.
     fn targets(&self, _program: &[u8], _freedoms: Freedoms) -> Result<Program> {
-        Err(Message::error("programs of this language are not read").hint("give the targets as a table").into())
+        Err(error!("program-not-readable").into())
     }
 }
 
-/// What is found in a program.
+/// Contents of a program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
-    /// Its targets, in the order in which they are written.
+    /// Targets in the order of writing.
     pub targets: Vec<ProgramTarget>,
-    /// Targets that are joint values.
+    /// Number of targets that are joint values.
     pub joint_targets: usize,
-    /// Tools that it names, other than the flange.
+    /// Named tools other than the flange.
     pub tools: BTreeSet<String>,
-    /// Frames that it names, other than the base.
+    /// Named frames other than the base.
     pub objects: BTreeSet<String>,
-    /// What computes poses when the program runs: it is left as it is.
+    /// Expressions that compute poses at run time, which are left unchanged.
     pub computed: BTreeSet<String>,
 }
 
 /// A target of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProgramTarget {
-    /// Its name, or the line that it is on.
+    /// Name of the target, or its line.
     pub name: String,
-    /// From 1.
+    /// Line of the target, from 1.
     pub line: usize,
-    /// Its numbers.
+    /// Numbers of the target.
     pub numbers: Vec<f64>,
-    /// Where each of them is.
+    /// Position of each number.
     pub slots: Vec<Slot>,
-    /// Joint values that it asks for.
+    /// Requested configuration.
     pub configuration: Option<Configuration>,
 }
 
-/// Where a number of a program is.
+/// Position of a number in a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot {
-    /// Its bytes; empty where the number is to be added.
+    /// Byte range; empty if the number is to be added.
     pub range: Range<usize>,
-    /// What comes before a number that is added.
+    /// Text before an added number.
     pub prefix: &'static str,
 }
 
@@ -110,12 +116,12 @@ pub struct Slot {
 pub enum Configuration {
     /// Quarter turns of joints 1, 4 and 6 (RAPID, `confdata`).
     Quadrants([i64; 3]),
-    /// Bit i is set where joint i is negative (KRL, `Turn`).
+    /// Bit i is set if joint i is negative (KRL, `Turn`).
     Negative(i64),
 }
 
 impl Configuration {
-    /// Whether joint values have it, deg.
+    /// `true` if joint values (deg) have this configuration.
     pub fn fits(&self, joints_deg: &[f64]) -> bool {
         match *self {
             Self::Quadrants(quadrants) => [0, 3, 5].iter().zip(quadrants).all(|(&i, wanted)| {
@@ -128,7 +134,7 @@ impl Configuration {
     }
 }
 
-/// The languages by their names.
+/// Languages by name, with file extensions.
 const LANGUAGES: [(&str, &dyn CommandLanguage, &[&str]); 5] = [
     ("rapid", &rapid::Rapid, &["mod", "modx", "prg", "sys"]),
     ("krl", &krl::Krl, &["src", "dat"]),
@@ -137,34 +143,35 @@ const LANGUAGES: [(&str, &dyn CommandLanguage, &[&str]); 5] = [
     ("mecaprol", &mecaprol::Mecaprol, &["mp"]),
 ];
 
-/// The language of this name.
+/// Language with this name.
 pub fn language(name: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     LANGUAGES.iter().find(|(known, ..)| *known == name).map(|(name, language, _)| (*name, *language))
 }
 
-/// The language of programs whose file has this ending.
+/// Language of programs with this file extension.
 pub fn language_of(ending: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     let ending = ending.to_ascii_lowercase();
     let found = LANGUAGES.iter().find(|(.., endings)| endings.contains(&ending.as_str()));
     found.map(|(name, language, _)| (*name, *language))
 }
 
-/// The numbers of a pose as they are written, with this many decimals of a length in mm.
+/// Formatted numbers of a pose, with this many decimals of a length in mm.
 pub fn written(language: &dyn CommandLanguage, pose: &Pose, freedoms: Freedoms, decimals: usize) -> Vec<String> {
     let number = |(v, d): (f64, usize)| number_text(v, (d + decimals).saturating_sub(DECIMALS));
     language.numbers(pose, freedoms).into_iter().zip(language.decimals(freedoms)).map(number).collect()
 }
 
-/// The pose that written numbers state.
+/// Pose of formatted numbers.
 pub fn stated(language: &dyn CommandLanguage, numbers: &[String], freedoms: Freedoms) -> Pose {
     let numbers: Vec<f64> = numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect();
     language.pose(&numbers, freedoms)
 }
 
-/// A list of poses with its header.
+/// List of poses with its header.
 ///
 /// # Errors
-/// A header that cannot be written.
+///
+/// Fails if the header cannot be written.
 pub fn list(
     language: &dyn CommandLanguage,
     given: &Given,
@@ -177,7 +184,7 @@ pub fn list(
     Ok(language.list(&header, &commands.iter().map(cells).collect::<Vec<_>>(), freedoms))
 }
 
-/// A program with other numbers in its targets, and nothing else changed.
+/// Program with new numbers in its targets, and nothing else changed.
 pub fn rewritten(program: &[u8], targets: &[ProgramTarget], numbers: &[Vec<String>]) -> Vec<u8> {
     let slots = targets.iter().zip(numbers).flat_map(|(target, numbers)| target.slots.iter().zip(numbers));
     let mut slots: Vec<(&Slot, &String)> = slots.collect();
@@ -193,7 +200,7 @@ pub fn rewritten(program: &[u8], targets: &[ProgramTarget], numbers: &[Vec<Strin
     out
 }
 
-/// Decimal text without an exponent, zeros at its end or a sign of zero.
+/// Decimal text without exponent, trailing zeros and negative zero.
 fn number_text(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
@@ -204,7 +211,7 @@ fn number_text(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Letters, digits and underscores of a name, behind a letter.
+/// Letters, digits and underscores of a name, starting with a letter.
 fn identifier(name: &str, longest: usize) -> String {
     let safe = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let begins = name.starts_with(|c: char| c.is_ascii_alphabetic());
@@ -212,7 +219,8 @@ fn identifier(name: &str, longest: usize) -> String {
     (text + &name.chars().map(safe).collect::<String>()).chars().take(longest).collect()
 }
 
-/// A program without its texts and comments, byte by byte: they are blanks. Comments run from `comment` to the end of the line.
+/// Program with blanks in place of strings and comments, byte by byte. Comments run from `comment`
+/// to the end of the line.
 fn masked(program: &[u8], comment: u8) -> Vec<u8> {
     let (mut inside, mut out) = (None, Vec::with_capacity(program.len()));
     for &byte in program {
@@ -229,7 +237,7 @@ fn masked(program: &[u8], comment: u8) -> Vec<u8> {
     out
 }
 
-/// The place behind blanks and line ends.
+/// Position after blanks and line ends.
 fn skip_blanks(text: &[u8], mut at: usize) -> usize {
     while text.get(at).is_some_and(u8::is_ascii_whitespace) {
         at += 1;
@@ -244,7 +252,7 @@ struct Number {
     value: f64,
 }
 
-/// The number that begins there, behind blanks.
+/// Number that starts at a position, after blanks.
 fn number(text: &[u8], at: usize) -> Option<Number> {
     let start = skip_blanks(text, at);
     let mut end = start;
@@ -261,7 +269,7 @@ fn number(text: &[u8], at: usize) -> Option<Number> {
     value.is_finite().then_some(Number { range: start..end, value })
 }
 
-/// Numbers in brackets, one behind the other, and the place behind them.
+/// Consecutive numbers in brackets, and the position after them.
 fn bracketed(text: &[u8], at: usize) -> Option<(Vec<Number>, usize)> {
     let mut at = skip_blanks(text, at);
     if text.get(at) != Some(&b'[') {
@@ -280,12 +288,12 @@ fn bracketed(text: &[u8], at: usize) -> Option<(Vec<Number>, usize)> {
     }
 }
 
-/// Number of the line of a byte.
+/// Line number of a byte.
 fn line_of(text: &[u8], at: usize) -> usize {
     1 + text[..at].iter().filter(|b| **b == b'\n').count()
 }
 
-/// The word that ends there, before blanks.
+/// Word that ends at a position, before blanks.
 fn word_before(text: &[u8], at: usize) -> &str {
     let is_name = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'$');
     let end = text[..at].iter().rposition(|b| !b.is_ascii_whitespace()).map_or(0, |i| i + 1);
@@ -293,7 +301,7 @@ fn word_before(text: &[u8], at: usize) -> &str {
     std::str::from_utf8(&text[start..end]).unwrap_or_default()
 }
 
-/// The name that the value which begins there is assigned to by `sign`, or the line.
+/// Name to which the value at a position is assigned by `sign`, or the line.
 fn name_of(text: &[u8], at: usize, sign: &str) -> String {
     let before = text[..at].trim_ascii_end();
     let assigned = before.strip_suffix(sign.as_bytes()).map(|before| word_before(before, before.len()));
@@ -301,18 +309,17 @@ fn name_of(text: &[u8], at: usize, sign: &str) -> String {
     name.unwrap_or_else(|| format!("line {}", line_of(text, at)))
 }
 
-/// Slots of numbers that are there.
+/// Slots of existing numbers.
 fn slots(numbers: &[Number]) -> Vec<Slot> {
     numbers.iter().map(|n| Slot { range: n.range.clone(), prefix: "" }).collect()
 }
 
-/// An error about a line of a program.
-fn at_line(line: usize, what: impl Into<String>) -> Message {
-    let place = etalon_base::message::Place { line: Some(line), ..Default::default() };
-    Message::error(what).at(place)
+/// Error at a line of a program.
+fn at_line(line: usize, message: Message) -> Message {
+    message.at(etalon_base::message::Place { line: Some(line), ..Default::default() })
 }
 
-/// Nothing, or these errors.
+/// Returns the errors, if any.
 fn none(problems: Vec<Message>) -> Result<()> {
     Problems(problems).check().map(|_| ())
 }

@@ -1,17 +1,19 @@
-//! RAPID (ABB): `robtarget` as `[[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax ...]]`, mm and a quaternion
-//! (RAPID reference manual, data types `robtarget`, `jointtarget`, `confdata`).
+//! RAPID (ABB): `robtarget` as `[[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax ...]]`, in
+//! mm with a quaternion (RAPID reference manual, data types `robtarget`, `jointtarget`,
+//! `confdata`).
 
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, bracketed, line_of, masked, name_of,
     skip_blanks, slots,
 };
+use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use std::fmt::Write;
 
 pub(super) struct Rapid;
 
-/// Values of a `robtarget` beside the pose where none are known: no configuration, no external axes.
+/// Default values of a `robtarget` after the pose: no configuration, no external axes.
 const OTHERS: &str = "[0,0,0,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]";
 
 impl CommandLanguage for Rapid {
@@ -57,8 +59,8 @@ impl CommandLanguage for Rapid {
                     let name = name_of(&text, next, ":=");
                     let length = numbers[3..].iter().map(|n| n.value * n.value).sum::<f64>().sqrt();
                     if (length - 1.0).abs() > 1e-3 {
-                        let what = format!("the quaternion of {name} has the length {length:.4}");
-                        problems.push(super::at_line(line_of(&text, next), what));
+                        let message = error!("quaternion-length", target = name, length);
+                        problems.push(super::at_line(line_of(&text, next), message));
                     }
                     let cf = |i: usize| lists[2][i].value as i64;
                     found.targets.push(ProgramTarget {
@@ -79,7 +81,7 @@ impl CommandLanguage for Rapid {
     }
 }
 
-/// Lists of numbers in brackets in a pair of brackets, and the place behind it.
+/// Lists of numbers in nested brackets, and the position after them.
 fn lists(text: &[u8], at: usize) -> Option<(Vec<Vec<Number>>, usize)> {
     let (mut all, mut at) = (Vec::new(), at);
     loop {
@@ -94,7 +96,7 @@ fn lists(text: &[u8], at: usize) -> Option<(Vec<Vec<Number>>, usize)> {
     }
 }
 
-/// Tools, work objects and functions of targets that its movements name.
+/// Collects tools, work objects and functions of targets that movements name.
 fn moves(text: &[u8], found: &mut Program) {
     let text = String::from_utf8_lossy(text);
     for statement in text.split(';').map(str::trim_start) {

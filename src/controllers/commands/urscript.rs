@@ -1,4 +1,5 @@
-//! URScript (Universal Robots): `p[x, y, z, rx, ry, rz]`, m and a rotation vector in rad; joints are lists without `p`.
+//! URScript (Universal Robots): `p[x, y, z, rx, ry, rz]` in m with a rotation vector in rad; joints
+//! are lists without `p`.
 
 use super::{
     CommandLanguage, Freedoms, Program, ProgramTarget, bracketed, line_of, masked, name_of, slots, word_before,
@@ -9,7 +10,7 @@ use std::fmt::Write;
 
 pub(super) struct UrScript;
 
-/// Functions whose poses are places of the tool.
+/// Functions whose poses are poses of the tool.
 const MOVES: [&str; 7] =
     ["movej", "movel", "movep", "movec", "servoc", "get_inverse_kin", "get_inverse_kin_has_solution"];
 
@@ -74,7 +75,7 @@ impl CommandLanguage for UrScript {
     }
 }
 
-/// The function among whose arguments a value is, or nothing.
+/// Function of whose arguments a value is part, if any.
 fn call(text: &[u8], at: usize) -> &str {
     let mut depth = 0;
     for (i, byte) in text[..at].iter().enumerate().rev() {

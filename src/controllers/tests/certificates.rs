@@ -1,4 +1,4 @@
-//! Certificates against the schemas that PTB and the DMSC publish, and read back by Python.
+//! Certificates validated with the schemas of PTB and DMSC, and read back by Python.
 
 use super::*;
 use std::path::Path;
@@ -44,7 +44,8 @@ fn written(format: &str) -> String {
     String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap()
 }
 
-/// What `xmllint` finds wrong in a text by a schema of the reference, nothing in a valid one; `None` where there is no schema or no `xmllint`.
+/// Errors that `xmllint` reports for a text by a schema of the reference, empty if valid; `None`
+/// without the schema or `xmllint`.
 fn valid(text: &str, schema: &str) -> Option<String> {
     let schema = Path::new(&std::env::var_os("ETALON_REFERENCE").unwrap_or_default()).join("xsd").join(schema);
     let folder = tempfile::tempdir().unwrap();
@@ -70,7 +71,7 @@ const QIF: &str = "qif-3.0/QIFApplications/QIFDocument_bindings_variant.xsd";
 fn certificates_are_valid_and_a_decimal_comma_is_not() {
     for (format, schema, number) in [("dcc", DCC, "1.0000231"), ("qif", QIF, "1.0000231")] {
         let text = written(format);
-        // what the campaign states about the report is in its place
+        // statements of the campaign about the report are in their elements
         let places: &[&str] = match format {
             "dcc" => &[
                 "<dcc:value>R-17 &lt;a&gt;</dcc:value>",
@@ -94,7 +95,7 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
             let comma = valid(&text.replace(number, &number.replace('.', ",")), schema).unwrap();
             assert!(comma.contains("1,0000231"), "{format}");
         }
-        // parameters alone, without a covariance: what is not stated is named
+        // parameters only, without a covariance: missing statements are marked
         let (mut bare, mut summary) = (certified(), summary());
         bare.covariance.clear();
         (summary.operator, summary.instrument, summary.temperature_c) = (None, None, None);
@@ -114,12 +115,13 @@ fn a_certificate_needs_the_date_of_the_measurements() {
     let document = certified();
     for summary in [Some(&summary), None] {
         let given = Given { summary, ..Given::parameters(&document) };
-        let refused = by_name("dcc").unwrap().write(&given).unwrap_err().to_string();
-        assert!(refused.contains("needs the date of the measurements"), "{refused}");
+        let refused = by_name("dcc").unwrap().write(&given).unwrap_err();
+        assert!(refused.0[0].is("certificate-date-missing", &[]), "{refused}");
     }
 }
 
-/// Python's own reader of XML, which knows neither schema: values, uncertainties and covariances bit for bit.
+/// Python's own reader of XML, which knows neither schema, reads values, uncertainties and
+/// covariances bit for bit.
 #[test]
 fn certificates_read_back_bit_for_bit() {
     let folder = tempfile::tempdir().unwrap();
@@ -169,7 +171,7 @@ for measured in root.find('.//' + q + 'CharacteristicMeasurements'):
     let rows = read.lines().filter_map(|line| line.strip_prefix("covariance "));
     let rows: Vec<Vec<f64>> = rows.map(|row| row.split(' ').map(|v| v.parse().unwrap()).collect()).collect();
     assert_eq!(rows, document.covariance);
-    // √χ² of four degrees of freedom at 95 %: 9.4877 in every table
+    // χ² of four degrees of freedom at 95 %: 9.4877 in every table
     let factor: f64 = read.lines().find_map(|line| line.strip_prefix("factor ")).unwrap().parse().unwrap();
     assert!((factor - 9.487_729_036_781_154_f64.sqrt()).abs() < 1e-9, "{factor}");
     let qif: Vec<Vec<&str>> =

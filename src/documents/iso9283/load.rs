@@ -3,6 +3,7 @@
 use super::all;
 use crate::mirror::mirror;
 use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_standards::iso9283::load::{CYCLES, DirectionalCompliance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,9 +12,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283ComplianceDocument {
-    /// `etalon/iso9283-compliance/1`
+    /// Schema and version: `etalon/iso9283-compliance/1`.
     pub schema: String,
-    /// How it is computed, and that the clause is not verified.
+    /// Method, and the statement that the clause is not verified against the standard.
     pub conventions: Vec<String>,
     /// One per direction, in the order of the table.
     pub directions: Vec<Iso9283Compliance>,
@@ -26,15 +27,16 @@ mirror! {
     struct Iso9283Compliance of DirectionalCompliance as d {
         /// `+x`, `-x` ...
         direction: String,
-        /// Readings under load.
+        /// Number of readings under load.
         readings: usize,
-        /// Repeats.
+        /// Number of repeats.
         cycles: usize,
         /// Largest force.
         force_n: f64,
-        /// Displacement along the force by force.
+        /// Slope of the displacement along the force over the force.
         compliance_mm_n: f64 = d.compliance.compliance_mm_n,
-        /// Its standard uncertainty from the scatter about the line; null with a single reading.
+        /// Standard uncertainty of the compliance from the scatter about the line; null with a
+        /// single reading.
         standard_uncertainty_mm_n: Option<f64> = Some(d.compliance.standard_uncertainty_mm_n).filter(|u| u.is_finite()),
         /// Largest displacement along the force.
         largest_mm: f64 = d.compliance.largest_mm,
@@ -44,10 +46,10 @@ mirror! {
 }
 
 impl Iso9283ComplianceDocument {
-    /// Document of the directions in which a robot was loaded.
+    /// Creates the document of all directions in which the robot was loaded.
     pub fn new(found: Vec<DirectionalCompliance>) -> Self {
         let short: Vec<&str> = found.iter().filter(|d| d.cycles < CYCLES).map(|d| d.direction).collect();
-        let warning = || Message::warning(format!("fewer than {CYCLES} cycles in direction {}", short.join(", ")));
+        let warning = || warning!("few-cycles-of-direction", least = CYCLES, directions = short);
         Self {
             schema: "etalon/iso9283-compliance/1".to_owned(),
             conventions: vec![

@@ -15,20 +15,20 @@ pub use pose::*;
 use crate::LimitVerdict;
 use etalon_base::message::Message;
 
-/// Angles in degrees.
+/// Converts angles to degrees.
 fn degrees(angles_rad: &[f64]) -> Vec<f64> {
     angles_rad.iter().map(|angle| angle.to_degrees()).collect()
 }
 
-/// The documents of plain results.
+/// Converts plain results to their document forms.
 fn all<T, D: From<T>>(results: Vec<T>) -> Vec<D> {
     results.into_iter().map(Into::into).collect()
 }
 
-/// One of each kind of test that there is.
+/// Results of all kinds of tests in a campaign.
 #[derive(Clone, Debug, Default)]
 pub struct Characteristics {
-    /// Poses that were visited: iso9283.json.
+    /// Attained poses: iso9283.json.
     pub poses: Option<Iso9283Document>,
     /// Recorded motions: iso9283-streams.json.
     pub streams: Option<Iso9283StreamsDocument>,
@@ -37,14 +37,14 @@ pub struct Characteristics {
 }
 
 impl Characteristics {
-    /// Everything that is remarked of them.
+    /// Messages of all documents.
     pub fn messages(&self) -> impl Iterator<Item = &Message> {
         let poses = self.poses.iter().flat_map(|d| &d.messages);
         let streams = self.streams.iter().flat_map(Iso9283StreamsDocument::messages);
         poses.chain(streams).chain(self.compliance.iter().flat_map(|d| &d.messages))
     }
 
-    /// Limits that are judged.
+    /// Judged limits.
     pub fn limits(&self) -> impl Iterator<Item = &LimitVerdict> {
         self.poses.iter().flat_map(|d| &d.limits)
     }

@@ -2,8 +2,9 @@
 
 use super::{Iso9283Path, Iso9283Weaving, all, degrees};
 use crate::mirror::mirror;
-use etalon_base::message::{Message, Problems, Result, count};
+use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
@@ -16,30 +17,30 @@ use std::fmt::Write;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283StreamsDocument {
-    /// `etalon/iso9283-streams/1`
+    /// Schema and version: `etalon/iso9283-streams/1`.
     pub schema: String,
     /// One per `[[stream]]`.
     pub streams: Vec<Iso9283NamedStream>,
 }
 
 impl Iso9283StreamsDocument {
-    /// What is remarked of any of them.
+    /// Messages of all recordings.
     pub fn messages(&self) -> impl Iterator<Item = &Message> {
         self.streams.iter().flat_map(|s| &s.stream.messages)
     }
 }
 
-/// One of them.
+/// A recorded motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283NamedStream {
     /// Name in the campaign.
     pub name: String,
-    /// File as the campaign names it.
+    /// File, as the campaign names it.
     pub file: String,
-    /// Limit band, where one is stated.
+    /// Limit band, if stated.
     pub band_mm: Option<f64>,
-    /// The characteristics of the recording.
+    /// Characteristics of the recording.
     pub stream: Iso9283StreamDocument,
 }
 
@@ -47,28 +48,30 @@ pub struct Iso9283NamedStream {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283StreamDocument {
-    /// `etalon/iso9283-stream/1`
+    /// Schema and version: `etalon/iso9283-stream/1`.
     pub schema: String,
-    /// Thresholds, where times come from, and what is not verified against the standard, in words.
+    /// Thresholds, origin of times, and clauses that are not verified against the standard, in
+    /// words.
     pub conventions: Vec<String>,
-    /// Samples that count.
+    /// Number of evaluated samples.
     pub samples: usize,
-    /// Lines of samples that no robot reaches from the one before, and that do not count.
+    /// Lines of samples that are left out because no robot moves there from the previous sample in
+    /// time.
     pub left_out: Vec<usize>,
-    /// From the first sample to the last.
+    /// Time from the first to the last sample.
     pub duration_s: f64,
-    /// Every standstill, in the order of time.
+    /// All standstills in the order of time.
     pub standstills: Vec<Iso9283Standstill>,
     /// Arrivals by pose; empty without a limit band.
     pub settling: Vec<Iso9283Settling>,
-    /// Stabilisation: the first arrivals at each pose; empty without a limit band.
+    /// First arrivals at each pose, for the chart of stabilisation; empty without a limit band.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub arrivals: Vec<Iso9283Arrival>,
     /// Moves between poses; empty without a limit band.
     pub posing: Vec<Iso9283Posing>,
-    /// The commanded path, where one is stated and it is not a weave.
+    /// Characteristics of the commanded path, if a path without weaving is stated.
     pub path: Option<Iso9283Path>,
-    /// The weave, where one is stated.
+    /// Characteristics of the weave, if stated.
     pub weaving: Option<Iso9283Weaving>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
@@ -77,23 +80,25 @@ pub struct Iso9283StreamDocument {
 mirror! {
     /// A standstill.
     struct Iso9283Standstill of Standing as s {
-        /// Number of the pose that is visited; null where it is near none.
+        /// Name of the visited pose; null if no pose is near.
         pose: Option<PoseName> = s.visit.map(|v| v.0),
-        /// Which visit of that pose it is, from 1.
+        /// Number of the visit of that pose, from 1.
         cycle: Option<i64> = s.visit.map(|v| v.1),
-        /// First sample.
+        /// Time of the first sample.
         from_s: f64,
-        /// Last sample.
+        /// Time of the last sample.
         to_s: f64,
-        /// Samples.
+        /// Number of samples.
         samples: usize = s.standstill.samples.len(),
-        /// Mean position of the middle half: x, y and, where there is one, z.
+        /// Mean position of the middle half: x, y and, if measured, z.
         mean_mm: Vec<f64>,
-        /// Means of the angles that exist, in the order a, b, c.
+        /// Means of the measured angles, in the order a, b, c.
         mean_deg: Vec<f64> = degrees(&s.standstill.angles_rad),
-        /// Mean radius and three standard deviations of the samples of the middle half: noise of instrument and hold.
+        /// Noise of instrument and hold: mean radius plus three standard deviations of the samples
+        /// of the middle half.
         noise_mm: Option<f64>,
-        /// Stabilisation time of the arrival (7.4); null without a limit band, and where the band is never entered or kept.
+        /// Stabilisation time of the arrival (7.4); null without a limit band, and if the position
+        /// does not enter or stay within the band.
         stabilisation_s: Option<f64> = s.arrival.map(|a| a.stabilisation_s),
         /// Overshoot of the arrival (7.5); null without a limit band.
         overshoot_mm: Option<f64>,
@@ -107,21 +112,21 @@ mirror! {
     struct Iso9283Settling of Settling {
         /// Name of the pose.
         pose: PoseName,
-        /// Arrivals that settled.
+        /// Number of arrivals that settled.
         arrivals: usize,
         /// Mean stabilisation time.
         stabilisation_s: f64,
-        /// Largest overshoot; zero where no arrival left the limit band again.
+        /// Largest overshoot; zero if no arrival left the limit band again.
         overshoot_mm: f64,
     }
 }
 
 mirror! {
-    /// One arrival, from the first entry into the limit band on.
+    /// One arrival, from the first entry into the limit band.
     struct Iso9283Arrival of Course {
         /// Name of the pose.
         pose: PoseName,
-        /// Which visit of that pose it is, from 1.
+        /// Number of the visit of that pose, from 1.
         cycle: i64,
         /// Times since the entry.
         time_s: Vec<f64>,
@@ -133,11 +138,11 @@ mirror! {
 mirror! {
     /// Moves from one pose to another (9).
     struct Iso9283Posing of Moves {
-        /// Where they begin.
+        /// Pose at the start.
         from: PoseName,
-        /// Where they end.
+        /// Pose at the end.
         to: PoseName,
-        /// How many.
+        /// Number of moves.
         moves: usize,
         /// Mean attained distance.
         distance_mm: f64,
@@ -147,7 +152,7 @@ mirror! {
 }
 
 impl Iso9283StreamDocument {
-    /// All characteristics of a recording.
+    /// Evaluates all characteristics of a recording.
     pub fn evaluate(recording: &Recording, settings: &MotionSettings) -> Result<Self> {
         let stream = &recording.stream;
         let standing = standing(recording, settings)?;
@@ -179,52 +184,43 @@ impl Iso9283StreamDocument {
     }
 }
 
-/// The message that a motion has no pass of its path.
+/// Error of a motion without a pass of its path.
 fn without_pass(error: PassError, near_mm: f64) -> Problems {
     let planes = match error {
         PassError::NoPass { planes } => planes,
         PassError::Other(problems) => return problems,
     };
-    let through = format!("a motion through {planes} planes, each within {near_mm} mm of the path");
-    let hint = "are recording and path in the same frame, and driven the same way? --near-mm allows more";
-    Message::error("no pass of the commanded path was found").expected(through).hint(hint).into()
+    error!("path-without-pass", planes, near_mm).into()
 }
 
 /// Warnings of a recording and its standstills.
 fn messages(recording: &Recording, settings: &MotionSettings, standing: &[Standing]) -> Vec<Message> {
     let mut messages = Vec::new();
     if !recording.left_out.is_empty() {
-        let lines: Vec<String> = recording.left_out.iter().take(10).map(usize::to_string).collect();
-        let what = format!("{} left out: no robot moves as fast", count(recording.left_out.len(), "sample"));
-        messages.push(Message::warning(what).hint(format!("look at line {}", lines.join(", "))));
+        let lines: Vec<usize> = recording.left_out.iter().copied().take(10).collect();
+        messages.push(warning!("samples-too-fast", count = recording.left_out.len(), lines));
     }
     if settings.path.as_ref().is_some_and(|p| p.weave.is_some() && p.velocity_mm_s.is_some()) {
-        let message =
-            Message::warning("the commanded velocity is not compared: the path is the centre line of a weave");
-        messages.push(message.hint("velocities are those of a path that is driven without weaving"));
+        messages.push(warning!("weave-velocity-not-compared"));
     }
     let begins = |s: &&Standing| s.arrival.is_none() && s.standstill.samples.start > 0;
-    let unsettled: Vec<String> = standing.iter().filter(begins).map(|s| format!("{:.3}", s.from_s)).collect();
+    let unsettled = standing.iter().filter(begins).map(|s| (1e3 * s.from_s).round() / 1e3);
+    let unsettled: Vec<f64> = unsettled.collect();
     if settings.band_mm.is_some() && !unsettled.is_empty() {
-        let what = format!("arrivals that do not settle within the limit band: at {} s", unsettled.join(", "));
-        messages.push(Message::warning(what).hint("the band must be wider than the noise of the standing robot"));
+        messages.push(warning!("arrivals-unsettled", times_s = unsettled));
     }
     messages
 }
 
-/// Warnings of a path: passes that were not ended, and a corner where the velocity should be constant.
+/// Warnings of a path: unfinished passes, and a corner where the velocity should be constant.
 fn path_messages(driven: &Driven, path: &PathSettings) -> Vec<Message> {
     let mut messages = Vec::new();
     if driven.passes.incomplete > 0 {
-        let what = format!("{} begun and not ended: left out", count(driven.passes.incomplete, "pass"));
-        let hint = "was the motion cut off? where the robot rounds off a corner widely, --near-mm (near_mm) leaves out more of it";
-        messages.push(Message::warning(what).hint(hint));
+        messages.push(warning!("passes-incomplete", count = driven.passes.incomplete));
     }
     let compared = path.velocity_mm_s.is_some() && path.weave.is_none();
     if let Some(corner) = driven.central_corner().filter(|_| compared) {
-        let what = format!("the central part of the path holds a corner, at {:.3} mm", corner.along_mm[1]);
-        let hint = "where a robot slows down for it, that is in AV, RV and FV: state a path without it, or a smaller central part";
-        messages.push(Message::warning(what).hint(hint));
+        messages.push(warning!("corner-in-central-part", at_mm = corner.along_mm[1]));
     }
     messages
 }

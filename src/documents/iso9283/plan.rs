@@ -10,42 +10,43 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A test by ISO 9283:1998 laid into a workspace.
+/// Layout of a test by ISO 9283:1998 in a workspace.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283PlanDocument {
-    /// `etalon/iso9283-plan/1`
+    /// Schema and version: `etalon/iso9283-plan/1`.
     pub schema: String,
-    /// What was chosen how, and what is not verified against the standard, in words.
+    /// Choices made, and clauses that are not verified against the standard, in words.
     pub conventions: Vec<String>,
-    /// Side of the cube, of planar robots the square.
+    /// Side of the cube; for planar robots, of the square.
     pub side_mm: f64,
-    /// Corners C1 to C8, of planar robots C1 to C4.
+    /// Corners C1 to C8; for planar robots, C1 to C4.
     pub corners_mm: Vec<Vector>,
     /// Corners of the test plane.
     pub test_plane: String,
-    /// Places to visit in order, each list with its name: `poses` (P1 to P5), `linear`, `circle-large`, ...
+    /// Named lists of places to visit in order: `poses` (P1 to P5), `linear`, `circle-large`, ...
     pub places: Vec<Iso9283Places>,
-    /// Places that the robot does not reach, where one is stated.
+    /// Places that the stated robot does not reach.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unreached: Vec<Iso9283Unreached>,
-    /// Which characteristic is tested how.
+    /// Test programme: one line for each characteristic.
     pub programme: Vec<Iso9283Item>,
-    /// Loads in per cent of the rated one; the first is mandatory.
+    /// Loads (% of the rated load); the first is mandatory.
     pub loads_percent: Vec<u32>,
 }
 
-/// Poses, or a path.
+/// A list of poses, or a path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Places {
-    /// Name of the list, and of the files that hold it.
+    /// Name of the list, and of its files.
     pub name: String,
-    /// What it is for.
+    /// Purpose of the list.
     pub purpose: String,
-    /// `x_mm`, `y_mm` and, where they exist, `z_mm`, `a_deg`, `b_deg`, `c_deg` of each, numbered from 1.
+    /// Coordinates of each place, numbered from 1: `x_mm`, `y_mm` and, if applicable, `z_mm`,
+    /// `a_deg`, `b_deg`, `c_deg`.
     pub points: Vec<BTreeMap<String, f64>>,
-    /// Joint values of each, where a robot is stated; null where it does not get there.
+    /// Joint values at each place if a robot is stated; null if out of reach.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<Option<BTreeMap<String, f64>>>,
 }
@@ -55,27 +56,28 @@ mirror! {
     struct Iso9283Unreached of Unreached {
         /// Name of the list.
         places: String,
-        /// Number of the point in it, from 1.
+        /// Number of the point in the list, from 1.
         point: usize,
-        /// Why.
+        /// Reason.
         reason: String,
     }
 }
 
 mirror! {
-    /// One line of the programme.
+    /// One line of the test programme.
     struct Iso9283Item of Item {
-        /// What is tested.
+        /// Tested characteristic.
         characteristic: String,
-        /// Clause.
+        /// Clause of the standard.
         clause: String,
         /// Poses of a cycle in order, or the path.
         visits: String,
-        /// Per cent of the rated velocity.
+        /// Velocities (% of the rated velocity).
         velocities_percent: Vec<u32>,
-        /// Cycles for each velocity.
+        /// Number of cycles for each velocity.
         cycles: u32,
-        /// Whether the line was read in the standard's text; otherwise it is general knowledge.
+        /// `true` if the line was verified against the standard's text, `false` if it is general
+        /// knowledge.
         read: bool,
     }
 }
@@ -83,11 +85,11 @@ mirror! {
 /// Names of the coordinates and angles of a commanded pose.
 const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
-/// Name of the assembly mode beside joint values.
+/// Name of the assembly mode among joint values.
 const ASSEMBLY: &str = "assembly";
 
 impl Iso9283PlanDocument {
-    /// Document of a plan, with the joint values of a robot where one is stated.
+    /// Creates the document of a plan, with joint values if a robot is stated.
     pub fn new(plan: &TestPlan, reached: Option<(&dyn Robot, &Reach)>) -> Self {
         let joints = |i: usize| match reached {
             Some((robot, reach)) => reach.joints[i].iter().map(|q| q.as_ref().map(|q| named(robot, q))).collect(),
@@ -114,7 +116,7 @@ impl Iso9283PlanDocument {
     }
 }
 
-/// Coordinates and angles of a place under the names of their columns.
+/// Coordinates and angles of a place, by column name.
 fn columns(place: &CommandedPose, planar: bool) -> BTreeMap<String, f64> {
     let (axes, angles) = if planar { (&XYZ[..2], &ANGLES[2..]) } else { (&XYZ[..], &ANGLES[..]) };
     let position = axes.iter().zip(place.position_mm);
@@ -122,7 +124,7 @@ fn columns(place: &CommandedPose, planar: bool) -> BTreeMap<String, f64> {
     position.chain(angles).map(|(name, value)| ((*name).to_owned(), value)).collect()
 }
 
-/// Joint values under the names of their columns.
+/// Joint values by column name.
 fn named(robot: &dyn Robot, q: &[f64]) -> BTreeMap<String, f64> {
     let joints = robot.joints().iter().zip(q).map(|(j, v)| (j.column(), j.quantity.outward(*v)));
     let assembly = q.get(robot.joints().len()).map(|mode| (ASSEMBLY.to_owned(), *mode));

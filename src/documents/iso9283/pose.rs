@@ -6,6 +6,7 @@ use crate::{Conformity, LimitQuantity, LimitVerdict};
 use etalon_base::message::{Message, Result, one_line};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::decision::DecisionRule;
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
@@ -23,35 +24,37 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Document {
-    /// `etalon/iso9283/1`
+    /// Schema and version: `etalon/iso9283/1`.
     pub schema: String,
-    /// What angles mean, which cycles count, and what is not verified against the standard, in words.
+    /// Meaning of angles, evaluated cycles, and clauses that are not verified against the standard,
+    /// in words.
     pub conventions: Vec<String>,
-    /// One per pose, in the order of the commanded poses.
+    /// One entry per pose, in the order of the commanded poses.
     pub poses: Vec<Iso9283Pose>,
-    /// One per pair of poses that were visited in the same cycles.
+    /// One entry per pair of poses that were visited in the same cycles.
     pub distances: Vec<Iso9283Distance>,
-    /// One per pose that was approached in at least two ways.
+    /// One entry per pose that was approached in at least two ways.
     pub approaches: Vec<Iso9283Variation>,
-    /// Drift of each pose, where sets are stated.
+    /// Drift of each pose, if sets are stated.
     pub drifts: Vec<Iso9283Drift>,
-    /// Largest distance between barycentres of two robots at any pose, where there are several robots.
+    /// Largest distance between the barycentres of two robots at any pose, with several robots.
     pub exchangeability_mm: Option<f64>,
-    /// Peak to valley of the mean positions about their plane; four poses or more, with z.
+    /// Peak to valley of the mean positions about their plane, with z and at least four poses.
     pub coplanarity_mm: Option<f64>,
-    /// Distance of the mean position of each of four poses from the plane of the other three, where a campaign names them.
+    /// Distances of the mean positions of four poses, each from the plane of the other three, if a
+    /// campaign names four poses.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub coplanarity_of_four: Vec<Iso9283OutOfPlane>,
-    /// Homings as visits of one pose, number 0, where a campaign has them.
+    /// Homings as visits of one pose with number 0, if a campaign has homings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub homing: Option<Iso9283Pose>,
-    /// Every visit of a campaign, those of one pose in the order of recording.
+    /// All visits of a campaign; visits of one pose are in the order of recording.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub visits: Vec<Iso9283Visit>,
     /// Limits that the campaign states.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitVerdict>,
-    /// Measurements of the reference targets by which positions were carried back, where there are any.
+    /// Measurements of the reference targets for drift compensation, if any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub reference: Vec<Iso9283Epoch>,
     /// Remarks and warnings.
@@ -59,12 +62,12 @@ pub struct Iso9283Document {
 }
 
 impl Iso9283Document {
-    /// All characteristics of attained poses. Of several robots it is the first by name, and what exchanging them does.
+    /// Evaluates all characteristics of attained poses. With several robots, they apply to the
+    /// first robot by name, except for exchangeability.
     pub fn evaluate(robots: &PoseTest, settings: &PoseTestSettings) -> Result<Self> {
         let count = robots.robots().len();
         if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
-            let message = Message::error(format!("limits are of one robot, and the table holds {count}"));
-            return Err(message.hint("test each robot by itself; together they give the exchangeability").into());
+            return Err(error!("limits-for-several-robots", robots = count).into());
         }
         let test = &robots.of_first_robot();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
@@ -89,7 +92,7 @@ impl Iso9283Document {
         })
     }
 
-    /// Characteristics of the poses alone.
+    /// Keeps the characteristics of single poses only.
     pub fn of_poses(self) -> Self {
         Self {
             distances: Vec::new(),
@@ -107,15 +110,15 @@ impl Iso9283Document {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283Epoch {
-    /// Cycle from which on it holds.
+    /// First cycle to which the measurement applies.
     pub cycle: i64,
-    /// Largest movement of a target since the first.
+    /// Largest displacement of a target since the first measurement.
     pub moved_mm: f64,
-    /// Root mean square distance that is left when the targets are carried back.
+    /// Root mean square distance of the targets after drift compensation.
     pub rms_mm: f64,
 }
 
-/// A pose whose mean lies out of the plane of three others (thesis 2.4).
+/// A pose and its distance from the plane of three other poses (thesis, 2.4).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Iso9283OutOfPlane {
@@ -133,14 +136,14 @@ pub struct Iso9283Visit {
     pub pose: PoseName,
     /// Number of the cycle.
     pub cycle: i64,
-    /// How the pose was approached; null for the first visit of all.
+    /// Approach to the pose; null for the very first visit.
     pub approach: Option<String>,
     /// Attained position.
     pub attained_mm: Vector,
 }
 
 mirror! {
-    /// Two-sided interval of 95 %.
+    /// Two-sided 95 % interval.
     #[derive(Copy)]
     struct Iso9283Interval of Interval {
         /// Lower end.
@@ -151,40 +154,41 @@ mirror! {
 }
 
 mirror! {
-    /// Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent.
+    /// Accuracy and repeatability of one pose. Coordinates that the robot lacks are absent.
     #[derive(Default)]
     struct Iso9283Pose of PoseCharacteristics as p {
         /// Name of the pose.
         pose: PoseName,
-        /// Visits counted.
+        /// Number of evaluated visits.
         cycles: usize,
-        /// AP_p (7.2.1); null where no position was commanded, as its coordinates.
+        /// AP_p (7.2.1); this and its coordinates are null if no position was commanded.
         ap_mm: Option<f64> = p.accuracy.map(|a| a.ap_mm),
-        /// AP_x: mean minus commanded.
+        /// AP_x: mean minus commanded position.
         ap_x_mm: Option<f64> = p.accuracy.map(|a| a.deviation_mm[0]),
         /// AP_y.
         ap_y_mm: Option<f64> = p.accuracy.map(|a| a.deviation_mm[1]),
         /// AP_z.
         #[serde(skip_serializing_if = "Option::is_none")]
         ap_z_mm: Option<f64> = p.accuracy.filter(|_| p.spatial).map(|a| a.deviation_mm[2]),
-        /// RP_l (7.2.2): mean radius and three standard deviations; null with a single visit, as all that follows.
+        /// RP_l (7.2.2): mean radius plus three standard deviations; this and all further values
+        /// are null with a single visit.
         rp_mm: Option<f64> = p.repeatability.map(|r| r.rp_mm),
-        /// The same of the projections into xy (thesis, table 2.1).
+        /// RP of the projections onto the xy plane (thesis, table 2.1).
         rp_xy_mm: Option<f64> = p.repeatability.map(|r| r.plane_mm),
-        /// The same of x alone.
+        /// RP along x alone.
         rp_along_x_mm: Option<f64> = p.repeatability.map(|r| r.along_mm[0]),
-        /// The same of y alone.
+        /// RP along y alone.
         rp_along_y_mm: Option<f64> = p.repeatability.map(|r| r.along_mm[1]),
-        /// The same of z alone.
+        /// RP along z alone.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_along_z_mm: Option<f64> = p.repeatability.filter(|_| p.spatial).map(|r| r.along_mm[2]),
         /// Mean distance from the barycentre.
         mean_radius_mm: Option<f64> = p.repeatability.map(|r| r.mean_radius_mm),
-        /// Standard deviation of that distance.
+        /// Standard deviation of the distance from the barycentre.
         sd_radius_mm: Option<f64> = p.repeatability.map(|r| r.sd_radius_mm),
-        /// Radius of the smallest sphere (planar robots: circle) that holds all positions.
+        /// Radius of the smallest sphere (planar robots: circle) that encloses all positions.
         enclosing_radius_mm: Option<f64> = p.repeatability.map(|r| r.enclosing_radius_mm),
-        /// Radius of the smallest circle that holds their projections into xy.
+        /// Radius of the smallest circle that encloses the projections onto the xy plane.
         enclosing_circle_radius_mm: Option<f64> = p.repeatability.map(|r| r.enclosing_circle_radius_mm),
         /// RP_x: three standard deviations.
         rp_x_mm: Option<f64> = p.repeatability.map(|r| r.axis_mm[0]),
@@ -211,49 +215,51 @@ mirror! {
         /// RP_c.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_c_deg: Option<f64> = p.angle_repeatability_rad[2].map(f64::to_degrees),
-        /// 95 % interval of AP by parametric bootstrap, and with the instrument's uncertainty where that is stated; null with fewer than
-        /// three visits.
+        /// 95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if
+        /// stated; null with fewer than three visits.
         ap_interval: Option<Iso9283Interval> = p.ap.interval.map(Into::into),
-        /// 95 % interval of RP, likewise.
+        /// 95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if
+        /// stated; null with fewer than three visits.
         rp_interval: Option<Iso9283Interval> = p.rp.interval.map(Into::into),
-        /// 95 % interval of AP in closed form, of the sampling alone.
+        /// 95 % interval of AP in closed form, from the sampling alone.
         ap_interval_analytic: Option<Iso9283Interval> = p.ap.interval_analytic.map(Into::into),
-        /// 95 % interval of RP in closed form, of the sampling alone.
+        /// 95 % interval of RP in closed form, from the sampling alone.
         rp_interval_analytic: Option<Iso9283Interval> = p.rp.interval_analytic.map(Into::into),
-        /// Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four).
+        /// Ellipsoid that contains the next position with a probability of 95 %; null with fewer
+        /// than five visits (planar robots: four).
         ellipsoid: Option<Iso9283Ellipsoid> = p.ellipsoid.map(Into::into),
-        /// RP without the instrument's noise, where visits were read several times.
+        /// RP without the instrument's noise, if visits were read several times.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_without_noise_mm: Option<f64> = p.noise_free.map(|n| n.rp_mm),
-        /// Standard deviation of one reading, by coordinate.
+        /// Standard deviation of one reading along each coordinate.
         #[serde(skip_serializing_if = "Option::is_none")]
         noise_mm: Option<Vector> = p.noise_free.map(|n| n.noise_mm),
-        /// AP judged by the stated limit.
+        /// Conformity of AP with the stated limit.
         #[serde(skip_serializing_if = "Option::is_none")]
         ap_conformity: Option<Conformity> = p.ap.conformity.map(Into::into),
-        /// RP likewise.
+        /// Conformity of RP with the stated limit.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_conformity: Option<Conformity> = p.rp.conformity.map(Into::into),
-        /// The instrument's expanded uncertainty of a position (k = 2) over AP, where it is stated.
+        /// Expanded uncertainty of the instrument for a position (k = 2) over AP, if stated.
         #[serde(skip_serializing_if = "Option::is_none")]
         uncertainty_over_ap: Option<f64> = p.ap.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
-        /// The instrument's expanded uncertainty over RP.
+        /// Expanded uncertainty of the instrument over RP.
         #[serde(skip_serializing_if = "Option::is_none")]
         uncertainty_over_rp: Option<f64> = p.rp.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
-        /// Whether both are at most a quarter (clause 6).
+        /// `true` if both ratios are at most a quarter (clause 6).
         #[serde(skip_serializing_if = "Option::is_none")]
         quarter_rule_met: Option<bool> = p.is_verified(),
     }
 }
 
-/// A characteristic of poses that campaigns limit.
+/// A pose characteristic that campaigns can limit.
 #[derive(Clone, Copy, Debug)]
 pub struct PoseCharacteristic {
-    /// Symbol of the standard.
+    /// Symbol in the standard.
     pub symbol: &'static str,
-    /// Limit of its largest value.
+    /// Limit of the largest value.
     pub limit: LimitQuantity,
-    /// Value in mm.
+    /// Value (mm).
     pub value: fn(&Iso9283Pose) -> Option<f64>,
     /// 95 % interval.
     pub interval: fn(&Iso9283Pose) -> Option<Iso9283Interval>,
@@ -278,17 +284,17 @@ impl PoseCharacteristic {
         interval: |p| p.rp_interval,
         conformity: |p| p.rp_conformity,
     };
-    /// All of them, in the order of the clauses.
+    /// All characteristics in the order of the clauses.
     pub const ALL: [Self; 2] = [Self::AP, Self::RP];
 }
 
 mirror! {
-    /// Ellipsoid about the mean position, flat in directions without scatter.
+    /// Ellipsoid about the mean position; flat in directions without scatter.
     #[derive(Copy)]
     struct Iso9283Ellipsoid of Ellipsoid {
-        /// Semi-axes, the longest first.
+        /// Semi-axes, descending.
         semi_axes_mm: Vector,
-        /// Their unit vectors.
+        /// Unit vectors of the semi-axes.
         axes: [Vector; 3],
     }
 }
@@ -299,35 +305,35 @@ mirror! {
     struct Iso9283Distance of PairDistance as d {
         /// The two poses.
         poses: [PoseName; 2],
-        /// Cycles that have both.
+        /// Number of cycles with both poses.
         cycles: usize,
         /// AD_p: mean attained minus commanded distance.
         ad_mm: f64 = d.position.ad_mm,
-        /// AD_x, AD_y and, where there is one, AD_z.
+        /// AD_x, AD_y and, if spatial, AD_z.
         ad_axes_mm: Vec<f64> = d.coordinates(d.position.ad_axis_mm),
         /// RD_p: three standard deviations.
         rd_mm: f64 = d.position.rd_mm,
-        /// RD_x, RD_y and, where there is one, RD_z.
+        /// RD_x, RD_y and, if spatial, RD_z.
         rd_axes_mm: Vec<f64> = d.coordinates(d.position.rd_axis_mm),
-        /// AD of the angles that exist, in the order a, b, c.
+        /// AD of the measured angles, in the order a, b, c.
         ad_angles_deg: Vec<f64> = degrees(&d.ad_angles_rad),
-        /// RD of the angles that exist.
+        /// RD of the measured angles.
         rd_angles_deg: Vec<f64> = degrees(&d.rd_angles_rad),
     }
 }
 
 mirror! {
-    /// One pose approached in several ways (7.2.3).
+    /// A pose that was approached in several ways (7.2.3).
     struct Iso9283Variation of PoseVariation as v {
         /// Name of the pose.
         pose: PoseName,
-        /// vAP_p: largest distance between barycentres of two approaches.
+        /// vAP_p: largest distance between the barycentres of two approaches.
         vap_mm: f64,
-        /// The two that are farthest apart.
+        /// Approaches with the largest distance.
         between: [String; 2],
-        /// vAP of the angles that exist, in the order a, b, c.
+        /// vAP of the measured angles, in the order a, b, c.
         vap_angles_deg: Vec<f64> = degrees(&v.angles_rad),
-        /// Every approach by itself.
+        /// Characteristics of each approach.
         approaches: Vec<Iso9283Approach> = all(v.approaches),
     }
 }
@@ -335,17 +341,18 @@ mirror! {
 mirror! {
     /// Visits by one approach.
     struct Iso9283Approach of Approach {
-        /// The column `approach`, or the previous pose.
+        /// Value of the column `approach`, or the previous pose.
         name: String,
-        /// Visits.
+        /// Number of visits.
         cycles: usize,
         /// Barycentre.
         mean_mm: Vector,
-        /// Barycentre minus commanded position; null where none was commanded.
+        /// Barycentre minus commanded position; null if no position was commanded.
         deviation_mm: Option<Vector>,
         /// RP within this approach; null with a single visit.
         rp_mm: Option<f64>,
-        /// Radius of the smallest sphere (planar robots: circle) that holds its positions.
+        /// Radius of the smallest sphere (planar robots: circle) that encloses the positions of
+        /// this approach.
         enclosing_radius_mm: Option<f64>,
     }
 }
@@ -359,11 +366,11 @@ mirror! {
         ap_mm: Vec<f64>,
         /// RP of each set.
         rp_mm: Vec<f64>,
-        /// |AP at the start - AP at the end|.
+        /// |AP at the start − AP at the end|.
         dap_mm: f64,
-        /// |RP at the start - RP at the end|.
+        /// |RP at the start − RP at the end|.
         drp_mm: f64,
-        /// Number of sets after which AP had settled.
+        /// Number of sets until AP settled.
         settled_after: Option<usize>,
     }
 }
@@ -373,17 +380,14 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     let mut messages = test.warnings.clone();
     messages.extend(several_ways(test));
     let named = |wanted: fn(&Iso9283Pose) -> bool| {
-        let names: Vec<String> = poses.iter().filter(|p| wanted(p)).map(|p| p.pose.to_string()).collect();
-        (!names.is_empty()).then(|| names.join(", "))
+        let names: Vec<PoseName> = poses.iter().filter(|p| wanted(p)).map(|p| p.pose).collect();
+        (!names.is_empty()).then_some(names)
     };
     if let Some(short) = named(|p| p.cycles < CYCLES) {
-        let message = Message::warning(format!("fewer than {CYCLES} cycles at pose {short}"));
-        messages.push(message.hint("ISO 9283 asks for 30; the intervals show what fewer leave open"));
+        messages.push(warning!("few-cycles", least = CYCLES, poses = short));
     }
     if let Some(coarse) = named(|p| p.quarter_rule_met == Some(false)) {
-        let what = format!("the instrument's uncertainty exceeds a quarter of what it verifies at pose {coarse}");
-        let message = Message::warning(what);
-        messages.push(message.hint("the values are upper bounds of the robot's; measure with a better instrument"));
+        messages.push(warning!("instrument-too-coarse", poses = coarse));
     }
     messages
 }
@@ -429,14 +433,10 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<String> {
     conventions
 }
 
-/// A warning where visits of a pose come from several directions: the standard's AP and RP are of one (7.2.1, 7.2.2).
+/// Warning if visits of a pose come from several directions, because AP and RP of the standard
+/// assume one direction (7.2.1, 7.2.2).
 fn several_ways(visits: &PoseTest) -> Option<Message> {
     let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
-    let poses: Vec<String> = several.map(|p| p.pose.to_string()).collect();
-    let what = format!(
-        "approached in several ways: pose {}; AP, RP and their intervals are of all visits together",
-        poses.join(", ")
-    );
-    let hint = "what the standard calls RP is that of each approach, listed beside it; together they hold vAP as well, and their scatter is not Gaussian";
-    (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
+    let poses: Vec<PoseName> = several.map(|p| p.pose).collect();
+    (!poses.is_empty()).then(|| warning!("several-approaches", poses))
 }

@@ -57,6 +57,60 @@ pub enum ColumnRole {
     J,
     /// The same.
     K,
+    /// Expanded uncertainty of x, in the unit of the file; `coverage_factor` of the format makes it a standard one.
+    U95x,
+    /// Of y.
+    U95y,
+    /// Of z.
+    U95z,
+    /// Quaternion of the measured body, in the frame of the file: scalar.
+    Qw,
+    /// The same: x.
+    Qx,
+    /// The same: y.
+    Qy,
+    /// The same: z.
+    Qz,
+    /// Rotation vector of the body, or the first of three angles where `rotation` states their order (deg).
+    RxDeg,
+    /// The second.
+    RyDeg,
+    /// The third.
+    RzDeg,
+    /// The same in rad.
+    RxRad,
+    /// The second.
+    RyRad,
+    /// The third.
+    RzRad,
+    /// Rotation matrix of the body, row by row.
+    R11,
+    /// The same.
+    R12,
+    /// The same.
+    R13,
+    /// The same.
+    R21,
+    /// The same.
+    R22,
+    /// The same.
+    R23,
+    /// The same.
+    R31,
+    /// The same.
+    R32,
+    /// The same.
+    R33,
+    /// Temperature during the measurement (°C).
+    TemperatureC,
+    /// Rows with `1`, `true`, `yes` or `x` are left out.
+    Deleted,
+    /// Date and time of day: `11.10.2022 15:06:48.043`, `2022-10-11T15:06:48`.
+    Timestamp,
+    /// Date, where the time of day is in another column.
+    Date,
+    /// Time in milliseconds.
+    TimeMs,
     /// Time in seconds.
     TimeS,
     /// Not read.
@@ -92,6 +146,33 @@ impl ColumnRole {
             Self::I => "i",
             Self::J => "j",
             Self::K => "k",
+            Self::U95x => "u95x",
+            Self::U95y => "u95y",
+            Self::U95z => "u95z",
+            Self::Qw => "qw",
+            Self::Qx => "qx",
+            Self::Qy => "qy",
+            Self::Qz => "qz",
+            Self::RxDeg => "rx_deg",
+            Self::RyDeg => "ry_deg",
+            Self::RzDeg => "rz_deg",
+            Self::RxRad => "rx_rad",
+            Self::RyRad => "ry_rad",
+            Self::RzRad => "rz_rad",
+            Self::R11 => "r11",
+            Self::R12 => "r12",
+            Self::R13 => "r13",
+            Self::R21 => "r21",
+            Self::R22 => "r22",
+            Self::R23 => "r23",
+            Self::R31 => "r31",
+            Self::R32 => "r32",
+            Self::R33 => "r33",
+            Self::TemperatureC => "temperature_c",
+            Self::Deleted => "deleted",
+            Self::Timestamp => "timestamp",
+            Self::Date => "date",
+            Self::TimeMs => "time_ms",
             Self::TimeS => "time_s",
             Self::Skip => "-",
         }
@@ -105,6 +186,24 @@ impl ColumnRole {
     /// A coordinate that is an angle.
     pub fn is_angle(self) -> bool {
         matches!(self, Self::Azimuth | Self::AzimuthClockwise | Self::Zenith | Self::Elevation)
+    }
+
+    /// Columns of an orientation, form by form.
+    pub const ORIENTATIONS: [&'static [Self]; 4] = [
+        &[Self::Qw, Self::Qx, Self::Qy, Self::Qz],
+        &[Self::RxDeg, Self::RyDeg, Self::RzDeg],
+        &[Self::RxRad, Self::RyRad, Self::RzRad],
+        &[Self::R11, Self::R12, Self::R13, Self::R21, Self::R22, Self::R23, Self::R31, Self::R32, Self::R33],
+    ];
+
+    /// A number of an orientation.
+    pub fn is_orientation(self) -> bool {
+        Self::ORIENTATIONS.iter().any(|form| form.contains(&self))
+    }
+
+    /// An expanded uncertainty.
+    pub fn is_expanded(self) -> bool {
+        matches!(self, Self::U95x | Self::U95y | Self::U95z)
     }
 
     /// A coordinate of a kind that the row states.

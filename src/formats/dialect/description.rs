@@ -1,7 +1,9 @@
 //! How a delimited text is to be read: stated by the campaign, never guessed in silence.
 
 use super::columns::{ColumnAt, ColumnRole, Columns};
+use super::source::Cells;
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
+use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, printable, printable_character};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -30,6 +32,10 @@ pub struct Dialect {
     pub angle_unit: Option<AngleUnit>,
     /// Confirms the coordinate type of `columns` where the values look like another one.
     pub coordinates: Option<CoordinateType>,
+    /// Coverage factor of `u95x`, `u95y` and `u95z`, and of `u1`, `u2` and `u3` where these are expanded.
+    pub coverage_factor: Option<f64>,
+    /// Order in which three angles `rx_deg`, `ry_deg`, `rz_deg` turn the body, as `orientation` of tables; without it they are a rotation vector.
+    pub rotation: Option<String>,
     /// Number of rows before the data, or words of the row before the data.
     pub header: Header,
     /// Beginning of lines that are skipped.
@@ -38,6 +44,10 @@ pub struct Dialect {
     pub missing: Missing,
     /// Row that ends the data.
     pub end: Option<String>,
+    /// Rows that are read: those with one of these cells in each of these columns (a heading, or `$3`); others are listed as left out.
+    pub only: BTreeMap<String, Cells>,
+    /// Rows that are left out: those with one of these cells in one of these columns.
+    pub without: BTreeMap<String, Cells>,
 }
 
 /// What separates columns.
@@ -142,6 +152,11 @@ impl Unit {
         }
     }
 
+    /// The unit of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Millimetre, Self::Metre, Self::Micrometre, Self::Inch].into_iter().find(|unit| unit.name() == name)
+    }
+
     /// As the campaign states it.
     pub fn name(self) -> &'static str {
         match self {
@@ -182,6 +197,43 @@ impl Dialect {
         wrong.extend(self.marks());
         wrong.extend(self.roles());
         wrong.extend(self.header());
+        wrong.extend(self.orientation());
+        wrong
+    }
+
+    /// What is wrong with the columns of an orientation and of uncertainties.
+    fn orientation(&self) -> Vec<Message> {
+        let roles = self.columns.roles();
+        let mut wrong = Vec::new();
+        let count = |form: &&&[ColumnRole]| form.iter().filter(|role| roles.contains(role)).count();
+        let forms: Vec<&&[ColumnRole]> = ColumnRole::ORIENTATIONS.iter().filter(|form| count(form) > 0).collect();
+        if forms.len() > 1 {
+            wrong.push(Message::error("`columns` names an orientation in two forms").hint("leave one of them out"));
+        }
+        for form in forms.iter().filter(|form| count(form) < form.len()) {
+            let names: Vec<&str> = form.iter().map(|role| role.name()).collect();
+            let message = Message::error("`columns` names a part of an orientation");
+            wrong.push(message.expected(format!("{}, or none of them", names.join(", "))));
+        }
+        if let Some(order) = &self.rotation {
+            if !roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad)) {
+                wrong.push(Message::error("`rotation` means nothing without columns rx_deg, ry_deg, rz_deg"));
+            }
+            wrong.extend(order.parse::<AngleOrder>().err());
+        }
+        let expanded = roles.iter().filter(|role| role.is_expanded()).count();
+        if expanded > 0 && self.coverage_factor.is_none() {
+            let message = Message::error("expanded uncertainties need their `coverage_factor`");
+            wrong.push(message.hint("state it in `format`: `coverage_factor = 2`"));
+        }
+        if expanded > 0 && roles.iter().any(|role| role.is_uncertainty()) {
+            wrong.push(
+                Message::error("`columns` names standard and expanded uncertainties").hint("leave one of them out"),
+            );
+        }
+        if self.coverage_factor.is_some_and(|factor| !(factor > 0.0 && factor.is_finite())) {
+            wrong.push(Message::error("`coverage_factor` must be positive"));
+        }
         wrong
     }
 
@@ -307,7 +359,8 @@ impl Dialect {
 
     fn header(&self) -> Vec<Message> {
         let Columns::Named(named) = &self.columns else { return Vec::new() };
-        let by_name = named.iter().any(|(_, column)| matches!(column, ColumnAt::Name(_)));
+        let heading = |column: &ColumnAt| matches!(column, ColumnAt::Name(name) if !name.contains('$'));
+        let by_name = named.iter().any(|(_, column)| heading(column));
         match by_name && self.header == Header::Rows(0) {
             true => vec![
                 Message::error("`columns` names columns of a header, and the format states none")
@@ -414,6 +467,12 @@ impl fmt::Display for Dialect {
         if let Some(thousands) = self.thousands {
             keys.push(("thousands", quoted(thousands.name())));
         }
+        if let Some(factor) = self.coverage_factor {
+            keys.push(("coverage_factor", factor.to_string()));
+        }
+        if let Some(order) = &self.rotation {
+            keys.push(("rotation", quoted(order)));
+        }
         match &self.header {
             Header::Rows(0) => {}
             Header::Rows(rows) => keys.push(("header", rows.to_string())),
@@ -439,6 +498,12 @@ impl fmt::Display for Dialect {
         }
         if let Some(end) = &self.end {
             keys.push(("end", quoted(end)));
+        }
+        for (key, stated) in [("only", &self.only), ("without", &self.without)] {
+            if !stated.is_empty() {
+                let cells = stated.iter().map(|(name, cells)| format!("{} = {cells}", quoted(name)));
+                keys.push((key, format!("{{ {} }}", cells.collect::<Vec<_>>().join(", "))));
+            }
         }
         let keys: Vec<String> = keys.into_iter().map(|(key, value)| format!("{key} = {value}")).collect();
         write!(f, "{{ {} }}", keys.join(", "))

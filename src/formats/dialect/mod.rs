@@ -1,12 +1,16 @@
 //! How a file is to be read, as a campaign states it.
 
 mod columns;
+mod computed;
 mod description;
+mod source;
 mod text;
 
 pub use columns::{Column, ColumnAt, ColumnRole, Columns, FromRow};
+pub(crate) use computed::Expression;
 pub(crate) use description::quoted;
 pub use description::{Decimal, Delimiter, Dialect, Unit, coordinate_type, two_commas};
+pub use source::{Cells, ColumnSource, Constant};
 pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURED, Thousands};
 
 use schemars::Schema;

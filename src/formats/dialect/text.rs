@@ -161,6 +161,7 @@ impl JsonSchema for Header {
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "anyOf": [
             { "type": "integer", "minimum": 0 },
+            { "type": "boolean" },
             { "type": "string" },
             { "type": "array", "items": { "type": "string" } },
         ] })
@@ -180,6 +181,9 @@ impl<'de> Deserialize<'de> for Header {
                     "" => Err(E::invalid_value(de::Unexpected::Str(words), &self)),
                     _ => Ok(Header::Words(vec![words.to_owned()])),
                 }
+            }
+            fn visit_bool<E: de::Error>(self, named: bool) -> Result<Header, E> {
+                Ok(Header::Rows(usize::from(named)))
             }
             fn visit_i64<E: de::Error>(self, rows: i64) -> Result<Header, E> {
                 let wrong = || E::invalid_value(de::Unexpected::Signed(rows), &self);

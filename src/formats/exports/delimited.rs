@@ -1,14 +1,18 @@
 //! Delimited text: rows of columns in a dialect that the campaign states, or that has a name.
 
+use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, Writing};
 use crate::dialect::{
-    ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Header, Unit, coordinate_type,
+    Cells, ColumnAt, ColumnRole, Columns, CoordinateType, Decimal, Delimiter, Dialect, Expression, Header, Unit,
+    coordinate_type,
 };
 use crate::lexer::pose_name;
 use crate::lexer::{self, Row, WHOLE, each_row, marked};
 use crate::points::{Line, Names, Point};
+use crate::tables::observations::column_index;
+use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Problems};
-use etalon_base::pose::{Vector, norm};
+use etalon_base::pose::{Pose, Vector, norm};
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
@@ -150,7 +154,8 @@ fn points<'t>(
 ) -> Result<(Vec<Point>, Vec<Message>), Vec<Message>> {
     let header = header(file, &mut rows, dialect)?;
     let mut rows = rows.peekable();
-    let roles = roles(file, header.as_ref(), dialect, rows.peek())?;
+    let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, rows.peek())?;
+    let filter = Filter::of(file, dialect, header.as_ref())?;
     let mut problems = Problems::default();
     if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
@@ -160,9 +165,9 @@ fn points<'t>(
             problems.0.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
         }
     }
-    let reader = Reader { file, text, dialect, unit, roles };
+    let reader = Reader { file, text, dialect, unit, roles, filter };
     let (mut points, mut names) = (Vec::new(), Names::default());
-    while let Some(row) = rows.next() {
+    while let Some(mut row) = rows.next() {
         let ends = |end: &String| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
         if let Some(end) = dialect.end.as_ref().filter(|end| ends(end)) {
             if let Some(row) = rows.next() {
@@ -170,6 +175,9 @@ fn points<'t>(
                 problems.0.push(message.at(row.place(file)));
             }
             break;
+        }
+        if !computed.is_empty() {
+            computed_cells(file, &mut row, width, (dialect, &computed), &mut problems);
         }
         points.extend(reader.point(&row, &mut names, &mut problems));
     }
@@ -193,21 +201,29 @@ fn header<'t>(
     }
 }
 
-/// What each column holds.
-fn roles(
+/// What each column holds; columns that are computed are behind those of the file.
+struct Resolved {
+    roles: Vec<ColumnRole>,
+    computed: Vec<Expression>,
+    /// Columns of the file.
+    width: usize,
+}
+
+fn resolved(
     file: &str,
     header: Option<&Row>,
     dialect: &Dialect,
     first: Option<&Row>,
-) -> Result<Vec<ColumnRole>, Vec<Message>> {
+) -> Result<Resolved, Vec<Message>> {
     let named = match &dialect.columns {
         Columns::InOrder(roles) => {
             let mut roles = roles.clone();
             roles.resize(roles.len().max(dialect.widths.len()), ColumnRole::Skip);
-            return Ok(roles);
+            return Ok(Resolved { width: roles.len(), roles, computed: Vec::new() });
         }
         Columns::Named(named) => named,
     };
+    let mut computed = Vec::new();
     let fields = header.map_or(&[][..], |row| &row.fields);
     let width = fields.len().max(first.map_or(0, |row| row.fields.len()));
     let mut roles = vec![ColumnRole::Skip; width];
@@ -229,6 +245,10 @@ fn roles(
                 wrong.push(Message::error(what).at(at()));
             }
             ([one], _) => roles[*one] = *role,
+            ([], ColumnAt::Name(text)) if Expression::is_likely(text) => match Expression::parse(text, fields) {
+                Ok(expression) => computed.push((*role, expression)),
+                Err(message) => wrong.push(message.at(at())),
+            },
             ([], ColumnAt::Name(name)) => {
                 let message = Message::error(format!("the header has no column `{name}`")).at(at());
                 wrong.push(message.hint_names(name, fields.iter().map(Cow::as_ref)));
@@ -240,7 +260,69 @@ fn roles(
             }
         }
     }
-    if wrong.is_empty() { Ok(roles) } else { Err(wrong) }
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
+    let (more, computed): (Vec<ColumnRole>, Vec<Expression>) = computed.into_iter().unzip();
+    roles.extend(more);
+    Ok(Resolved { roles, computed, width })
+}
+
+/// Adds the cells that are computed from others of the row: empty where one of these was not measured.
+fn computed_cells(
+    file: &str,
+    row: &mut Row,
+    width: usize,
+    (dialect, computed): (&Dialect, &[Expression]),
+    problems: &mut Problems,
+) {
+    row.fields.resize(width.max(row.fields.len()), Cow::Borrowed(""));
+    let mut cells: Vec<String> = Vec::new();
+    for expression in computed {
+        let cell = |at: usize| match row.field(at) {
+            field if dialect.missing.says(field) => Ok(None),
+            field => marked(field, dialect.decimal, dialect.thousands).map(Some),
+        };
+        let value = expression.value(&cell);
+        let text = value.map(|value| value.map_or_else(String::new, |value| value.to_string()));
+        cells.push(text.unwrap_or_else(|(at, message)| {
+            problems.0.push(message.at(row.cell(file, at)));
+            String::new()
+        }));
+    }
+    let mark = |text: String| if dialect.decimal == Decimal::Comma { text.replace('.', ",") } else { text };
+    row.fields.extend(cells.into_iter().map(|text| Cow::Owned(mark(text))));
+}
+
+/// Rows that are left out by the cells of their columns.
+#[derive(Default)]
+struct Filter<'a> {
+    /// Column, its name, its cells, and whether a row with one of them is read.
+    cells: Vec<(usize, &'a str, &'a Cells, bool)>,
+}
+
+impl<'a> Filter<'a> {
+    fn of(file: &str, dialect: &'a Dialect, header: Option<&Row>) -> Result<Self, Vec<Message>> {
+        let at = || header.map_or_else(|| Place::file(file), |row| row.place(file));
+        let (mut cells, mut wrong) = (Vec::new(), Vec::new());
+        for (stated, read) in [(&dialect.only, true), (&dialect.without, false)] {
+            for (name, of) in stated {
+                match column_index(name, header) {
+                    Ok(column) => cells.push((column, name.as_str(), of, read)),
+                    Err(message) => wrong.push(message.at(at())),
+                }
+            }
+        }
+        if wrong.is_empty() { Ok(Self { cells }) } else { Err(wrong) }
+    }
+
+    /// Why a row is left out.
+    fn refuses(&self, row: &Row) -> Option<String> {
+        let fails =
+            |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
+        let (column, name, ..) = self.cells.iter().find(fails)?;
+        Some(format!("left out: `{name}` is `{}`", row.field(*column)))
+    }
 }
 
 /// Reads rows of one file.
@@ -250,6 +332,7 @@ struct Reader<'a> {
     dialect: &'a Dialect,
     unit: Unit,
     roles: Vec<ColumnRole>,
+    filter: Filter<'a>,
 }
 
 impl Reader<'_> {
@@ -283,9 +366,12 @@ impl Reader<'_> {
             };
             read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
         };
-        point.refused = self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f)));
+        let left_out = self.filter.refuses(row);
+        point.refused = left_out
+            .or_else(|| self.not_measured(cells().filter(|(_, role, _)| role.is_coordinate()).map(|(_, r, f)| (r, f))));
         let unmeasured = point.refused.is_some();
         let (mut coordinates, mut uncertain, mut direction) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut turned, mut stamp) = (Vec::new(), [None; 2]);
         let mut names = Vec::new();
         for (i, role, field) in cells() {
             match role {
@@ -293,12 +379,30 @@ impl Reader<'_> {
                 ColumnRole::Label => point.label = shared.shared(&format!("{}::{field}", point.label)),
                 ColumnRole::Target => point.target = Some(shared.shared(field)),
                 ColumnRole::TimeS => point.time_s = Some(value(i, field)),
+                ColumnRole::TimeMs => point.time_s = Some(value(i, field) / 1000.0),
+                ColumnRole::Timestamp => stamp[1] = Some((i, field)),
+                ColumnRole::Date => stamp[0] = Some((i, field)),
+                ColumnRole::TemperatureC if self.dialect.missing.says(field) => {}
+                ColumnRole::TemperatureC => point.temperature_c = Some(value(i, field)),
+                ColumnRole::Deleted if is_deleted(field) => {
+                    point.refused.get_or_insert(format!("left out: it is marked as deleted (`{field}`)"));
+                }
                 ColumnRole::Pose | ColumnRole::Cycle => names.push((i, role, field)),
                 _ if unmeasured => {}
+                role if role.is_orientation() && self.dialect.missing.says(field) => {}
+                role if role.is_orientation() => turned.push((role, value(i, field))),
+                role if role.is_expanded() => uncertain.push((role, value(i, field))),
                 role if role.is_coordinate() => coordinates.push((i, role, value(i, field) * self.factor(role))),
                 role if role.is_uncertainty() => uncertain.push((role, value(i, field))),
                 ColumnRole::I | ColumnRole::J | ColumnRole::K => direction.push((role, value(i, field))),
                 _ => {}
+            }
+        }
+        if let [_, Some((i, field))] = stamp {
+            let date = stamp[0].map_or("", |(_, date)| date);
+            match stamps::seconds(date, field) {
+                Ok(seconds) => point.time_s = Some(seconds),
+                Err(message) => wrong(message, i),
             }
         }
         for (i, role, field) in names {
@@ -323,10 +427,15 @@ impl Reader<'_> {
         let coordinates: Vec<(ColumnRole, f64)> =
             coordinates.into_iter().map(|(_, role, value)| (role, value)).collect();
         uncertain.sort_by_key(|(role, _)| *role as usize);
+        let covered = self.dialect.coverage_factor.unwrap_or(1.0);
         let uncertain: Vec<f64> =
-            uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of)).collect();
+            uncertain.iter().zip(&coordinates).map(|((_, u), (of, _))| u * self.factor(*of) / covered).collect();
         let (place, spread) = cartesian(&coordinates, Some(&uncertain[..]).filter(|u| !u.is_empty()));
         (point.xyz_mm, point.standard_uncertainty_mm) = (place, spread.map(Box::new));
+        match orientation(&mut turned, self.dialect.rotation.as_deref()) {
+            Ok(turned) => point.orientation = turned.map(Box::new),
+            Err(message) => problems.0.push(message.at(line())),
+        }
         direction.sort_by_key(|(role, _)| *role as usize);
         if let [(_, i), (_, j), (_, k)] = direction[..] {
             match unit_vector([i, j, k]) {
@@ -389,7 +498,8 @@ impl Reader<'_> {
         let first = measured().nth(2).and(measured().next())?;
         let angles = |p: &Point| {
             let [x, y, z] = p.xyz_mm.map(|v| v / self.unit.in_mm());
-            x.abs() <= TAU && (0.0..=PI).contains(&y) && z * self.unit.in_mm() > 100.0
+            // points in m that are near the instrument have such x and y too: a distance is one by its number
+            x.abs() <= TAU && (0.0..=PI).contains(&y) && z > 100.0
         };
         measured().all(angles).then(|| {
             let what = "x, y and z look like azimuth and zenith in rad, and distance: all rows hold two small angles and one length";
@@ -400,6 +510,50 @@ impl Reader<'_> {
         })
     }
 }
+
+/// Whether a cell marks its row as deleted.
+fn is_deleted(cell: &str) -> bool {
+    ["1", "true", "yes", "y", "x", "deleted", "ja", "oui", "si"].iter().any(|mark| cell.eq_ignore_ascii_case(mark))
+}
+
+/// The quaternion of an orientation; `None` where none of its cells is there.
+fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Result<Option<[f64; 4]>, Message> {
+    numbers.sort_by_key(|(role, _)| *role as usize);
+    let Some((first, _)) = numbers.first() else { return Ok(None) };
+    let form = ColumnRole::ORIENTATIONS.iter().find(|form| form.contains(first)).copied().unwrap_or(&[]);
+    let values: Vec<f64> = numbers.iter().map(|(_, value)| *value).collect();
+    if values.len() < form.len() {
+        return Err(
+            Message::error("the orientation lacks a number").hint("leave the whole orientation empty, or complete it")
+        );
+    }
+    let pose = match values[..] {
+        [w, x, y, z] => {
+            let length = (w * w + x * x + y * y + z * z).sqrt();
+            if !((length - 1.0).abs() < QUATERNION) {
+                let message = Message::error(format!("the quaternion has the length {length:.4}"));
+                return Err(message.expected("1: qw, qx, qy, qz, the scalar first"));
+            }
+            Pose::from_quaternion([w, x, y, z])
+        }
+        [a, b, c] => {
+            let factor = if *first == ColumnRole::RxDeg { PI / 180.0 } else { 1.0 };
+            let angles = [a, b, c].map(|v| v * factor);
+            match rotation {
+                Some(order) => order.parse::<AngleOrder>()?.pose(angles),
+                None => Pose::from_rotation_vector(angles),
+            }
+        }
+        _ => match <[f64; 9]>::try_from(values) {
+            Ok(rows) => Pose::from_rotation(rows)?,
+            Err(_) => return Ok(None),
+        },
+    };
+    Ok(Some(pose.quaternion()))
+}
+
+/// Largest difference from 1 of the length of a quaternion with three digits.
+const QUATERNION: f64 = 2e-3;
 
 /// Place of a point in mm, from coordinates in mm and rad in the order of their columns, and its standard uncertainties
 /// in x, y and z from theirs: each independent of the others, to first order; what is common to x, y and z is left out.

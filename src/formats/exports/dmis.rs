@@ -149,12 +149,12 @@ fn read(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<DmisFeat
     for record in records(text) {
         let (label, major, fields) = record.parts();
         match (major.to_ascii_uppercase().as_str(), label, &fields[..]) {
-            ("UNITS", _, [length, ..]) => problems.0.extend(units(text, &record, length, unit).err()),
+            ("UNITS", _, [length, ..]) => problems.0.extend(units(&record, length, unit).err()),
             ("FEAT", Some(label), [kind, rest @ ..]) => {
                 let Some(name) = actual(label.text) else { continue };
                 let kind = kind.text.to_ascii_uppercase();
                 match KINDS.iter().find(|known| known.name == kind) {
-                    Some(known) => match feature(text, &record, known, rest, directions, unit) {
+                    Some(known) => match feature(&record, known, rest, directions, unit) {
                         Ok(found) => features.push(DmisFeature { label: name.to_owned(), ..found }),
                         Err(more) => problems.0.extend(more.0),
                     },
@@ -174,8 +174,8 @@ fn actual(label: &str) -> Option<&str> {
 }
 
 /// An error where the file is in another unit than the campaign states.
-fn units(text: &Text, record: &Record, length: &Part, stated: Unit) -> std::result::Result<(), Message> {
-    let place = record.place(text, length);
+fn units(record: &Record, length: &Part, stated: Unit) -> std::result::Result<(), Message> {
+    let place = record.place(length);
     let of_file = match length.text.to_ascii_uppercase().as_str() {
         "MM" => Unit::Millimetre,
         "M" => Unit::Metre,
@@ -190,7 +190,6 @@ fn units(text: &Text, record: &Record, length: &Part, stated: Unit) -> std::resu
 
 /// A feature from the fields after its kind, without its label.
 fn feature(
-    text: &Text,
     record: &Record,
     kind: &Kind,
     fields: &[Part],
@@ -200,7 +199,7 @@ fn feature(
     let is_word = |part: &&Part| part.text.starts_with(|c: char| c.is_ascii_alphabetic());
     let words: Vec<&Part> = fields.iter().take_while(is_word).collect();
     if let Some(word) = words.iter().find(|word| word.text.eq_ignore_ascii_case("POL")) {
-        let message = Message::error("the feature is in polar coordinates").at(record.place(text, word));
+        let message = Message::error("the feature is in polar coordinates").at(record.place(word));
         return Err(message.expected("CART").hint("write the output in Cartesian coordinates").into());
     }
     let mut problems = Problems::default();
@@ -208,14 +207,13 @@ fn feature(
     for part in &fields[words.len()..] {
         match number(part.text, Decimal::Point) {
             Ok(value) => numbers.push(value),
-            Err(message) => problems.0.push(message.at(record.place(text, part))),
+            Err(message) => problems.0.push(message.at(record.place(part))),
         }
     }
     problems.check()?;
     if !kind.counts.contains(&numbers.len()) {
         let counts: Vec<String> = kind.counts.iter().map(usize::to_string).collect();
-        let message =
-            Message::error(format!("the {} has {} numbers", kind.name, numbers.len())).at(text.place(record.line()));
+        let message = Message::error(format!("the {} has {} numbers", kind.name, numbers.len())).at(record.start());
         let message = message.expected(counts.join(" or "));
         return Err(message.hint("was the file cut off? A record goes on only after a line that ends in `$`").into());
     }
@@ -223,7 +221,7 @@ fn feature(
     let direction = match kind.directed {
         true => direction(written, directions).map_err(|message| {
             let at = fields.get(words.len() + 3);
-            message.at(at.map_or_else(|| text.place(record.line()), |part| record.place(text, part)))
+            message.at(at.map_or_else(|| record.start(), |part| record.place(part)))
         })?,
         false => None,
     };
@@ -261,8 +259,8 @@ fn direction(written: Vector, directions: DirectionNotation) -> std::result::Res
 }
 
 /// A record: `label = MAJOR/field, field, ...`.
-#[derive(Debug, Default)]
-struct Record {
+struct Record<'t> {
+    file: &'t Text<'t>,
     text: String,
     /// Where pieces of it stand: byte of the record, line, byte of the line.
     pieces: Vec<(usize, usize, usize)>,
@@ -282,10 +280,11 @@ impl Part<'_> {
 }
 
 /// All records of a file.
-fn records(text: &Text) -> Vec<Record> {
+fn records<'t>(file: &'t Text<'t>) -> Vec<Record<'t>> {
     let mut all = Vec::new();
-    let mut open = Record::default();
-    for (i, line) in text.lines.iter().enumerate() {
+    let empty = || Record { file, text: String::new(), pieces: Vec::new() };
+    let mut open = empty();
+    for (i, line) in file.lines.iter().enumerate() {
         if line.trim_start().starts_with("$$") {
             continue;
         }
@@ -294,14 +293,14 @@ fn records(text: &Text) -> Vec<Record> {
         open.pieces.push((open.text.len(), i + 1, 0));
         open.text.push_str(goes_on.unwrap_or(end));
         if goes_on.is_none() {
-            all.extend(Some(std::mem::take(&mut open)).filter(|record| !record.text.trim().is_empty()));
+            all.extend(Some(std::mem::replace(&mut open, empty())).filter(|record| !record.text.trim().is_empty()));
         }
     }
     all.extend(Some(open).filter(|record| !record.text.trim().is_empty()));
     all
 }
 
-impl Record {
+impl Record<'_> {
     /// First line of the record.
     fn line(&self) -> usize {
         self.pieces.first().map_or(1, |piece| piece.1)
@@ -319,11 +318,16 @@ impl Record {
         (label, major.trim(), fields)
     }
 
+    /// Where the record begins.
+    fn start(&self) -> Place {
+        self.file.place(self.line())
+    }
+
     /// Where a part is.
-    fn place(&self, text: &Text, part: &Part) -> Place {
+    fn place(&self, part: &Part) -> Place {
         let before = self.pieces.partition_point(|piece| piece.0 <= part.at);
         let (start, line, byte) = self.pieces.get(before.saturating_sub(1)).copied().unwrap_or((0, 1, 0));
-        text.part(line, byte + part.at - start.min(part.at), part.text.chars().count())
+        self.file.part(line, byte + part.at - start.min(part.at), part.text.chars().count())
     }
 }
 
@@ -357,7 +361,7 @@ mod tests {
         let (label, major, fields) = all[0].parts();
         assert_eq!((label.map(|l| l.text), major), (Some("FA(A 1)"), "FEAT"));
         assert_eq!(fields.iter().map(|f| f.text).collect::<Vec<_>>(), ["CIRCLE", "'a,b'", "50.5", "-1"]);
-        let place = all[0].place(&text, &fields[2]);
+        let place = all[0].place(&fields[2]);
         assert_eq!((place.line, place.column, place.width), (Some(3), Some(3), 4));
         assert_eq!(all[1].parts().1, "ENDFIL");
     }

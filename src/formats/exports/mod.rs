@@ -8,6 +8,7 @@ pub(crate) mod delimited;
 pub mod dmis;
 mod geopak_gws;
 mod inspec;
+mod leica_at960;
 mod leica_emscon;
 mod pcdmis_xyz;
 mod pivot;
@@ -18,6 +19,7 @@ pub mod polyworks_report;
 pub mod qif;
 mod sdss_plate;
 mod spatialanalyzer;
+mod stamps;
 mod vda_fs;
 
 use super::lexer::written;
@@ -34,7 +36,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Every format that has a name. To add one: its file, and its line here.
-const FORMATS: [&dyn ExportFormat; 20] = [
+const FORMATS: [&dyn ExportFormat; 21] = [
     &polyworks::Polyworks,
     &qif::Qif,
     &spatialanalyzer::SpatialAnalyzer,
@@ -53,6 +55,7 @@ const FORMATS: [&dyn ExportFormat; 20] = [
     &delimited::XYZIJK,
     &delimited::NAME_XYZ,
     &delimited::TRACKER,
+    &leica_at960::LEICA_AT960,
     &leica_emscon::LEICA_EMSCON,
     &sdss_plate::SDSS_PLATE,
 ];

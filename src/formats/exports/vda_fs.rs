@@ -43,6 +43,13 @@ struct Entity<'a> {
     fields: Vec<(usize, usize, &'a str)>,
 }
 
+impl Entity<'_> {
+    /// Numbers of each point: its coordinates, of an MDI its direction too.
+    fn per_point(&self) -> usize {
+        if self.kind == "MDI" { 6 } else { 3 }
+    }
+}
+
 /// The points; a label is the name of the entity.
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
@@ -50,9 +57,9 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let (mut points, mut others) = (Vec::new(), BTreeMap::<&str, usize>::new());
     for entity in &entities {
         match entity.kind {
-            "POINT" => points.extend(coordinates(text, entity, &entity.fields, 3, unit, &mut problems)),
-            kind @ ("PSET" | "MDI") => {
-                let per_point = if kind == "PSET" { 3 } else { 6 };
+            "POINT" => points.extend(coordinates(text, entity, &entity.fields, unit, &mut problems)),
+            "PSET" | "MDI" => {
+                let per_point = entity.per_point();
                 let Some(((line, byte, count), fields)) = entity.fields.split_first() else { continue };
                 let stated = count.parse::<usize>().ok().and_then(|n| n.checked_mul(per_point));
                 if stated != Some(fields.len()) {
@@ -60,7 +67,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                     let message = Message::error(what).at(text.part(*line, *byte, count.len()));
                     problems.0.push(message.expected(format!("{per_point} numbers a point")));
                 }
-                points.extend(coordinates(text, entity, fields, per_point, unit, &mut problems));
+                points.extend(coordinates(text, entity, fields, unit, &mut problems));
             }
             "HEADER" | "END" => {}
             kind => *others.entry(kind).or_default() += 1,
@@ -76,16 +83,15 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// Points of so many numbers each, of which the first three are coordinates.
+/// The points of an entity whose numbers are `fields`.
 fn coordinates(
     text: &Text,
     entity: &Entity,
     fields: &[(usize, usize, &str)],
-    per_point: usize,
     unit: Unit,
     problems: &mut Problems,
 ) -> Vec<Point> {
-    let mut points = Vec::new();
+    let (mut points, per_point) = (Vec::new(), entity.per_point());
     for chunk in fields.chunks(per_point) {
         let mut values = Vec::with_capacity(chunk.len());
         for (line, byte, field) in chunk {

@@ -53,6 +53,8 @@ pub struct JointLog {
     pub name: String,
     /// Its file, as the campaign names it.
     pub file: String,
+    /// Files of the exports whose joints these are, where there are several; the number of a row's file counts them from 1.
+    pub files: Vec<String>,
     /// Columns of its table, in their order: `row line pose cycle time_s label` where stated, and the joints.
     pub columns: Vec<String>,
     /// The columns among them that are joints, in mm or deg, or directions of joints.
@@ -68,6 +70,8 @@ pub struct LogRow {
     pub row: i64,
     /// Line of the file, from 1.
     pub line: usize,
+    /// Number of the file among several whose exports carry joints, from 1.
+    pub file: Option<i64>,
     /// Name of the pose.
     pub pose: Option<PoseName>,
     /// Number of the repeat.

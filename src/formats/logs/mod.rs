@@ -15,8 +15,9 @@ pub use joint_log::{DIRECTION, is_common_column, meaning};
 pub use joint_log::{JointLog, LogRow, is_joint_column};
 pub use write::write;
 
-use super::dialect::{Column, Decimal, Delimiter, Encoding, FromRow};
-use super::exports::Recognised;
+use super::dialect::{Column, Decimal, Delimiter, Dialect, Encoding, FromRow, Header};
+use super::exports::{Format, Recognised};
+use super::input::{bytes_of, text_of};
 use crate::table::ASSEMBLY;
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
@@ -27,6 +28,7 @@ use sheet::Sheet;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::Path;
 use toml::Spanned;
 
 /// A file of a controller.
@@ -51,9 +53,14 @@ pub struct Log {
     /// Decimal mark.
     #[serde(default)]
     pub decimal: Decimal,
-    /// The first row names the columns.
-    #[serde(default = "yes")]
-    pub header: bool,
+    /// Sheet of a workbook that holds the log: its cells need neither delimiter nor encoding.
+    pub sheet: Option<String>,
+    /// Rows before the data, the last of which names the columns: `true` (one), `false` (none), a number, or words of the row.
+    #[serde(default = "one_row")]
+    #[schemars(extend("default" = true))]
+    pub header: Header,
+    /// Beginning of lines that are skipped.
+    pub comment: Option<String>,
     /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), the joints with their units,
     /// and directions from which joints came (`q1_direction`: +1 from below, -1 from above).
     #[schemars(with = "BTreeMap<String, Column>")]
@@ -83,7 +90,24 @@ pub struct StandstillCriterion {
 impl Log {
     /// What separates the columns of a delimited log.
     pub fn delimiter(&self) -> Delimiter {
-        self.delimiter.unwrap_or(Delimiter::Comma)
+        // cells of a sheet are read as a text with tabs
+        let other = if self.sheet.is_some() { Delimiter::Tab } else { Delimiter::Comma };
+        self.delimiter.unwrap_or(other)
+    }
+
+    /// `true` if a row names the columns.
+    pub fn has_header(&self) -> bool {
+        self.header != Header::Rows(0)
+    }
+
+    /// The text of the log's file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or that is no text of this encoding or has no such sheet.
+    pub fn text(&self, path: &Path) -> Result<(String, Vec<u8>)> {
+        let bytes = bytes_of(path)?;
+        let format = Format::from(Dialect { sheet: self.sheet.clone(), ..Dialect::default() });
+        Ok((text_of(path, &bytes, self.encoding, &format)?, bytes))
     }
 }
 
@@ -101,13 +125,22 @@ fn default_log() -> String {
     "log".to_owned()
 }
 
-fn yes() -> bool {
-    true
+fn one_row() -> Header {
+    Header::Rows(1)
 }
 
 /// Every format. To add one: its file, and its line here.
 const FORMATS: [&dyn LogFormat; 6] =
     [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
+
+/// A log as a campaign states it, and the text of its file.
+#[derive(Clone, Copy)]
+pub(crate) struct LogText<'a> {
+    pub log: &'a Log,
+    /// Places of the statements on the log.
+    pub stated: SourceText<'a>,
+    pub text: &'a str,
+}
 
 /// What a format of logs is called.
 #[derive(Clone, Copy)]
@@ -167,15 +200,8 @@ pub(crate) trait LogFormat: Sync {
     }
 
     /// Reads the wanted columns.
-    fn read(
-        &self,
-        stated: SourceText,
-        log: &Log,
-        wanted: &[Wanted],
-        text: &str,
-        source: &mut Source,
-    ) -> Result<Columns> {
-        sheet::read(stated, log, wanted, text, source)
+    fn read(&self, log: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
+        sheet::read(log, wanted, source)
     }
 
     /// Whether its columns are in the order of their names.
@@ -362,7 +388,7 @@ pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> R
 pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
-    match log.format.0.read(stated, log, &wanted, text, source) {
+    match log.format.0.read(LogText { log, stated, text }, &wanted, source) {
         Ok(columns) => problems.check().map(|_| columns),
         Err(more) => {
             problems.0.extend(more.0);
@@ -409,7 +435,7 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
         let message = Message::error("`values` means nothing for this log").at(stated.place(&log.file));
         problems.0.push(message.hint("it belongs to `format = \"twincat\"`"));
     }
-    if !log.header && log.format.0.has_channels() {
+    if !log.has_header() && log.format.0.has_channels() {
         let message = Message::error("`header = false` means nothing for this log").at(stated.place(&log.file));
         problems.0.push(message.hint("a TwinCAT export names its channels: leave `header` out"));
     }

@@ -1,9 +1,9 @@
 //! Logs that are one table: a header of names, a row for each time.
 
-use super::{About, Columns, Log, LogFormat, Values, Wanted, unit_agrees};
-use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, two_commas};
+use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
+use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header, two_commas};
 use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, number, pose_name, rows};
+use crate::lexer::{Row, WHOLE, number, pose_name, split as split_rows};
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_documents::Source;
@@ -47,13 +47,7 @@ impl Sheet<'_> {
 }
 
 /// Reads the wanted columns.
-pub(super) fn read(
-    stated: SourceText,
-    log: &Log,
-    wanted: &[Wanted],
-    text: &str,
-    source: &mut Source,
-) -> Result<Columns> {
+pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas().at(stated.place(&log.file)).into());
     }
@@ -94,8 +88,26 @@ pub(super) fn read(
 /// Splits the text into a header and rows of one width.
 fn split<'a>(stated: SourceText, log: &'a Log, text: &'a str, problems: &mut Problems) -> Result<Sheet<'a>> {
     let file = log.file.get_ref().as_str();
-    let mut all = rows(file, text, log.delimiter())?;
-    let header = if log.header && !all.is_empty() { Some(all.remove(0)) } else { None };
+    let dialect = Dialect { delimiter: Some(log.delimiter()), comment: log.comment.clone(), ..Dialect::default() };
+    let (mut all, wrong) = split_rows(file, text, &dialect);
+    wrong.check()?;
+    let before = match &log.header {
+        Header::Rows(count) => Some(*count),
+        Header::Words(words) => {
+            all.iter().position(|row| words.iter().all(|word| row.text.contains(word.as_str()))).map(|at| at + 1)
+        }
+    };
+    let Some(before) = before else {
+        return Err(Message::error(format!("no line of log `{file}` holds the words of the header"))
+            .at(stated.place(&log.file))
+            .into());
+    };
+    let header = all.drain(..before.min(all.len())).last();
+    if log.sheet.is_some() {
+        // cells behind the last one of a row are empty, and not written
+        let width = header.iter().chain(&all).map(|row| row.fields.len()).max().unwrap_or(0);
+        all.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
+    }
     if all.is_empty() {
         return Err(Message::error(format!("log `{file}` holds no rows"))
             .at(stated.place(&log.file))

@@ -3,11 +3,11 @@
 //! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
 //! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
 
-use super::{About, ChannelValues, Columns, Log, LogFormat, Values, Wanted, other_unit};
+use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, other_unit};
 use crate::dialect::{ColumnAt, Decimal, Delimiter};
 use crate::exports::Recognised;
 use crate::lexer::{Row, number};
-use etalon_base::message::{Message, Place, Problems, Result, SourceText, count};
+use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_documents::Source;
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
@@ -32,15 +32,8 @@ impl LogFormat for TwinCat {
         true
     }
 
-    fn read(
-        &self,
-        stated: SourceText,
-        log: &Log,
-        wanted: &[Wanted],
-        text: &str,
-        source: &mut Source,
-    ) -> Result<Columns> {
-        read(stated, log, wanted, text, source)
+    fn read(&self, log: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
+        read(log, wanted, source)
     }
 }
 
@@ -55,13 +48,7 @@ struct Samples {
 }
 
 /// Reads the wanted channels.
-pub(super) fn read(
-    stated: SourceText,
-    log: &Log,
-    wanted: &[Wanted],
-    text: &str,
-    source: &mut Source,
-) -> Result<Columns> {
+fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
     let file = log.file.get_ref().as_str();
     let lines: Vec<&str> = text.lines().collect();
     let header = Header::read(file, &lines, log)?;
@@ -85,10 +72,8 @@ pub(super) fn read(
         problems.0.push(message.hint_names("", header.channels.iter().map(|c| c.name.as_str())));
     }
     problems.check()?;
-    let mut problems = Problems::default();
     let channels: Vec<&Channel> = chosen.iter().map(|(channel, _)| *channel).collect();
-    let samples = samples(&header, &channels, log, &lines, source, &mut problems);
-    problems.check()?;
+    let samples = samples(&header, &channels, log, &lines, source)?;
     together(file, &header, &chosen, log, &samples)
 }
 
@@ -154,9 +139,9 @@ fn samples(
     log: &Log,
     lines: &[&str],
     source: &mut Source,
-    problems: &mut Problems,
-) -> Vec<Samples> {
+) -> Result<Vec<Samples>> {
     let file = log.file.get_ref().as_str();
+    let mut problems = Problems::default();
     let mut all: Vec<Samples> = channels.iter().map(|_| Samples::default()).collect();
     for (i, line) in lines.iter().enumerate().skip(header.data) {
         if line.trim().is_empty() || line.trim() == "EOF" {
@@ -200,7 +185,7 @@ fn samples(
             }
         }
     }
-    all
+    problems.check().map(|_| all)
 }
 
 /// One row for each time at which all channels have a value.

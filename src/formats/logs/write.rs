@@ -36,7 +36,7 @@ pub fn write(stated: SourceText, log: &Log, values: &JointLog) -> Result<String>
         }
     }
     let line = |fields: &[String]| line(fields, log.delimiter(), None);
-    let mut all = if log.header { line(&header)? } else { String::new() };
+    let mut all = if log.has_header() { line(&header)? } else { String::new() };
     for row in &values.rows {
         let fields: Vec<String> = contents.iter().map(|content| field(log, content.as_ref(), row)).collect();
         all += &line(&fields)?;

@@ -1,10 +1,13 @@
 //! A table of observations as CSV: one row per pose, repeat and target, a column per joint with its unit.
 
-use crate::dialect::{Decimal, Delimiter, Dialect, FromRow, two_commas};
+use crate::dialect::{
+    Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
+    two_commas,
+};
 use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, number, pose_name, rows};
+use crate::lexer::{Row, WHOLE, marked, pose_name, split};
 use crate::logs::meaning;
-use crate::table::{COVARIANCES, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
+use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
@@ -12,15 +15,33 @@ use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// How a table of observations is laid out, where it is not as this program writes one.
+/// How a table is laid out, where it is not as this program writes one.
 #[derive(Clone, Debug)]
 pub struct TableLayout {
     /// What separates the columns.
     pub delimiter: Delimiter,
     /// Decimal mark.
     pub decimal: Decimal,
-    /// The heading in the file of each column that is called otherwise there.
-    pub columns: BTreeMap<String, String>,
+    /// Mark between groups of three digits.
+    pub thousands: Option<Thousands>,
+    /// Rows before the data, the last of which names the columns.
+    pub header: Header,
+    /// Beginning of lines that are skipped.
+    pub comment: Option<String>,
+    /// Cells that mean "not measured", beside empty ones.
+    pub missing: Missing,
+    /// Where each column comes from that is called otherwise in the file, or is computed.
+    pub columns: BTreeMap<String, ColumnSource>,
+    /// `true` if a column that the file does not have is left out, as in several tables of one statement.
+    pub lenient: bool,
+    /// Columns with the same cell in all rows.
+    pub constants: BTreeMap<String, Constant>,
+    /// Rows that are read: those with one of these cells in each of these columns.
+    pub only: BTreeMap<String, Cells>,
+    /// Rows that are left out: those with one of these cells in one of these columns.
+    pub without: BTreeMap<String, Cells>,
+    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    pub coverage_factor: Option<f64>,
     /// The target of all rows, of a table without such a column.
     pub target: Option<String>,
     /// The pose of each row, of a table without such a column.
@@ -29,64 +50,141 @@ pub struct TableLayout {
 
 impl Default for TableLayout {
     fn default() -> Self {
-        let (delimiter, decimal) = (Delimiter::Comma, Decimal::Point);
-        Self { delimiter, decimal, columns: BTreeMap::new(), target: None, pose: None }
+        Self {
+            delimiter: Delimiter::Comma,
+            decimal: Decimal::Point,
+            thousands: None,
+            header: Header::Rows(1),
+            comment: None,
+            missing: Missing::default(),
+            columns: BTreeMap::new(),
+            lenient: false,
+            constants: BTreeMap::new(),
+            only: BTreeMap::new(),
+            without: BTreeMap::new(),
+            coverage_factor: None,
+            target: None,
+            pose: None,
+        }
     }
 }
 
+/// Whether this program knows a column of tables by this name.
+fn is_known(name: &str) -> bool {
+    meaning(name).is_some()
+        || [&TEXTS[..], &QUATERNION, &MATRIX, &COVARIANCES].iter().any(|names| names.contains(&name))
+}
+
+/// A column to read: its name here, and where its cells come from.
+struct ReadColumn<'t> {
+    name: Cow<'t, str>,
+    from: Expression,
+}
+
 impl TableLayout {
-    /// Gives columns the names that they have here.
-    fn rename(&self, file: &str, header: &mut Row) -> Result<()> {
+    /// The columns to read of a table whose header has these fields.
+    fn read_columns<'t>(&self, file: &str, header: Option<&Row<'t>>, width: usize) -> Result<Vec<ReadColumn<'t>>> {
         let mut problems = Problems::default();
-        let headings: Vec<String> = header.fields.iter().map(|field| field.trim().to_owned()).collect();
-        for (name, heading) in &self.columns {
-            let known = meaning(name).is_some()
-                || [&TEXTS[..], &QUATERNION, &COVARIANCES].iter().any(|names| names.contains(&name.as_str()));
-            let column = headings.iter().position(|h| h == heading);
-            let message = match column {
+        let headings: Vec<Cow<str>> =
+            header.map(|row| row.fields.iter().map(|f| Cow::from(f.trim().to_owned())).collect()).unwrap_or_default();
+        let place = || header.map_or_else(|| Place::file(file), |row| row.place(file));
+        let mut names: Vec<Cow<'t, str>> = header.map(|row| row.fields.clone()).unwrap_or_default();
+        let mut renamed: Vec<Option<&str>> = vec![None; width];
+        let mut computed: Vec<ReadColumn> = Vec::new();
+        for (name, source) in &self.columns {
+            let known = is_known(name) || self.lenient || TEXT_COLUMNS.contains(&name.as_str());
+            let at = match source {
+                ColumnSource::Heading(heading) => headings.iter().position(|h| h == heading),
+                ColumnSource::Number(number) => Some(number - 1).filter(|at| *at < width),
+            };
+            let message = match (at, source) {
                 _ if !known => Message::error(format!("`{name}` is not a column of observations")).hint(
                     "coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md has all columns",
                 ),
-                None => Message::error(format!("the header names no `{heading}`"))
-                    .hint_names(heading, headings.iter().map(String::as_str)),
-                Some(i) if header.fields[i] != headings[i] => {
-                    Message::error(format!("`{heading}` is stated to be `{}` and `{name}`", header.fields[i]))
+                (Some(at), _) => match renamed[at] {
+                    Some(other) => {
+                        let heading = headings.get(at).map_or_else(|| format!("${}", at + 1), ToString::to_string);
+                        Message::error(format!("`{heading}` is stated to be `{other}` and `{name}`"))
+                    }
+                    None => {
+                        renamed[at] = Some(name);
+                        if let Some(heading) = names.get_mut(at) {
+                            *heading = Cow::Owned(name.clone());
+                        } else {
+                            computed.push(ReadColumn { name: Cow::Owned(name.clone()), from: Expression::Column(at) });
+                        }
+                        continue;
+                    }
+                },
+                (None, ColumnSource::Number(number)) => {
+                    Message::error(format!("there are {width} columns, none of them is number {number}"))
                 }
-                Some(i) => {
-                    header.fields[i] = Cow::Owned(name.clone());
-                    continue;
+                (None, ColumnSource::Heading(text)) if Expression::is_likely(text) => {
+                    match Expression::parse(text, &headings) {
+                        Ok(from) => {
+                            computed.push(ReadColumn { name: Cow::Owned(name.clone()), from });
+                            continue;
+                        }
+                        Err(message) => message,
+                    }
                 }
+                (None, ColumnSource::Heading(_)) if self.lenient => continue,
+                (None, ColumnSource::Heading(heading)) => Message::error(format!("the header names no `{heading}`"))
+                    .hint_names(heading, headings.iter().map(AsRef::as_ref)),
             };
-            problems.0.push(message.at(header.place(file)));
+            problems.0.push(message.at(place()));
         }
-        problems.check().map(drop)
+        let named = !self.columns.is_empty();
+        for (i, name) in names.iter().enumerate().filter(|(i, name)| names[..*i].contains(name)) {
+            // headings of columns that nothing reads may be alike
+            if !named || is_known(name) {
+                let message = Message::error(format!("the header names `{name}` twice"));
+                problems.0.push(header.map_or(message.clone(), |row| message.at(row.cell(file, i))));
+            }
+        }
+        problems.check()?;
+        let mut all: Vec<ReadColumn> = Vec::new();
+        for (i, name) in names.into_iter().enumerate() {
+            if all.iter().all(|column| column.name != name) {
+                all.push(ReadColumn { name, from: Expression::Column(i) });
+            }
+        }
+        // a computed column takes the place of one with its name
+        all.retain(|column| computed.iter().all(|other| other.name != column.name));
+        all.extend(computed);
+        Ok(all)
     }
 
-    /// Adds the columns that every observation needs, where the table has none.
+    /// Adds the columns that every observation needs, and those that are the same in all rows.
     fn complete(&self, file: &str, mut table: DataFrame) -> Result<DataFrame> {
         let height = table.height();
-        let has = |name: &str| table.column(name).is_ok();
-        for (name, stated) in [("target", self.target.is_some()), ("pose", self.pose.is_some())] {
-            if stated && has(name) {
+        let mut constants: Vec<(&str, String)> =
+            self.constants.iter().map(|(name, constant)| (name.as_str(), constant.cell())).collect();
+        constants.extend(self.target.as_ref().map(|target| ("target", target.clone())));
+        let mut added: Vec<Column> = Vec::new();
+        for (name, cell) in constants {
+            if table.column(name).is_ok() || added.iter().any(|column| column.name() == name) {
                 let message = Message::error(format!("`{name}` is stated, and the table has such a column"));
                 return Err(message.at(Place::file(file)).hint("state one of them").into());
             }
+            let mut named = Cow::Borrowed(name);
+            let factor = in_mm(&mut named, self.coverage_factor);
+            added.push(match cell.parse::<f64>().ok().filter(|_| meaning(name).is_some()) {
+                Some(number) => Series::new(named.as_ref().into(), vec![factor * number; height]).into(),
+                None => Series::new(named.as_ref().into(), vec![cell.as_str(); height]).into(),
+            });
         }
-        let mut added: Vec<Column> = Vec::new();
-        if let Some(target) = &self.target {
-            added.push(Series::new("target".into(), vec![target.as_str(); height]).into());
-        }
-        if let Some(from) = self.pose {
-            let named: Vec<_> = (1..=height as i64).map(|row| Some(PoseName::from(from.number(row)))).collect();
-            added.push(pose_column("pose", &named));
-        }
-        if !has("cycle") {
+        let has_cycle = table.column("cycle").is_ok() || added.iter().any(|column| column.name() == "cycle");
+        if !has_cycle && !self.lenient {
             added.push(Series::new("cycle".into(), vec![1i64; height]).into());
         }
         table.hstack_mut(&added).map_err(failed)?;
         Ok(table)
     }
 }
+
+/// Columns of texts in tables of poses and loads.
+const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
 
 /// Reads a table with commas, decimal points and a header: its columns, and `line` with the line of each row.
 ///
@@ -101,90 +199,163 @@ pub fn observations_with(file: &str, text: &str, layout: &TableLayout) -> Result
     layout.complete(file, read(file, text, layout)?)
 }
 
-fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
+/// The header and the data rows of a table.
+fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Option<Row<'t>>, Vec<Row<'t>>)> {
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas().at(Place::file(file)).into());
     }
-    let mut all = rows(file, text, layout.delimiter)?;
-    if all.len() < 2 {
-        return Err(Message::error("the table has no rows").at(Place::file(file)).expected("a header and rows").into());
+    let dialect = Dialect { delimiter: Some(layout.delimiter), comment: layout.comment.clone(), ..Dialect::default() };
+    let (mut all, problems) = split(file, text, &dialect);
+    problems.check()?;
+    let before = match &layout.header {
+        Header::Rows(count) => Some(*count),
+        Header::Words(words) => {
+            all.iter().position(|row| words.iter().all(|word| row.text.contains(word.as_str()))).map(|at| at + 1)
+        }
+    };
+    let Some(before) = before else {
+        let message = Message::error("no line holds the words of the header").at(Place::file(file));
+        return Err(message.into());
+    };
+    if all.len() < before + 1 {
+        let expected = if before > 0 { "a header and rows" } else { "rows" };
+        return Err(Message::error("the table has no rows").at(Place::file(file)).expected(expected).into());
     }
     if all[0].fields.len() == 1
+        && before > 0
         && let Some(Dialect { delimiter: Some(delimiter), decimal, .. }) =
             guesses(text, None).first().map(|g| &g.dialect)
         && *delimiter != layout.delimiter
     {
         let message = Message::error(format!("separated by `{}`, the rows have one column", layout.delimiter.name()));
         let hint = format!(
-            "`{}` with decimal `{}` separates them: state `delimiter` and `decimal` in [observations], or --delimiter and --decimal; or \
+            "`{}` with decimal `{}` separates them: state `delimiter` and `decimal`, or --delimiter and --decimal; or \
              save the table with commas and decimal points",
             delimiter.name(),
             decimal.name()
         );
         return Err(message.at(all[0].place(file)).hint(hint).into());
     }
-    let mut header = all.remove(0);
-    layout.rename(file, &mut header)?;
-    let factors: Vec<f64> = header.fields.iter_mut().map(in_mm).collect();
+    let data = all.split_off(before);
+    Ok((all.pop(), data))
+}
+
+fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
+    let (header, all) = data_rows(file, text, layout)?;
+    let width = header.as_ref().or(all.first()).map_or(0, |row| row.fields.len());
+    let mut columns = layout.read_columns(file, header.as_ref(), width)?;
+    let factors: Vec<f64> = columns.iter_mut().map(|column| in_mm(&mut column.name, layout.coverage_factor)).collect();
     let mut problems = Problems::default();
-    for (i, name) in header.fields.iter().enumerate().filter(|(i, name)| header.fields[..*i].contains(name)) {
-        let message = Message::error(format!("the header names `{name}` twice"));
-        problems.0.push(message.at(header.cell(file, i)));
-    }
-    let width = header.fields.len();
+    let expected = if header.is_some() { "as the header" } else { "as the first row" };
     for row in all.iter().filter(|row| row.fields.len() != width) {
         let message = Message::error(format!("the row has {} fields", row.fields.len()));
-        problems.0.push(message.at(row.place(file)).expected(format!("{width}, as the header")));
+        problems.0.push(message.at(row.place(file)).expected(format!("{width}, {expected}")));
     }
-    let mut columns: Vec<Column> =
+    let kept = kept(file, layout, header.as_ref(), &all)?;
+    let (numbers, all): (Vec<i64>, Vec<Row>) = (1..).zip(all).filter(|(number, _)| kept[*number as usize - 1]).unzip();
+    let mut made: Vec<Column> =
         vec![Series::new("line".into(), all.iter().map(|row| row.line as i64).collect::<Vec<i64>>()).into()];
-    for (i, name) in header.fields.iter().enumerate().filter(|(_, name)| *name != "line") {
-        let texts = all.iter().map(|row| row.field(i));
-        if meaning(name).is_none() && ![&COVARIANCES[..], &QUATERNION].iter().any(|n| n.contains(&name.as_ref())) {
-            columns.push(Series::new(name.as_ref().into(), texts.collect::<Vec<_>>()).into());
-            continue;
-        }
-        if name == "pose" {
-            let named = poses(file, &all, i, layout.decimal, &mut problems);
-            columns.push(pose_column("pose", &named));
-            continue;
-        }
-        let whole = name == "cycle";
-        let mut values: Vec<Option<f64>> = Vec::with_capacity(all.len());
-        for (row, field) in all.iter().zip(texts) {
-            let odd = |v: &f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
-            let value = match number(field, layout.decimal) {
-                _ if field.is_empty() => Ok(None),
-                Ok(value) if odd(&value) => Err(Message::error(format!("`{field}` is not a whole number"))),
-                read => read.map(Some),
-            };
-            values.push(value.unwrap_or_else(|message| {
-                problems.0.push(message.at(row.cell(file, i)));
-                None
-            }));
-        }
-        columns.push(match whole {
-            true => {
-                Series::new(name.as_ref().into(), values.iter().map(|v| v.map(|v| v as i64)).collect::<Vec<_>>()).into()
-            }
-            false => {
-                let in_unit =
-                    |value: Option<f64>| value.map(|value| if factors[i] == 1.0 { value } else { value * factors[i] });
-                Series::new(name.as_ref().into(), values.into_iter().map(in_unit).collect::<Vec<_>>()).into()
-            }
-        });
+    for (column, factor) in columns.iter().zip(factors).filter(|(column, _)| column.name != "line") {
+        made.push(made_column(file, &all, column, (layout, factor), &mut problems));
     }
-    refuse_formulas(file, &header, &all, &mut problems);
+    if let Some(from) = layout.pose {
+        let named: Vec<_> = numbers.iter().map(|row| Some(PoseName::from(from.number(*row)))).collect();
+        match columns.iter().any(|column| column.name == "pose") {
+            true => {
+                let message = Message::error("`pose` is stated, and the table has such a column");
+                problems.0.push(message.at(Place::file(file)).hint("state one of them"));
+            }
+            false => made.push(pose_column("pose", &named)),
+        }
+    }
+    refuse_formulas(file, &columns, &all, &mut problems);
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     problems.check()?;
-    frame(all.len(), columns)
+    frame(all.len(), made)
+}
+
+/// Which rows are read, by the cells that `only` and `without` state.
+fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) -> Result<Vec<bool>> {
+    let mut kept = vec![true; rows.len()];
+    for (stated, read) in [(&layout.only, true), (&layout.without, false)] {
+        for (column, cells) in stated {
+            let at = column_index(column, header)
+                .map_err(|message| message.at(header.map_or_else(|| Place::file(file), |row| row.place(file))))?;
+            kept.iter_mut().zip(rows).for_each(|(kept, row)| *kept &= cells.contain(row.field(at)) == read);
+        }
+    }
+    if !rows.is_empty() && !kept.contains(&true) {
+        let message = Message::error("`only` and `without` leave no row").at(Place::file(file));
+        return Err(message.hint("compare the cells that they state with those of the file").into());
+    }
+    Ok(kept)
+}
+
+/// Index of a column by its heading, or by `$3`.
+pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Result<usize, Message> {
+    let by_heading = header.and_then(|row| row.fields.iter().position(|field| field.trim() == name));
+    let by_number = || name.strip_prefix('$')?.parse::<usize>().ok()?.checked_sub(1);
+    by_heading.or_else(by_number).ok_or_else(|| {
+        let names = header.map(|row| row.fields.iter().map(AsRef::as_ref).collect::<Vec<&str>>()).unwrap_or_default();
+        Message::error(format!("the header names no `{name}`")).hint_names(name, names)
+    })
+}
+
+/// The values of one column; cells that do not read are reported.
+fn made_column(
+    file: &str,
+    rows: &[Row],
+    column: &ReadColumn,
+    (layout, factor): (&TableLayout, f64),
+    problems: &mut Problems,
+) -> Column {
+    let name = column.name.as_ref();
+    let at = if let Expression::Column(at) = column.from { at } else { usize::MAX };
+    if meaning(name).is_none() && ![&COVARIANCES[..], &QUATERNION, &MATRIX].iter().any(|n| n.contains(&name)) {
+        return Series::new(name.into(), rows.iter().map(|row| row.field(at)).collect::<Vec<_>>()).into();
+    }
+    if name == "pose" {
+        return pose_column("pose", &poses(file, rows, at, layout.decimal, problems));
+    }
+    let whole = name == "cycle";
+    let missing = |field: &str| field.is_empty() || layout.missing.says(field);
+    let mut values: Vec<Option<f64>> = Vec::with_capacity(rows.len());
+    for row in rows {
+        let cell = |at: usize| match row.field(at) {
+            field if missing(field) => Ok(None),
+            field => marked(field, layout.decimal, layout.thousands).map(Some),
+        };
+        let odd = |v: f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
+        let value = match column.from.value(&cell) {
+            Ok(Some(value)) if !value.is_finite() => {
+                Err((at, Message::error(format!("`{name}` is computed as {value}"))))
+            }
+            Ok(Some(value)) if odd(value) => {
+                Err((at, Message::error(format!("`{}` is not a whole number", row.field(at)))))
+            }
+            read => read,
+        };
+        values.push(value.unwrap_or_else(|(at, message)| {
+            let place = if at < row.fields.len() { row.cell(file, at) } else { row.place(file) };
+            problems.0.push(message.at(place));
+            None
+        }));
+    }
+    match whole {
+        true => Series::new(name.into(), values.iter().map(|v| v.map(|v| v as i64)).collect::<Vec<_>>()).into(),
+        false => {
+            let in_unit = |value: Option<f64>| value.map(|value| if factor == 1.0 { value } else { value * factor });
+            Series::new(name.into(), values.into_iter().map(in_unit).collect::<Vec<_>>()).into()
+        }
+    }
 }
 
 /// Errors about names that a spreadsheet would take for formulas: they are written to tables again.
-fn refuse_formulas(file: &str, header: &Row, rows: &[Row], problems: &mut Problems) {
-    let named = |i: &usize| TEXTS.contains(&header.field(*i));
-    for (i, row) in (0..header.fields.len()).filter(named).flat_map(|i| rows.iter().map(move |row| (i, row))) {
-        let (column, name) = (header.field(i), row.field(i));
+fn refuse_formulas(file: &str, columns: &[ReadColumn], rows: &[Row], problems: &mut Problems) {
+    let named = |column: &&ReadColumn| TEXTS.contains(&column.name.as_ref());
+    for (column, row) in columns.iter().filter(named).flat_map(|column| rows.iter().map(move |row| (column, row))) {
+        let Expression::Column(i) = column.from else { continue };
+        let (column, name) = (&column.name, row.field(i));
         if is_formula(name) {
             let message = Message::error(format!("the {column} `{name}` would be a formula in a spreadsheet"));
             problems.0.push(message.at(row.cell(file, i)).hint("give it another name"));
@@ -192,15 +363,21 @@ fn refuse_formulas(file: &str, header: &Row, rows: &[Row], problems: &mut Proble
     }
 }
 
-/// Gives a column of coordinates or of their uncertainties its name in millimetres (`x_m` is `x_mm`), and what takes its values there.
-fn in_mm(name: &mut Cow<str>) -> f64 {
-    let known = |name: &str| XYZ.contains(&name) || UNCERTAINTIES.contains(&name);
-    match meaning(name) {
-        Some((millimetres, factor)) if known(&millimetres) => {
-            *name = Cow::Owned(millimetres);
-            factor
+/// Gives a column of coordinates or of their uncertainties its name in millimetres (`x_m` is `x_mm`), and what takes its values there:
+/// from expanded uncertainties to standard ones too.
+fn in_mm(name: &mut Cow<str>, coverage_factor: Option<f64>) -> f64 {
+    let uncertain = |name: &str| UNCERTAINTIES.contains(&name) || ["u_mm", "urot_deg"].contains(&name);
+    let lengths = ["u_mm", "distance_mm", "offset_mm"];
+    let known = |name: &str| XYZ.contains(&name) || UNCERTAINTIES.contains(&name) || lengths.contains(&name);
+    let Some((there, factor)) = meaning(name) else { return 1.0 };
+    let standard = coverage_factor.filter(|_| uncertain(&there)).unwrap_or(1.0);
+    match known(&there) {
+        true => {
+            *name = Cow::Owned(there);
+            factor / standard
         }
-        _ => 1.0,
+        false if factor == 1.0 => 1.0 / standard,
+        false => 1.0,
     }
 }
 

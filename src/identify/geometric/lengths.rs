@@ -2,7 +2,7 @@
 //! 2.5), the instrument's error on a scale bar (thesis 2.6), the distance s from the axis of a shaft in two positions (thesis
 //! 2.6.3), and the offsets d1 and d3 from one displacement of actuator 1 (thesis 2.6.4).
 
-use super::frames::{Base, Mobile};
+use super::frames::Base;
 use super::uncertain::{Flat, Readings, Scatter, Uncertain, mean_and_sd, shifts, values};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, centroid, cross, dot, minus, norm, unit};
@@ -177,31 +177,29 @@ pub struct OffsetMeasurements {
     pub k_end: Vector,
 }
 
-/// d1 and d3 of one homing.
-///
-/// Eq. 2.11 takes actuators 2 and 3 as displaced equally; what their `leads` make of the commanded displacements is
-/// taken off: d3 = s Δy/Δx − (δ3 ρ3 − δ2 ρ2).
-pub fn offsets(
-    readings: &mut Readings,
-    base: &Base,
-    mobile: &Mobile,
-    s: &Uncertain,
-    leads: [&Uncertain; 2],
-    measured: &OffsetMeasurements,
-) -> Result<[Uncertain; 2]> {
-    let [k, l, k_end] = [measured.k, measured.l, measured.k_end].map(|p| base.plane.project(&readings.add_one(p)));
-    let [d1, _] = base.express(&mobile.centre(&k, &l));
-    let (from, to) = (base.express(&k), base.express(&k_end));
-    let travelled = (to[0].value - from[0].value).abs();
-    if travelled.is_nan() || travelled < 1.0 {
-        return Err(Message::error("ball K has moved less than 1 mm along x while actuator 1 went to its end")
-            .hint("measure K again after moving actuator 1 alone, as far as it goes")
-            .into());
+impl OffsetMeasurements {
+    /// The balls K and L, and K with actuator 1 at its end, projected into the plane of the base
+    /// frame.
+    pub fn project(&self, readings: &mut Readings, base: &Base) -> [Flat; 3] {
+        [self.k, self.l, self.k_end].map(|p| base.plane.project(&readings.add_one(p)))
     }
-    let (rho2, rho3) = (measured.rho2_mm, measured.rho3_mm);
-    let inputs = [s, &from[0], &from[1], &to[0], &to[1], leads[0], leads[1]];
-    let [d3] = Uncertain::of(inputs, |[s, x0, y0, x1, y1, delta2, delta3]| {
-        [s * ((y1 - y0) / (x1 - x0)) - (delta3 * rho3 - delta2 * rho2)] // eq. 2.11
-    });
-    Ok([d1, d3])
+
+    /// d3 of one homing, by ball K that moves `from` one place `to` another in the base frame.
+    ///
+    /// Eq. 2.11 takes actuators 2 and 3 as displaced equally; what their `leads` make of the
+    /// commanded displacements is taken off: d3 = s Δy/Δx − (δ3 ρ3 − δ2 ρ2).
+    pub fn d3(&self, from: &Flat, to: &Flat, s: &Uncertain, leads: [&Uncertain; 2]) -> Result<Uncertain> {
+        let travelled = (to[0].value - from[0].value).abs();
+        if travelled.is_nan() || travelled < 1.0 {
+            return Err(Message::error("ball K has moved less than 1 mm along x while actuator 1 went to its end")
+                .hint("measure K again after moving actuator 1 alone, as far as it goes")
+                .into());
+        }
+        let (rho2, rho3) = (self.rho2_mm, self.rho3_mm);
+        let inputs = [s, &from[0], &from[1], &to[0], &to[1], leads[0], leads[1]];
+        let [d3] = Uncertain::of(inputs, |[s, x0, y0, x1, y1, delta2, delta3]| {
+            [s * ((y1 - y0) / (x1 - x0)) - (delta3 * rho3 - delta2 * rho2)] // eq. 2.11
+        });
+        Ok(d3)
+    }
 }

@@ -114,10 +114,11 @@ pub fn steps(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<St
                 "the arc of ball N, the turned platform and the shaft",
             ));
         };
-        let found = lengths::offsets(&mut readings, base, mobile, &s.mean, [ratio(1), ratio(2)], run);
-        let [one, three] = found.map_err(at_step("offsets"))?;
+        let [k, l, k_end] = run.project(&mut readings, base);
+        let [one, _] = base.express(&mobile.centre(&k, &l));
+        let three = run.d3(&base.express(&k), &base.express(&k_end), &s.mean, [ratio(1), ratio(2)]);
         d1.push(one);
-        d3.push(three);
+        d3.push(three.map_err(at_step("offsets"))?);
     }
     let offsets = (!d1.is_empty()).then(|| [Repeated::new(d1), Repeated::new(d3)]);
     Ok(Steps { leads, plane, base, mobile, shafts, s, offsets, readings })

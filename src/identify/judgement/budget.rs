@@ -185,29 +185,27 @@ impl Budget {
         }
     }
 
-    /// Adds to `covariance` what frames and common errors make of it, frames of single poses where they are `unseen` in the residuals.
-    pub(crate) fn carry_all(
+    /// Adds to `covariance` what frames make of it, frames of single poses where they are `unseen`
+    /// in the residuals.
+    pub(crate) fn carry_frames(
         &mut self,
-        systematic: &Systematic,
-        observed: &Observed,
+        frames: &[FrameError],
         all: (&Residuals, &Solution, &[f64]),
         unseen: bool,
         covariance: &mut [f64],
-    ) -> Result<()> {
-        let (common, of_poses): (Vec<_>, Vec<_>) = systematic.frames.iter().partition(|f| f.pose.is_none());
+    ) {
+        let (common, of_poses): (Vec<_>, Vec<_>) = frames.iter().partition(|f| f.pose.is_none());
         carry(common.into_iter(), all, covariance);
         if unseen && !of_poses.is_empty() {
             self.of_poses = vec![0.0; covariance.len()];
             carry(of_poses.into_iter(), all, &mut self.of_poses);
             covariance.iter_mut().zip(&self.of_poses).for_each(|(total, more)| *total += more);
         }
-        self.carry(systematic.errors(observed)?, all, covariance);
-        Ok(())
     }
 
     /// Adds the errors that all readings have in common, each by the change of the residuals, and to `covariance` what they make of it;
     /// that of frames is in it.
-    fn carry(
+    pub(crate) fn carry(
         &mut self,
         errors: Vec<(Source, Vec<f64>)>,
         (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),

@@ -3,6 +3,7 @@
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
+use crate::solution::estimation::Estimation;
 use crate::solution::identifiability::Analysis;
 use crate::solution::set_up::set_up_error;
 use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
@@ -15,28 +16,29 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Measured and predicted positions whose extents differ by more than this are not in the same unit.
 const SAME_UNIT: f64 = 3.0;
+
 /// The error when the solver ended with `termination` on its way from `start` (all parameters of the robot).
-pub(crate) fn diagnose_failure(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: &[f64],
-    termination: Termination,
-) -> Error {
+pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], termination: Termination) -> Error {
+    let Estimation { robot, observations, settings, wanted } = *estimation;
     if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
         && let Ok(all) = Residuals::new(robot, observations, settings, wanted, start)
     {
         return too_little(robot, observations, &all, start);
     }
-    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations));
+    let noise_mm = settings.coordinate_uncertainty_mm();
+    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations, noise_mm));
     Error::Failed { termination, cause, set_up }
 }
 
 /// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
-pub(crate) fn nothing_left(robot: &dyn Robot, observations: &[Observation], start: &[f64]) -> Error {
+pub(crate) fn nothing_left(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    start: &[f64],
+) -> Error {
     let cause = cause(robot, observations, start);
-    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations));
+    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations, settings.coordinate_uncertainty_mm()));
     Error::NothingLeft { cause, set_up }
 }
 

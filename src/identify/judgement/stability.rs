@@ -4,7 +4,7 @@
 use crate::Result;
 use crate::judgement::robust::quantile;
 use crate::model::residuals::Residuals;
-use crate::{Identification, Observation, Settings};
+use crate::{Condition, Identification, Observation, Settings};
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Problem, covariance, linearised_at};
 use etalon_robots::Robot;
@@ -37,9 +37,10 @@ impl Stability {
 }
 
 /// The poses of the first and of the second half of the observations, in their order: what drifts differs between these.
-pub fn halves(observations: &[Observation]) -> Vec<BTreeSet<PoseName>> {
+pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTreeSet<PoseName>> {
     let mut seen = BTreeSet::new();
-    let order: Vec<PoseName> = observations.iter().map(|o| o.pose).filter(|pose| seen.insert(*pose)).collect();
+    let all = observations.iter().map(|o| o.pose).chain(conditions.iter().map(|c| c.pose));
+    let order: Vec<PoseName> = all.filter(|pose| seen.insert(*pose)).collect();
     let (first, second) = order.split_at(order.len() / 2);
     [first, second].into_iter().filter(|half| !half.is_empty()).map(|half| half.iter().copied().collect()).collect()
 }
@@ -62,6 +63,8 @@ pub fn stability(
     let Some(whole) = Linear::new(robot, observations, settings, found)? else { return Ok(Vec::new()) };
     let of_part = |out: &BTreeSet<PoseName>| -> Result<Vec<(usize, f64)>> {
         let part: Vec<Observation> = observations.iter().filter(|o| !out.contains(&o.pose)).cloned().collect();
+        let conditions = settings.conditions.iter().filter(|c| !out.contains(&c.pose)).cloned().collect();
+        let settings = &Settings { conditions, ..settings.clone() };
         let Some(less) = Linear::new(robot, &part, settings, found)? else { return Ok(Vec::new()) };
         let change = |&i: &usize| {
             let k = found.free.iter().position(|&free| free == i)?;

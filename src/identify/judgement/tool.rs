@@ -136,20 +136,32 @@ impl ToolPoint {
         }
         Ok(of_roles(robot, columns, &[Role::Robot, Role::Target]))
     }
+}
 
-    /// The expected error at joint values, `held` being the parameters that the data do not determine; `None` without a covariance.
-    pub fn error(
-        &self,
-        robot: &dyn Robot,
-        joints: &[f64],
-        before: &[f64],
-        found: &Identification,
-        held: &[Held],
-    ) -> Result<Option<ToolError>> {
+/// Prediction of the error at a tool point, from parameters that were identified.
+#[derive(Clone)]
+pub struct ToolPrediction<'a> {
+    /// The robot.
+    pub robot: &'a dyn Robot,
+    /// The tool point.
+    pub point: ToolPoint,
+    /// All parameters before the identification.
+    pub before: &'a [f64],
+    /// The identification.
+    pub found: &'a Identification,
+    /// Parameters that the data do not determine, see [`held`].
+    pub held: Vec<Held>,
+}
+
+impl ToolPrediction<'_> {
+    /// The expected error at joint values; `None` without a covariance.
+    pub fn error(&self, joints: &[f64]) -> Result<Option<ToolError>> {
+        let Self { robot, point, before, found, held } = self;
         let Some(covariance) = &found.covariance else { return Ok(None) };
-        let (nominal, identified) = (self.in_base(robot, before, joints)?, self.in_base(robot, &found.values, joints)?);
+        let nominal = point.in_base(*robot, before, joints)?;
+        let identified = point.in_base(*robot, &found.values, joints)?;
         let columns: Vec<Vector3<f64>> =
-            self.jacobian(robot, &found.values, joints)?.into_iter().map(Vector3::from).collect();
+            point.jacobian(*robot, &found.values, joints)?.into_iter().map(Vector3::from).collect();
         let n = found.free.len();
         let mut by_parameters = Matrix3::zeros();
         for (i, &a) in found.free.iter().enumerate() {

@@ -4,6 +4,7 @@ use crate::Result;
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
+use crate::judgement::regional::Field;
 use crate::model::elimination::Remaining;
 use crate::model::frame_error::FrameError;
 use crate::model::prior::Prior;
@@ -84,7 +85,8 @@ pub(crate) fn with_uncertainty(
         // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
         let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
-        budget.carry_all(systematic, &observed, all, unseen, total)?;
+        budget.carry_frames(frames, all, unseen, total);
+        budget.carry(systematic.errors(&observed)?, all, total);
     }
     let inflation_factor = inflation(instrument.as_deref(), covariance.as_deref(), n);
     warnings
@@ -230,7 +232,8 @@ fn from_residuals(
         let warning = Message::warning(what).hint("measure more poses, or state the uncertainty of the instrument");
         return Found { warning: Some(warning), ..Found::new(UncertaintyFrom::Nothing, None) };
     }
-    if let Some((found, _)) = by_cluster(problem, solution, jacobian) {
+    let found = by_field(problem, solution, jacobian);
+    if let Some(found) = found.or_else(|| Some(by_cluster(problem, solution, jacobian)?.0)) {
         return found;
     }
     let variance = chi_square.unwrap_or_else(|| problem.squares(solution)) / dof as f64;
@@ -248,7 +251,17 @@ fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<
         clusters.ratio.sqrt()
     );
     let hint = "the robot has errors that the model does not describe, or the instrument errors that readings of one pose share";
+    let found = by_field(problem, solution, jacobian).unwrap_or(found);
     Some(Found { warning: Some(Message::warning(what).hint(hint)), ..found })
+}
+
+/// What residuals show that are alike in regions of the joints; `None` where they are not.
+fn by_field(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
+    let remaining = Remaining::new(&problem.poses(), solution, problem.rows_of(jacobian))?;
+    let field = Field::new(problem, &remaining.residuals, &remaining.jacobian)?;
+    let (covariance, degrees) = field.covariance(&remaining.inverse);
+    let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
+    Some(Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance)) })
 }
 
 /// What the scatter of poses shows, or, where these are many, of regions of the joints; `None` where there are too few.
@@ -256,15 +269,29 @@ fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<
 /// Of points that are eliminated the readings have the variance of all residuals, and the other parameters' covariance comes on top.
 pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
     let factor = solution.factor.as_ref()?;
-    let (common, all) = (factor.common(), factor.columns());
-    let n = common.len();
+    let n = factor.common().len();
     let count = REGIONS_PER_PARAMETER * n;
     let regions = !problem.is_whitened() && problem.pose_count() >= 2 * count;
     let from = if regions { UncertaintyFrom::ResidualsByRegion } else { UncertaintyFrom::ResidualsByPose };
     let numbers = problem.clusters(count);
-    let Remaining { jacobian, residuals, inverse } = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
-    let clusters = ByCluster::new(&numbers, &inverse, &residuals, &jacobian).filter(ByCluster::is_usable)?;
-    let mut covariance = clusters.covariance.clone();
+    let remaining = Remaining::new(&numbers, solution, problem.rows_of(jacobian))?;
+    let Remaining { jacobian, residuals, inverse } = &remaining;
+    let clusters = ByCluster::new(&numbers, inverse, residuals, jacobian).filter(ByCluster::is_usable)?;
+    let (covariance, degrees) = (clusters.covariance.clone(), clusters.degrees_of_freedom.clone());
+    let (covariance, degrees) = completed((problem, solution), &remaining, covariance, degrees)?;
+    Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
+}
+
+/// Covariance and degrees of freedom of all parameters, from those that the readings give of the ones that are left after elimination.
+fn completed(
+    (problem, solution): (&Residuals, &Solution),
+    Remaining { jacobian, inverse, .. }: &Remaining,
+    mut covariance: Vec<f64>,
+    mut degrees: Vec<f64>,
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let factor = solution.factor.as_ref()?;
+    let (common, all) = (factor.common(), factor.columns());
+    let n = common.len();
     // a stated shape or place is one reading: its rows have the variance that is stated, not the scatter of one
     let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
     let known = problem.known().map(|(row, known)| (row, known.rows(), 1.0));
@@ -272,11 +299,10 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
     let nominal = nominal.map(|rows| (rows.start, rows.len(), problem.nominal_variance()));
     for (row, count, variance) in shapes.chain(known).chain(nominal) {
         let rows = DMatrix::from_row_slice(count, n, &jacobian[row * n..][..count * n]);
-        let step = DMatrix::from_row_slice(n, n, &inverse) * rows.transpose();
+        let step = DMatrix::from_row_slice(n, n, inverse) * rows.transpose();
         let more = &step * step.transpose() * variance;
         covariance.iter_mut().zip(more.iter()).for_each(|(c, more)| *c += more);
     }
-    let mut degrees = clusters.degrees_of_freedom.clone();
     if n < all {
         let scale = |k: usize| solution.scale[common[k]];
         covariance.iter_mut().enumerate().for_each(|(k, c)| *c *= scale(k / n) * scale(k % n));
@@ -287,7 +313,7 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
         common.iter().zip(&degrees).for_each(|(&j, d)| of_all[j] = *d);
         degrees = of_all;
     }
-    Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
+    Some((covariance, degrees))
 }
 
 /// Messages about stated shapes that the measurements contradict.

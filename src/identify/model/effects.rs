@@ -1,6 +1,5 @@
 //! What the parameters of a robot describe: by their columns of the Jacobian where that shows it, else as the model has it.
 
-use crate::Observation;
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 
 /// How nearly parallel two columns of the Jacobian are that are one and the same motion.
@@ -40,9 +39,9 @@ impl Effects {
     }
 }
 
-/// The effect of each parameter; `None` of base and targets.
-pub fn effects(robot: &dyn Robot, observations: &[Observation]) -> Vec<Option<Effect>> {
-    effects_at(robot, &observations.iter().map(|o| o.joints.as_slice()).collect::<Vec<_>>())
+/// The effect of each parameter at poses with these joint values; `None` of base and targets.
+pub fn effects<'j>(robot: &dyn Robot, joints: impl Iterator<Item = &'j [f64]>) -> Vec<Option<Effect>> {
+    effects_at(robot, &joints.collect::<Vec<_>>())
 }
 
 fn effects_at(robot: &dyn Robot, poses: &[&[f64]]) -> Vec<Option<Effect>> {

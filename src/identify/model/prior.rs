@@ -54,7 +54,7 @@ impl Prior {
 
 /// Standard uncertainties of base and targets without tolerance, in those that a look at them has: wide enough to count as no knowledge,
 /// and narrow enough that no solution runs away.
-const DIFFUSE: f64 = 10.0;
+pub(crate) const DIFFUSE: f64 = 10.0;
 
 /// The row of one parameter: w (p − p₀)/s.
 #[derive(Clone, Copy, Debug)]

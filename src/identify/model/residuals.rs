@@ -76,7 +76,7 @@ impl<'a> Residuals<'a> {
     ) -> Result<Self> {
         let all = |loads: Loads| observations.par_iter().with_min_len(CHUNK).map(|o| loads(&o.joints)).collect();
         let loads: Vec<Vec<f64>> = robot.loads().map_or_else(Vec::new, all);
-        Self::under(loads.into(), robot, observations, settings, free, values)
+        Ok(Self::unloaded(robot, observations, settings, free, values)?.under(loads.into()))
     }
 
     /// The same residuals with these values of the parameters that are not free; nominal values stay.
@@ -87,11 +87,15 @@ impl<'a> Residuals<'a> {
 
     /// Those of the same observations as a function of other parameters.
     pub fn of_others(&self, settings: &'a Settings, free: &[usize], values: &[f64]) -> Result<Self> {
-        Self::under(self.loads.clone(), self.robot, self.observations, settings, free, values)
+        Ok(Self::unloaded(self.robot, self.observations, settings, free, values)?.under(self.loads.clone()))
     }
 
-    fn under(
-        loads: Arc<[Vec<f64>]>,
+    /// The same residuals under `loads` at each observation.
+    fn under(self, loads: Arc<[Vec<f64>]>) -> Self {
+        Self { loads, ..self }
+    }
+
+    fn unloaded(
         robot: &'a dyn Robot,
         observations: &'a [Observation],
         settings: &'a Settings,
@@ -117,7 +121,7 @@ impl<'a> Residuals<'a> {
             layout: Layout::new(robot, free, observations, settings).filter(|_| platform.is_none()),
             free: free.to_vec(),
             observations,
-            loads,
+            loads: Arc::new([]),
             platform,
             weights: Weights::new(observations, robot.dimension(), unit)
                 .filter(|_| platform.is_none() && settings.standard_uncertainty_mm.is_some()),
@@ -205,6 +209,16 @@ impl<'a> Residuals<'a> {
             rows: c.kind.rows(),
         });
         self.observations.iter().zip(&self.rows).map(of).chain(conditions)
+    }
+
+    /// `true` if all residuals but those of what is stated are coordinates of targets.
+    pub fn is_coordinates(&self) -> bool {
+        self.platform.is_none() && self.conditions.is_empty()
+    }
+
+    /// Joints of each observation, with the number of its residuals.
+    pub fn coordinate_rows(&self) -> impl Iterator<Item = (&[f64], usize)> {
+        self.observations.iter().zip(&self.rows).map(|(o, &rows)| (o.joints.as_slice(), rows))
     }
 
     /// The pose of each residual.
@@ -327,7 +341,7 @@ impl<'a> Residuals<'a> {
                 });
             }
             let mut full = vec![0.0; condition.kind.rows() * n];
-            condition.jacobian(met.arm, all, met.position, &moved, &mut full);
+            condition.jacobian(&condition.at(met.arm, all, met.position), &moved, &mut full);
             for (i, (row, out)) in full.chunks_exact(n).zip(out.chunks_exact_mut(width)).enumerate() {
                 self.take(met.row + i, |parameter| row[parameter], out);
             }
@@ -528,7 +542,7 @@ impl<'a> Residuals<'a> {
     pub fn plain_residuals(&self, x: &[f64], r: &mut [f64]) {
         let all = self.all(x);
         self.of_conditions(&all, &mut r[self.coordinate_count()..], 1, |met, out| {
-            met.condition.residuals(met.arm, &all, met.position, out);
+            met.condition.residuals(&met.condition.at(met.arm, &all, met.position), out);
         });
         let (dimension, robot) = (self.robot.dimension(), self.robot.parametrised(&all));
         self.chunks(r, 1).into_par_iter().for_each(|(observations, mut r)| {

@@ -12,11 +12,13 @@ use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// The true robot, and how many simulated calibrations there are.
+/// The true robot, where its errors are evaluated, and how many simulated calibrations there are.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct Setting<'a> {
     /// True parameters of the robot (mm, rad, 1).
     pub truth: Vec<f64>,
+    /// Configurations at which the errors are evaluated.
+    pub everywhere: &'a [Observation],
     /// Identifications whose mean counts; the thesis has five.
     pub runs: u64,
     /// Means drawn, whose errors' medians are reported.
@@ -65,12 +67,11 @@ pub struct SizeStudy {
 }
 
 /// One study for every number of positions from the least that identifies the robot to all of the plan, in the order in
-/// which the determinant grows fastest (tables 4.2 and 4.3); errors are those of the configurations `everywhere`.
+/// which the determinant grows fastest (tables 4.2 and 4.3).
 pub fn study(
     robot: &dyn Robot,
     plan: &Plan,
     candidates: &[Observation],
-    everywhere: &[Observation],
     settings: &Settings,
     setting: &Setting,
 ) -> Result<Vec<SizeStudy>> {
@@ -86,7 +87,7 @@ pub fn study(
             order.iter().flat_map(|&c| plan.members[c].iter().map(|&k| candidates[k].clone())).collect();
         let draw = |draw: u64| {
             let identified = calibrate(robot, &chosen, settings, setting, draw)?;
-            Ok(errors(robot, order.len(), chosen.len(), identified, everywhere, setting))
+            Ok(errors(robot, order.len(), chosen.len(), identified, setting))
         };
         match (0..setting.draws).into_par_iter().map(draw).collect::<Result<Vec<SizeStudy>>>() {
             Ok(drawn) => studies.extend(middle(drawn)),
@@ -144,14 +145,13 @@ fn errors(
     positions: usize,
     configurations: usize,
     identified: Vec<f64>,
-    everywhere: &[Observation],
     setting: &Setting,
 ) -> SizeStudy {
     let nominal = robot.nominal();
     let centre = ToolPoint::centre(robot);
     let mut places: BTreeMap<PoseName, PlaceError> = BTreeMap::new();
     let (mut squares, mut largest, mut count) = ((0.0, 0.0), (0.0f64, 0.0f64), 0.0);
-    for o in everywhere {
+    for o in setting.everywhere {
         let seen = (0..o.targets.len()).filter(|&t| o.targets[t].is_some());
         for target in seen.take(if centre.is_some() { 1 } else { usize::MAX }) {
             let position = |values: &[f64]| match &centre {

@@ -1,4 +1,5 @@
-//! How much better a robot is made than by the usual tolerances: the scale of these that makes the measurements most probable.
+//! How much better a robot is made than by the usual tolerances, and how noisy its measurements are: the scale of tolerances and the
+//! standard deviation that make the measurements most probable.
 
 use crate::model::prior::{Nominal, Prior};
 use crate::model::residuals::Residuals;
@@ -7,40 +8,99 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Scales that are tried: 1, 1/√2, 1/2 ... 1/64.
 const STEPS: i32 = 13;
+/// Standard deviations that are tried: that which the residuals show, 1/2 of it ... 1/4096.
+const HALVES: i32 = 13;
+/// Rise of −2 ln L that is within one standard deviation of the most probable scale: chi-square of one parameter.
+const AS_PROBABLE: f64 = 1.0;
 
-/// The scale of tolerances that nobody stated, at most 1, at which the measurements are most probable: the largest marginal likelihood
-/// of the problem linearised at `x` (MacKay 1992, Bayesian interpolation, eq. 2.7). `data` are the residuals without nominal values,
-/// `start` the values at which unknowns without tolerance are expected.
-pub(crate) fn most_probable_scale(data: &Residuals, x: &[f64], start: &[f64], weight: f64) -> f64 {
-    let rows = Nominal::rows(data.robot, Prior::Tolerances { weight, scale: 1.0 }, &data.free, start);
-    let mut residuals = vec![0.0; data.residual_count()];
-    data.residuals(x, &mut residuals);
-    let (factor, norms) = linearised_at(data, x, &residuals);
-    let common = factor.common();
-    let n = common.len();
-    let scales = |k: usize| data.robot.parameters()[data.free[common[k]]].scales();
-    if !(0..n).any(scales) {
-        return 1.0;
+/// What makes the measurements most probable.
+pub(crate) struct MostProbable {
+    /// Scale of the tolerances that nobody stated, at most 1: the largest that is as probable as the best one but for chance, so that
+    /// nominal values do not outweigh what few poses show.
+    pub scale: f64,
+    /// Standard deviation of a residual, at most that which the residuals show.
+    pub noise: f64,
+}
+
+/// A problem linearised at a solution: columns are divided by their norms.
+struct Linearised {
+    /// Triangular factor of the common columns, its right-hand side, and the sum of squares that no step changes.
+    r: DMatrix<f64>,
+    right: DVector<f64>,
+    rest: f64,
+    /// JᵀJ and Jᵀr.
+    normal: DMatrix<f64>,
+    gradient: DVector<f64>,
+    residuals: f64,
+    /// 1/s of each nominal value, and how far the solution is from it.
+    derivatives: DVector<f64>,
+    off: DVector<f64>,
+    scales: Vec<bool>,
+}
+
+impl Linearised {
+    /// Of residuals without nominal values at `x`; `start` are values at which unknowns without tolerance are expected.
+    fn new(data: &Residuals, x: &[f64], start: &[f64]) -> Self {
+        let rows = Nominal::rows(data.robot, Prior::TOLERANCES, &data.free, start);
+        let mut residuals = vec![0.0; data.residual_count()];
+        data.residuals(x, &mut residuals);
+        let (factor, norms) = linearised_at(data, x, &residuals);
+        let common = factor.common();
+        let n = common.len();
+        let r = DMatrix::from_fn(n, n, |i, k| if i <= k { factor.r(i, k) } else { 0.0 });
+        let right = DVector::from_column_slice(&factor.qtb[factor.columns() - n..]);
+        Self {
+            rest: factor.rest,
+            normal: r.tr_mul(&r),
+            gradient: r.tr_mul(&right),
+            residuals: residuals.len() as f64,
+            derivatives: DVector::from_fn(n, |k, _| rows[common[k]].derivative() / norms[common[k]]),
+            off: DVector::from_fn(n, |k, _| (x[common[k]] - rows[common[k]].value) * norms[common[k]]),
+            scales: common.iter().map(|&j| data.robot.parameters()[data.free[j]].scales()).collect(),
+            r,
+            right,
+        }
     }
-    let r = DMatrix::from_fn(n, n, |i, k| if i <= k { factor.r(i, k) } else { 0.0 });
-    let right = DVector::from_column_slice(&factor.qtb[factor.columns() - n..]);
-    let (normal, gradient) = (r.tr_mul(&r), r.tr_mul(&right));
-    // in columns that are divided by their norms
-    let derivatives = DVector::from_fn(n, |k, _| rows[common[k]].derivative() / norms[common[k]]);
-    let off = DVector::from_fn(n, |k, _| (x[common[k]] - rows[common[k]].value) * norms[common[k]]);
-    let improbability = |scale: f64| {
-        let by = |k: usize| derivatives[k] / if scales(k) { scale } else { 1.0 };
-        let d = DVector::from_fn(n, |k, _| by(k).powi(2));
-        let root = Cholesky::new(&normal + DMatrix::from_diagonal(&d))?;
-        let step = -root.solve(&(&gradient + d.component_mul(&off)));
-        let left = (&r * &step + &right).norm_squared();
-        let moved = &step + &off;
-        let cost = left + (0..n).map(|k| d[k] * moved[k] * moved[k]).sum::<f64>();
-        let determinant = 2.0 * (0..n).map(|k| root.l_dirty()[(k, k)].ln()).sum::<f64>();
-        let own: f64 = (0..n).filter(|&k| scales(k)).map(|k| d[k].ln()).sum();
-        Some(cost / weight.powi(2) + determinant - own).filter(|v| v.is_finite())
+
+    /// −2 ln of the marginal likelihood of a scale of tolerances and a standard deviation of a residual (MacKay 1992, Bayesian
+    /// interpolation, eq. 2.7), but for a constant.
+    fn improbability(&self, scale: f64, noise: f64) -> Option<f64> {
+        let by = |k: usize| noise * self.derivatives[k] / if self.scales[k] { scale } else { 1.0 };
+        let d = DVector::from_fn(self.scales.len(), |k, _| by(k).powi(2));
+        let root = Cholesky::new(&self.normal + DMatrix::from_diagonal(&d))?;
+        let step = -root.solve(&(&self.gradient + d.component_mul(&self.off)));
+        let left = (&self.r * &step + &self.right).norm_squared() + self.rest;
+        let moved = &step + &self.off;
+        let cost = left + (0..d.len()).map(|k| d[k] * moved[k] * moved[k]).sum::<f64>();
+        let determinant = 2.0 * root.l_dirty().diagonal().iter().map(|v| v.ln()).sum::<f64>();
+        let own: f64 = d.iter().map(|d| d.ln()).sum();
+        let improbability = cost / noise.powi(2) + 2.0 * self.residuals * noise.ln() + determinant - own;
+        Some(improbability).filter(|v| v.is_finite())
+    }
+}
+
+/// What makes the measurements most probable: `data` are the residuals without nominal values at the solution `x`, `start` the values at
+/// which unknowns without tolerance are expected, `shown` the standard deviation that the residuals show. Smaller ones down to `least` are
+/// tried where nominal values determine much: they may be what keeps the residuals large.
+pub(crate) fn most_probable(
+    (data, start): (&Residuals, &[f64]),
+    x: &[f64],
+    [least, shown]: [f64; 2],
+    by_nominal: bool,
+) -> MostProbable {
+    let problem = Linearised::new(data, x, start);
+    let steps = if problem.scales.contains(&true) { STEPS } else { 1 };
+    let scales = |noise: f64| -> Vec<(f64, f64)> {
+        let tried = (0..steps).map(|k| 0.5f64.powf(0.5 * f64::from(k)));
+        tried.filter_map(|scale| Some((scale, problem.improbability(scale, noise)?))).collect()
     };
-    let tried = (0..STEPS).map(|k| 0.5f64.powf(0.5 * f64::from(k)));
-    let judged = tried.filter_map(|scale| Some((scale, improbability(scale)?)));
-    judged.reduce(|best, next| if next.1 < best.1 { next } else { best }).map_or(1.0, |best| best.0)
+    let best = |judged: &[(f64, f64)]| judged.iter().map(|scale| scale.1).fold(f64::INFINITY, f64::min);
+    let halves = if by_nominal { HALVES } else { 1 };
+    let noises = (0..halves).map(|k| (shown * 0.5f64.powi(k)).max(least));
+    let tried = noises.map(|noise| (noise, scales(noise))).map(|(noise, judged)| (noise, best(&judged), judged));
+    let Some((noise, least, judged)) = tried.reduce(|a, b| if b.1 < a.1 { b } else { a }) else {
+        return MostProbable { scale: 1.0, noise: shown };
+    };
+    let scale = judged.iter().find(|scale| scale.1 <= least + AS_PROBABLE).map_or(1.0, |scale| scale.0);
+    MostProbable { scale, noise }
 }

@@ -16,8 +16,18 @@ pub(crate) fn place_fixtures(
     wanted: &[usize],
     values: &mut [f64],
 ) {
-    let seen: BTreeSet<usize> =
-        observations.iter().flat_map(|o| (0..o.targets.len()).filter(|&k| o.targets[k].is_some())).collect();
+    let seen = observations.iter().flat_map(|o| (0..o.targets.len()).filter(|&k| o.targets[k].is_some())).collect();
+    place_seen(arm, &seen, settings, wanted, values);
+}
+
+/// [`place_fixtures`] with the targets `seen` where they are.
+pub(crate) fn place_seen(
+    arm: &dyn FreeBase,
+    seen: &BTreeSet<usize>,
+    settings: &Settings,
+    wanted: &[usize],
+    values: &mut [f64],
+) {
     let known = places(&settings.known);
     let free_base = seen.is_empty() && !known.is_empty() && (0..6).all(|i| wanted.contains(&i));
     if free_base {
@@ -42,7 +52,7 @@ pub(crate) fn place_fixtures(
     if free_base {
         move_base(&known, values);
     }
-    stand(arm, settings, &seen, wanted, values);
+    stand(arm, settings, seen, wanted, values);
     mount(arm, &settings.conditions, wanted, values);
     let is_unknown = |first| wanted.contains(&first) && !known.contains_key(&first) && !sockets.contains(&first);
     reach(arm, &settings.conditions, is_unknown, values);

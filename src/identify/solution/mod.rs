@@ -1,10 +1,14 @@
 //! Solution: starting values, the solver, and which parameters the observations determine.
 
+pub(crate) mod apart;
+pub(crate) mod estimation;
 pub(crate) mod evidence;
 pub(crate) mod fixtures;
+pub(crate) mod hypotheses;
 pub(crate) mod identifiability;
 pub(crate) mod observability;
 pub(crate) mod placing;
 pub(crate) mod set_up;
+pub(crate) mod slips;
 pub(crate) mod solver;
 pub(crate) mod start;

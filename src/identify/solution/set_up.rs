@@ -1,9 +1,12 @@
-//! Errors of the set-up: a reversed joint, a unit, exchanged columns, a convention. Each is tried on the nominal robot, with base and
-//! targets placed anew; the one with which it explains the measurements is the one to look for.
+//! Errors of the set-up: a reversed joint, a unit, exchanged columns, a convention. The changes that bring the nominal robot nearest to the
+//! measurements, with base and targets placed anew, are hypotheses; one is named that explains the measurements where they cannot be
+//! explained without it.
 
 use crate::Observation;
 use crate::model::residuals::Residuals;
+use crate::solution::hypotheses::{Fitted, Hypothesis, LEAST_MM};
 use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
+use crate::solution::slips::{changes, shifted};
 use crate::warning::{Origin, SetUpError, Subject, Warning};
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid, minus, norm};
@@ -11,34 +14,25 @@ use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::{median, rms};
 use etalon_math::{Options, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Poses on which changes are tried.
 const SUBSET: usize = 32;
-/// A change explains the data where the nominal robot then misses by less than this share of what it missed before.
-const EXPLAINS: f64 = 0.5;
-/// The same where the change is a value found from the data: that alone lowers what is missed.
-const EXPLAINS_FITTED: f64 = 0.25;
-/// Below this share no other explanation is looked for.
-const CLEARLY: f64 = 0.05;
-/// Changes that come this near to the best one are named beside it.
+/// Changes of which all parameters are fitted: those that bring the nominal robot nearest.
+const FITS: usize = 12;
+/// Nominal values of which all parameters are fitted.
+const FITTED_VALUES: usize = 3;
+/// A change by a value found from the data is named where its sum of squares is less than this share of that of other changes.
+const FITTED: f64 = 0.5;
+/// Changes whose sums of squares come this near to the least one are named beside it.
 const AS_GOOD: f64 = 1.2;
 /// Standard uncertainties of a coordinate that noise may leave, where poses are few.
 const NOISE: f64 = 3.0;
 /// Changes that are named.
 const NAMED: usize = 3;
-const MM_PER_INCH: f64 = 25.4;
-/// Factors of lengths whose unit is another, and which.
-const LENGTHS: [(f64, &str); 4] = [
-    (1000.0, "in metres instead of millimetres"),
-    (0.001, "in millimetres instead of metres"),
-    (MM_PER_INCH, "in inches instead of millimetres"),
-    (1.0 / MM_PER_INCH, "in millimetres instead of inches"),
-];
 
 /// A message with the change of the set-up that explains it, where there is one, in place of its hint.
-pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Observation]) -> Warning {
-    let Some(found) = set_up_error(robot, observations) else { return message.into() };
+pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Warning {
+    let Some(found) = set_up_error(robot, observations, noise_mm) else { return message.into() };
     Warning { message: message.hint(found.hint(|_| "")), subject: Subject::SetUp(found) }
 }
 
@@ -76,11 +70,16 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
     let stated = misfit(robot, &subset, &nominal, false);
     let [stated_mm, median_mm] = stated.map_or([f64::INFINITY; 2], |m| [m.rms_mm, m.median_mm]);
     let allowed_mm = allowed_mm(robot, &subset, &nominal, noise_mm)?;
-    (median_mm > allowed_mm).then(|| far_from_nominal(robot, observations, stated_mm, allowed_mm))
+    (median_mm > allowed_mm).then(|| far_from_nominal(robot, observations, [stated_mm, allowed_mm], noise_mm))
 }
 
-/// That the nominal robot misses the measurements by more than its tolerances allow.
-pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm: f64, allowed_mm: f64) -> Warning {
+/// That the nominal robot misses the measurements by more than its tolerances allow: both in mm.
+pub fn far_from_nominal(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    [left_mm, allowed_mm]: [f64; 2],
+    noise_mm: f64,
+) -> Warning {
     let what = if left_mm.is_finite() {
         format!(
             "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
@@ -91,93 +90,147 @@ pub fn far_from_nominal(robot: &dyn Robot, observations: &[Observation], left_mm
     };
     let message = Message::error(what)
         .hint("check signs, units and order of the joints, the nominal values, and how log and points are joined");
-    explained(message, robot, observations)
+    explained(message, robot, observations, noise_mm)
 }
 
-/// The change of the set-up with which the nominal robot explains the measurements, where there is one.
-pub fn set_up_error(robot: &dyn Robot, observations: &[Observation]) -> Option<SetUpError> {
+/// The change of the set-up that explains the measurements, where they cannot be explained without a change.
+///
+/// Every hypothesis is judged after a fit of its own: by squares of residuals, over the standard deviation of a coordinate that the best
+/// one leaves or that is stated (`noise_mm`), and by squares of deviations from nominal over those of tolerances.
+pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<SetUpError> {
+    if observations.is_empty() {
+        return None;
+    }
     let subset = spread_over(observations, SUBSET);
-    let nominal = robot.nominal();
-    let stated_mm = misfit(robot, &subset, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
-    let mut found: Vec<Change> = Vec::new();
-    let mut add = |what: String, observations: Vec<Observation>, robot: &dyn Robot, anywhere: bool| {
-        let Some(misfit) = misfit(robot, &observations, &robot.nominal(), anywhere) else { return };
-        let allowed = || allowed_mm(robot, &observations, &robot.nominal(), CLEARLY * stated_mm.min(1e9));
-        if misfit.rms_mm < EXPLAINS * stated_mm && allowed().is_none_or(|allowed_mm| misfit.rms_mm <= allowed_mm) {
-            let origin = if anywhere { Origin::Unit } else { Origin::Named };
-            found.push(Change { what, origin, left_mm: misfit.rms_mm });
-        }
+    let least_mm = noise_mm.max(LEAST_MM);
+    let stated = Case::placed(robot, &subset, false);
+    let stated_mm = stated.as_ref().map_or(f64::INFINITY, |case| case.left_mm);
+    let as_stated = stated.as_ref().and_then(|case| case.fit(robot, least_mm, None));
+    if as_stated.as_ref().is_some_and(Fitted::explains) {
+        return None;
+    }
+    let cases = Slip::all(robot, observations, &subset, stated_mm);
+    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot), least_mm, None).map(|fitted| (slip, fitted));
+    let mut cases: Vec<(Slip, Fitted)> = cases.into_iter().filter_map(fitted).collect();
+    if stated_mm.is_finite() {
+        cases.extend(wrong_nominal(robot, stated.as_ref()?, least_mm));
+    }
+    // one standard deviation for all
+    let sigma_mm = cases.iter().map(|(_, fitted)| fitted).chain(&as_stated).filter(|fitted| fitted.shows_noise());
+    let sigma_mm = sigma_mm.map(|fitted| fitted.noise_mm).fold(f64::INFINITY, f64::min);
+    let sigma_mm = if sigma_mm.is_finite() { sigma_mm.max(least_mm) } else { least_mm };
+    let unchanged = stated.as_ref().and_then(|case| case.fit(robot, sigma_mm, as_stated.as_ref()));
+    let judged = |(slip, near): (Slip, Fitted)| {
+        let fitted = slip.case.fit(slip.robot(robot), sigma_mm, Some(&near))?;
+        let beside = match &slip.beside {
+            None => unchanged.as_ref().map(|stated| fitted.explains_what(stated)),
+            Some(same) => same.fit(robot, sigma_mm, None).map(|stated| fitted.explains_what(&stated)),
+        };
+        beside.unwrap_or_else(|| fitted.explains()).then_some((slip, fitted))
     };
-    for (what, changed) in changes_of_joints(robot, &subset) {
-        add(what, changed, robot, false);
-    }
-    for (what, changed) in changes_of_points(robot, &subset) {
-        add(what, changed, robot, false);
-    }
-    // the frame may be in the right unit, and then lies elsewhere
-    for (factor, how) in LENGTHS {
-        let mut changed = subset.clone();
-        changed.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| v * factor));
-        add(format!("the measured points {how}"), changed, robot, true);
-    }
-    for (shift, which) in [(-1, "previous"), (1, "next")] {
-        let what = format!("the joints of each pose taken from the {which} one");
-        // the first or last pose has no neighbour: it must not be what was wrong
-        let shifted = spread_over(&shifted(observations, shift), SUBSET);
-        let same: Vec<Observation> = shifted
-            .iter()
-            .filter_map(|s| {
-                observations.iter().find(|o| o.pose == s.pose && o.cycle == s.cycle && o.targets == s.targets)
-            })
-            .cloned()
-            .collect();
-        let as_stated = misfit(robot, &same, &nominal, false).map_or(f64::INFINITY, |m| m.rms_mm);
-        if as_stated > 0.5 * stated_mm {
-            add(what, shifted, robot, false);
+    let mut explaining: Vec<(Slip, Fitted)> = cases.into_iter().filter_map(judged).collect();
+    // a value found from the data must explain clearly more than a change that has none
+    let by_change = |(slip, _): &&(Slip, Fitted)| slip.case.loose.is_none() && slip.origin != Origin::WorldFrame;
+    let best = explaining.iter().filter(by_change).map(|e| e.1.per_row()).fold(f64::INFINITY, f64::min);
+    explaining.retain(|e| by_change(&e) || e.1.per_row() < FITTED * best);
+    explaining.sort_by(|a, b| a.1.per_row().total_cmp(&b.1.per_row()));
+    let (least, changed_mm) = explaining.first().map(|(_, fitted)| (fitted.per_row(), fitted.left_mm))?;
+    let near = explaining.iter().take_while(|e| e.1.per_row() <= AS_GOOD * least).take(NAMED);
+    let changes = near.map(|(slip, fitted)| (slip.text(robot, fitted), slip.origin)).collect();
+    Some(SetUpError { changes, stated_mm: unchanged.map_or(f64::INFINITY, |fitted| fitted.left_mm), changed_mm })
+}
+
+/// Observations with base and targets placed.
+struct Case {
+    observations: Vec<Observation>,
+    /// All parameters.
+    values: Vec<f64>,
+    /// Root mean square distance of the nominal robot, mm.
+    left_mm: f64,
+    /// Parameter whose nominal value does not count.
+    loose: Option<usize>,
+}
+
+impl Case {
+    /// Places base and targets; `None` where the nominal robot cannot be where the joints put it.
+    fn placed(robot: &dyn Robot, observations: &[Observation], anywhere: bool) -> Option<Self> {
+        let nominal = robot.nominal();
+        let found = misfit(robot, observations, &nominal, anywhere)?;
+        let mut observations = observations.to_vec();
+        if let Some(fit) = &found.planar {
+            fit.bring_near(robot, &nominal, anywhere, &mut observations);
         }
+        Some(Self { observations, values: found.values, left_mm: found.rms_mm, loose: None })
     }
-    for (what, other) in robot.other_conventions() {
-        add(what, subset.clone(), other.as_ref(), false);
+
+    fn fit(&self, robot: &dyn Robot, sigma_mm: f64, near: Option<&Fitted>) -> Option<Fitted> {
+        let (placed, start) = (self.values.clone(), near.map(|fitted| &fitted.values[..]));
+        Hypothesis { robot, observations: &self.observations, placed, start, loose: self.loose }.fit(sigma_mm)
     }
-    let best = found.iter().map(|f| f.left_mm).fold(f64::INFINITY, f64::min);
-    if robot.free_base().is_none() {
-        found.extend(
-            elsewhere(robot, &subset, &nominal).filter(|f| f.left_mm < EXPLAINS_FITTED * stated_mm.min(2.0 * best)),
-        );
+}
+
+/// A change of the set-up.
+struct Slip {
+    what: String,
+    origin: Origin,
+    /// The robot by another convention.
+    other: Option<Box<dyn Robot>>,
+    case: Case,
+    /// The observations without the change, where they are others than those of all changes.
+    beside: Option<Case>,
+}
+
+impl Slip {
+    fn robot<'a>(&'a self, robot: &'a dyn Robot) -> &'a dyn Robot {
+        self.other.as_deref().unwrap_or(robot)
     }
-    if best > CLEARLY * stated_mm {
-        // a value found from the data must explain clearly more than a change that has none
-        let mut fitted = wrong_nominal(robot, &subset, &nominal, stated_mm);
-        let allowed_mm = allowed_mm(robot, &subset, &nominal, 0.0).unwrap_or(f64::INFINITY);
-        fitted.retain(|f| f.left_mm <= allowed_mm);
-        fitted.retain(|f| f.left_mm < EXPLAINS_FITTED * stated_mm.min(2.0 * best));
-        if !fitted.is_empty() {
-            found = fitted;
+
+    /// The change with the value that was found.
+    fn text(&self, robot: &dyn Robot, fitted: &Fitted) -> String {
+        let Some(i) = self.case.loose else { return self.what.clone() };
+        let p = &robot.parameters()[i];
+        let (unit, outward) = (p.quantity.unit(), |v| p.quantity.outward(v));
+        format!("`{}` = {:.2} {unit} instead of {:.2} {unit}", p.name, outward(fitted.values[i]), outward(p.nominal))
+    }
+
+    /// Changes that bring the nominal robot nearest to the measurements, which it misses by `stated_mm` without a change.
+    fn all(robot: &dyn Robot, observations: &[Observation], subset: &[Observation], stated_mm: f64) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        let new = |what, origin, case| Self { what, origin, other: None, case, beside: None };
+        for change in changes(robot, subset) {
+            let case = Case::placed(robot, &change.observations, change.anywhere);
+            all.extend(case.map(|case| new(change.what, change.origin, case)));
         }
+        for (shift, which) in [(-1, "previous"), (1, "next")] {
+            // the first or last pose has no neighbour: it must not be what was wrong
+            let shifted = spread_over(&shifted(observations, shift), SUBSET);
+            let is_same =
+                |s: &Observation, o: &Observation| o.pose == s.pose && o.cycle == s.cycle && o.targets == s.targets;
+            let same = shifted.iter().filter_map(|s| observations.iter().find(|o| is_same(s, o))).cloned();
+            let beside = Case::placed(robot, &same.collect::<Vec<_>>(), false);
+            let what = format!("the joints of each pose taken from the {which} one");
+            let case = Case::placed(robot, &shifted, false).map(|case| new(what, Origin::Named, case));
+            all.extend(case.map(|slip| Self { beside, ..slip }));
+        }
+        for (what, other) in robot.other_conventions() {
+            let case = Case::placed(other.as_ref(), subset, false);
+            all.extend(case.map(|case| Self { other: Some(other), ..new(what, Origin::Named, case) }));
+        }
+        let elsewhere = robot.free_base().is_none().then(|| elsewhere(robot, subset)).flatten();
+        all.extend(elsewhere.map(|(what, case)| new(what, Origin::WorldFrame, case)));
+        all.retain(|slip| slip.case.left_mm < stated_mm);
+        all.sort_by(|a, b| a.case.left_mm.total_cmp(&b.case.left_mm));
+        all.truncate(FITS);
+        all
     }
-    found.sort_by(|a, b| a.left_mm.total_cmp(&b.left_mm));
-    let changed_mm = found.first()?.left_mm;
-    let near = found.into_iter().take_while(|f| f.left_mm <= AS_GOOD * changed_mm).take(NAMED);
-    Some(SetUpError { changes: near.map(|f| (f.what, f.origin)).collect(), stated_mm, changed_mm })
 }
 
 /// The base of a planar robot wherever the measurements have it.
-fn elsewhere(robot: &dyn Robot, observations: &[Observation], nominal: &[f64]) -> Option<Change> {
-    let (fit, left) = planar_fit(robot, observations, nominal, &ANYWHERE)?;
-    let what = format!(
-        "the world frame turned by {:.1} deg and shifted by ({:.1}, {:.1}) mm",
-        fit.angle.to_degrees(),
-        fit.shift[0],
-        fit.shift[1]
-    );
-    Some(Change { what, origin: Origin::WorldFrame, left_mm: rms(left) })
-}
-
-/// A change, and the root mean square distance that it leaves, mm.
-struct Change {
-    what: String,
-    origin: Origin,
-    left_mm: f64,
+fn elsewhere(robot: &dyn Robot, observations: &[Observation]) -> Option<(String, Case)> {
+    let case = Case::placed(robot, observations, true)?;
+    let (fit, _) = planar_fit(robot, observations, &robot.nominal(), &ANYWHERE)?;
+    let (angle_deg, [x, y]) = (fit.angle.to_degrees(), fit.shift);
+    Some((format!("the world frame turned by {angle_deg:.1} deg and shifted by ({x:.1}, {y:.1}) mm"), case))
 }
 
 /// What the nominal robot leaves of the measurements.
@@ -187,6 +240,8 @@ struct Misfit {
     /// Their median.
     median_mm: f64,
     values: Vec<f64>,
+    /// Where a planar robot lies.
+    planar: Option<Similarity>,
 }
 
 /// Base and targets placed by the measurements, and what is left; `None` where the robot cannot be where the joints put it.
@@ -197,7 +252,12 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
         let placed = place(robot, arm, observations, nominal, &places).ok()??;
         let misses = observations.iter().flat_map(|o| o.misses(robot, &placed.values));
         let left: Vec<f64> = misses.map(|(_, miss)| norm(miss)).collect();
-        let found = Misfit { rms_mm: placed.rms_mm, median_mm: median(left).unwrap_or(0.0), values: placed.values };
+        let found = Misfit {
+            rms_mm: placed.rms_mm,
+            median_mm: median(left).unwrap_or(0.0),
+            values: placed.values,
+            planar: None,
+        };
         return Some(found).filter(|m| m.rms_mm.is_finite());
     }
     planar_misfit(robot, observations, nominal, anywhere)
@@ -212,8 +272,9 @@ fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
     };
     let within = Similarity { angle: tolerance(Quantity::Angle), shift: [tolerance(Quantity::Length); 2] };
     let most = if anywhere { ANYWHERE } else { within };
-    let (_, left) = planar_fit(robot, observations, nominal, &most)?;
-    Some(Misfit { rms_mm: rms(left.iter().copied()), median_mm: median(left).unwrap_or(0.0), values: nominal.to_vec() })
+    let (fit, left) = planar_fit(robot, observations, nominal, &most)?;
+    let (rms_mm, median_mm) = (rms(left.iter().copied()), median(left).unwrap_or(0.0));
+    Some(Misfit { rms_mm, median_mm, values: nominal.to_vec(), planar: Some(fit) })
 }
 
 /// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and the distances that they leave, mm.
@@ -284,6 +345,38 @@ impl Similarity {
         [cos * p[0] - sin * p[1] + self.shift[0], sin * p[0] + cos * p[1] + self.shift[1]]
     }
 
+    /// Gives observations the nearer assembly mode, and with `back` the frame in which the base is nominal.
+    fn bring_near(&self, robot: &dyn Robot, nominal: &[f64], back: bool, observations: &mut [Observation]) {
+        for o in observations {
+            let pairs = |joints: &[f64]| -> Vec<[[f64; 2]; 2]> {
+                let seen = o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?)));
+                let place = |(k, m): (usize, Vector)| {
+                    let p = robot.position(nominal, joints, k);
+                    [[p[0], p[1]], [m[0], m[1]]]
+                };
+                seen.map(place).collect()
+            };
+            if robot.has_assembly_modes() {
+                let [here, mut other] = [&o.joints, &o.joints].map(Clone::clone);
+                other.iter_mut().next_back().into_iter().for_each(|mode| *mode = -*mode);
+                let [cost, other_cost] = [&here, &other].map(|joints| self.cost(&pairs(joints)));
+                if other_cost < cost || cost.is_nan() {
+                    o.joints = other;
+                }
+            }
+            if back {
+                o.targets.iter_mut().flatten().for_each(|p| *p = self.undo(*p));
+            }
+        }
+    }
+
+    /// The point that comes to `p`.
+    fn undo(&self, p: Vector) -> Vector {
+        let (sin, cos) = self.angle.sin_cos();
+        let [x, y] = [p[0] - self.shift[0], p[1] - self.shift[1]];
+        [cos * x + sin * y, cos * y - sin * x, p[2]]
+    }
+
     /// Sum of squared distances.
     fn cost(&self, pairs: &[[[f64; 2]; 2]]) -> f64 {
         let distance = |[p, m]: &[[f64; 2]; 2]| {
@@ -338,142 +431,37 @@ const FEWEST_ASIDE: usize = 5;
 /// Share of the squares that are left which one move must explain: of errors that follow no order it is a few percent.
 const MOVED_SHARE: f64 = 0.4;
 
-/// The observations as they would be with one thing of the joints changed, and what that is.
-fn changes_of_joints(robot: &dyn Robot, observations: &[Observation]) -> Vec<(String, Vec<Observation>)> {
-    let mut all: Vec<(String, Vec<Observation>)> = Vec::new();
-    let mut change = |what: String, how: &dyn Fn(&mut Observation)| {
-        let mut changed = observations.to_vec();
-        changed.iter_mut().for_each(how);
-        all.push((what, changed));
-    };
-    let joints = robot.joints();
-    let n = joints.len();
-    let of = |quantity: Quantity| (0..n).filter(|&i| joints[i].quantity == quantity).collect::<Vec<usize>>();
-    let name = |i: usize| format!("`{}`", joints[i].name);
-    for i in 0..n {
-        change(format!("{} reversed", name(i)), &|o| o.joints[i] = -o.joints[i]);
-        for j in i + 1..n {
-            if joints[i].quantity == joints[j].quantity {
-                change(format!("{} and {} exchanged", name(i), name(j)), &|o| o.joints.swap(i, j));
-            }
-        }
-    }
-    if n > 2 && joints.iter().all(|j| j.quantity == joints[0].quantity) {
-        change("the joints in reverse order".into(), &|o| o.joints[..n].reverse());
-        change("the joints shifted by one column".into(), &|o| o.joints[..n].rotate_left(1));
-        change("the joints shifted by one column to the other side".into(), &|o| o.joints[..n].rotate_right(1));
-    }
-    let turning = of(Quantity::Angle);
-    for &i in &turning {
-        for (offset, deg) in [(FRAC_PI_2, "90"), (-FRAC_PI_2, "-90"), (2.0 * FRAC_PI_2, "180")] {
-            change(format!("{deg} deg added to {}", name(i)), &|o| o.joints[i] += offset);
-        }
-    }
-    let mut scale = |which: &[usize], factor: f64, how: &str| {
-        let what = match which {
-            [] => return,
-            [one] => format!("{} {how}", name(*one)),
-            _ if which.len() == n => format!("all joints {how}"),
-            _ => format!("all joints of this kind {how}"),
-        };
-        change(what, &|o| which.iter().for_each(|&i| o.joints[i] *= factor));
-    };
-    let rad = 1f64.to_degrees();
-    let (radians, degrees) = ("in radians instead of degrees", "in degrees instead of radians");
-    let sliding = of(Quantity::Length);
-    let single = |which: &[usize]| if which.len() > 1 { which.to_vec() } else { Vec::new() };
-    for which in std::iter::once(turning.clone()).chain(single(&turning).into_iter().map(|i| vec![i])) {
-        scale(&which, rad, radians);
-        scale(&which, 1.0 / rad, degrees);
-    }
-    for which in std::iter::once(sliding.clone()).chain(single(&sliding).into_iter().map(|i| vec![i])) {
-        LENGTHS.iter().for_each(|&(factor, how)| scale(&which, factor, how));
-    }
-    all
-}
-
-/// The same with one thing of the measured points changed.
-fn changes_of_points(robot: &dyn Robot, observations: &[Observation]) -> Vec<(String, Vec<Observation>)> {
-    let mut all: Vec<(String, Vec<Observation>)> = Vec::new();
-    let mut change = |what: String, how: &dyn Fn(&mut Observation)| {
-        let mut changed = observations.to_vec();
-        changed.iter_mut().for_each(how);
-        all.push((what, changed));
-    };
-    let mut points = |what: String, how: &dyn Fn(&mut Vector)| {
-        change(what, &|o| o.targets.iter_mut().flatten().for_each(how));
-    };
-    if robot.dimension() == 3 {
-        let what = "the measured points mirrored (a left-handed frame, or two coordinates exchanged)";
-        points(what.into(), &|p| p[0] = -p[0]);
-    } else {
-        points("x and y of the measured points exchanged".into(), &|p| p.swap(0, 1));
-        points("x of the measured points reversed".into(), &|p| p[0] = -p[0]);
-        points("y of the measured points reversed".into(), &|p| p[1] = -p[1]);
-    }
-    let targets = robot.targets();
-    if robot.free_base().is_none() {
-        for i in 0..targets.len() {
-            for j in i + 1..targets.len() {
-                let what = format!("the targets {} and {} exchanged", targets[i], targets[j]);
-                change(what, &|o| o.targets.swap(i, j));
-            }
-        }
-    }
-    all
-}
-
-/// The observations with the joints of the pose before or after, in the order in which poses come.
-fn shifted(observations: &[Observation], shift: isize) -> Vec<Observation> {
-    let mut poses: Vec<(PoseName, &Observation)> = Vec::new();
-    for o in observations {
-        if poses.last().is_none_or(|(pose, _)| *pose != o.pose) {
-            poses.push((o.pose, o));
-        }
-    }
-    let mut at = 0;
-    let mut all = Vec::new();
-    for o in observations {
-        while poses[at].0 != o.pose {
-            at += 1;
-        }
-        let other = at.checked_add_signed(shift).and_then(|k| poses.get(k));
-        all.extend(other.map(|(_, other)| Observation { joints: other.joints.clone(), ..o.clone() }));
-    }
-    all
-}
-
-/// For each length and angle of the robot the value with which the nominal robot explains the data best, where that is beyond its
-/// tolerance.
-fn wrong_nominal(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], stated_mm: f64) -> Vec<Change> {
-    let Some(placed) = misfit(robot, observations, nominal, false) else { return Vec::new() };
-    let parameters = robot.parameters();
+/// Slips in one nominal value: each length and angle of the robot that the measurements put beyond its tolerance where it is free,
+/// with its fit.
+fn wrong_nominal(robot: &dyn Robot, stated: &Case, sigma_mm: f64) -> Vec<(Slip, Fitted)> {
+    let (parameters, placed) = (robot.parameters(), &stated.values);
     let places =
-        || (0..nominal.len()).filter(|&i| parameters[i].role == Role::Base || parameters[i].tolerance.is_infinite());
-    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
+        || (0..placed.len()).filter(|&i| parameters[i].role == Role::Base || parameters[i].tolerance.is_infinite());
     let with = |i: usize| {
-        let p = &parameters[i];
         let mut free: Vec<usize> = places().chain([i]).collect();
         free.sort_unstable();
-        let problem = Residuals::new(robot, observations, &PLAIN, &free, &placed.values).ok()?;
-        let x: Vec<f64> = free.iter().map(|&i| placed.values[i]).collect();
+        let problem = Residuals::new(robot, &stated.observations, &PLAIN, &free, placed).ok()?;
+        let x: Vec<f64> = free.iter().map(|&i| placed[i]).collect();
         let solution = etalon_math::solve(&problem, &x, Options { iterations: 30, step: 1e-6, ..Options::default() });
-        let mut value = problem.all(&solution.x)[i];
-        if p.quantity == Quantity::Angle {
-            value -= ((value - p.nominal) / TAU).round() * TAU;
-        }
-        let rms_mm = (solution.cost / points).sqrt();
-        let beyond = (value - p.nominal).abs() > p.tolerance;
-        (rms_mm < EXPLAINS_FITTED * stated_mm && beyond).then(|| {
-            let (unit, outward) = (p.quantity.unit(), |v| p.quantity.outward(v));
-            let what =
-                format!("`{}` = {:.2} {unit} instead of {:.2} {unit}", p.name, outward(value), outward(p.nominal));
-            Change { what, origin: Origin::Named, left_mm: rms_mm }
-        })
+        Some((solution.cost, i, problem.all(&solution.x)))
     };
-    let lengths_and_angles =
-        (0..nominal.len()).filter(|&i| parameters[i].role == Role::Robot && parameters[i].quantity != Quantity::Ratio);
-    lengths_and_angles.filter_map(with).collect()
+    let is_nominal = |&i: &usize| {
+        let p = &parameters[i];
+        p.role == Role::Robot && p.quantity != Quantity::Ratio && p.tolerance.is_finite()
+    };
+    let mut all: Vec<(f64, usize, Vec<f64>)> = (0..placed.len()).filter(is_nominal).filter_map(with).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.truncate(FITTED_VALUES);
+    let judged = |(_, i, values): (f64, usize, Vec<f64>)| {
+        let observations = stated.observations.clone();
+        let case = Case { observations, values, left_mm: stated.left_mm, loose: Some(i) };
+        let fitted = case.fit(robot, sigma_mm, None)?;
+        let p = &parameters[i];
+        let beyond = (fitted.values[i] - p.nominal).abs() > p.tolerance;
+        let slip = Slip { what: String::new(), origin: Origin::Named, other: None, case, beside: None };
+        beyond.then_some((slip, fitted))
+    };
+    all.into_iter().filter_map(judged).collect()
 }
 
 #[cfg(test)]
@@ -493,6 +481,26 @@ mod tests {
             Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
         };
         (1..=40).map(pose).collect()
+    }
+
+    /// Forty poses with points in inches, from a frame that lies elsewhere.
+    #[test]
+    fn a_unit_is_named_and_sound_data_have_no_slip() {
+        let robot = Prexyt::default();
+        let mut observations = measured(&robot, 0.0);
+        assert_eq!(set_up_error(&robot, &observations, 0.003), None);
+        for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+            *p = [25.4 * p[0] + 900.0, 25.4 * p[1] - 700.0, 0.0];
+        }
+        let found = set_up_error(&robot, &observations, 0.003).expect("a slip");
+        assert_eq!(found.changes[0].0, "the measured points in millimetres instead of inches");
+        assert!(found.changed_mm < 0.01 && found.stated_mm > 1.0, "{found:?}");
+        // joints of another robot, and points that nothing explains
+        let mut noise = Noise::new(16, 6);
+        for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+            *p = [noise.uniform(200.0), noise.uniform(200.0), 0.0];
+        }
+        assert_eq!(set_up_error(&robot, &observations, 0.003), None);
     }
 
     #[test]

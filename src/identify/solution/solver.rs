@@ -4,7 +4,8 @@ use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
-use crate::solution::evidence::most_probable_scale;
+use crate::solution::estimation::Estimation;
+use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
@@ -17,11 +18,13 @@ const SUBSET: usize = 96;
 /// Changes of what is held after which the search ends.
 const ROUNDS: usize = 8;
 /// Iterations of one solution: robots are near nominal, and take a dozen.
-const ITERATIONS: usize = 300;
+const ITERATIONS: usize = 600;
 /// Noise that the first, tied solution takes residuals to have.
 const ANCHOR_MM: f64 = 0.01;
 /// Least noise beside which nominal values count.
 const LEAST_NOISE_MM: f64 = 1e-4;
+/// Share of the parameters that nominal values determine beyond which these may be what keeps residuals large.
+const BY_NOMINAL: f64 = 0.2;
 /// Relative change of the noise below which nominal values weigh as they should.
 const SETTLED: f64 = 0.02;
 
@@ -51,156 +54,198 @@ pub(crate) fn solve_identifiable(
     wanted: &[usize],
     start: &[f64],
 ) -> Result<Identifiable> {
+    let estimation = Estimation { robot, observations, settings, wanted };
     // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
-    let solve = match settings.prior {
-        Prior::None => rounds,
-        Prior::Tolerances { .. } => with_prior,
-    };
     let (mut values, mut held) = (start.to_vec(), None);
     let many = || Layout::new(robot, wanted, observations, settings).is_some();
     if observations.len() > 2 * SUBSET && !many() {
         let step = observations.len().div_ceil(SUBSET);
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-        if let Ok(near) = solve(robot, &subset, settings, wanted, values.clone(), None) {
+        if let Ok(near) = (Estimation { observations: &subset, ..estimation }).solve(values.clone(), None) {
             (values, held) = (near.values, Some(near.groups.iter().map(|g| g.held).collect()));
         }
     }
-    let mut found = solve(robot, observations, settings, wanted, values, held)?;
+    let mut found = estimation.solve(values, held)?;
     if settings.prior == Prior::None && !settings.rigid.is_empty() {
         // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid beside them
         let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
         let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
         let held = found.groups.iter().map(|g| g.held).collect();
         let settings = settings.with_weight(weight);
-        found = rounds(robot, observations, &settings, wanted, found.values, Some(held))?;
+        found = Estimation { settings: &settings, ..estimation }.rounds(found.values, Some(held))?;
         found.weight = weight;
         found.iterations += before;
     }
-    // a whole turn more or less is the same robot: the angle nearest to nominal is taken (a rotation vector is not an angle)
-    for (value, p) in found.values.iter_mut().zip(robot.parameters()) {
-        if p.quantity == Quantity::Angle && p.role != Role::Target {
-            *value -= ((*value - p.nominal) / TAU).round() * TAU;
-        }
-    }
+    whole_turns(robot, &mut found.values);
     found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
     Ok(found)
 }
 
-/// Solves with nominal values as readings: what is redundant in the data alone is held, everything else is well posed. Nominal values
-/// weigh as against the noise that the residuals show, where that is more than stated.
-fn with_prior(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: Vec<f64>,
-    held: Option<Vec<usize>>,
-) -> Result<Identifiable> {
-    let plain = settings.without_prior();
-    let order = by_rank(robot, wanted);
-    let groups = |values: &[f64], weight: f64| -> Result<Vec<Group>> {
-        let plain = plain.with_weight(weight);
-        Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, &order, values)?, values).groups)
-    };
-    let stated = settings.standard_uncertainty_mm;
-    let mut weight = if stated.is_some() { 1.0 } else { ANCHOR_MM };
-    let mut scale = 1.0;
-    let mut held = match held {
-        Some(held) => held,
-        None => held_by(&groups(&start, weight)?),
-    };
-    let (mut values, mut iterations) = (start.clone(), 0);
-    for round in 1.. {
-        let free = without(wanted, &held);
-        if free.is_empty() {
-            return Err(nothing_left(robot, observations, &start));
+/// Takes the angles nearest to nominal: a whole turn more or less is the same robot. Components of
+/// a rotation vector (free base, targets) are left alone.
+fn whole_turns(robot: &dyn Robot, values: &mut [f64]) {
+    let vector = |role: Role| role == Role::Target || role == Role::Base && robot.free_base().is_some();
+    for (value, p) in values.iter_mut().zip(robot.parameters()) {
+        if p.quantity == Quantity::Angle && !vector(p.role) {
+            *value -= ((*value - p.nominal) / TAU).round() * TAU;
         }
-        for &i in &held {
-            let p = &robot.parameters()[i];
-            values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
-        }
-        let prior = Prior::Tolerances { weight, scale };
-        let weighted = Settings { prior, ..settings.with_weight(weight) };
-        // unknowns without tolerance are expected where the search began
-        let problem = Residuals::new(robot, observations, &weighted, &free, &start)?.holding(&values);
-        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
-        iterations += solution.iterations;
-        values = problem.all(&solution.x);
-        if !solution.termination.is_success() {
-            return Err(diagnose_failure(robot, observations, settings, wanted, &start, solution.termination));
-        }
-        let noise = problem.noise(Some(&solution)).max(LEAST_NOISE_MM / problem.unit);
-        let found = groups(&values, noise)?;
-        let now = held_by(&found);
-        let plain = plain.with_weight(noise);
-        let data = Residuals::new(robot, observations, &plain, &free, &values)?;
-        let probable = most_probable_scale(&data, &solution.x, &start, noise);
-        let settled = now == held && (noise / weight - 1.0).abs() < SETTLED && probable == scale;
-        if settled || round == ROUNDS {
-            return Ok(Identifiable { values, free, groups: found, solution, iterations, weight, prior });
-        }
-        (held, weight, scale) = (now, noise, probable);
     }
-    unreachable!("the last round returns")
 }
 
-/// Solves with redundant and useless parameters held, until the same are redundant at the solution; `held` is a first guess of them.
-fn rounds(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: Vec<f64>,
-    held: Option<Vec<usize>>,
-) -> Result<Identifiable> {
-    let mut values = start.clone();
-    let mut iterations = 0;
-    let (asked, mut wanted) = (wanted, wanted.to_vec());
-    // what a solution showed to be useless stays held: at nominal it may look better than it is
-    let mut useless: Vec<Group> = Vec::new();
-    let mut held = match held {
-        Some(held) => held,
-        None => {
-            let near = anchored(robot, observations, settings, &wanted, &values)?;
-            values = near.0;
-            useless = near.1.iter().filter(|g| g.useless_uncertainty.is_some()).cloned().collect();
-            held_by(&near.1)
+impl Estimation<'_> {
+    /// Solves from `start` (all parameters of the robot); `held` is a first guess of the parameters
+    /// to hold.
+    fn solve(&self, start: Vec<f64>, held: Option<Vec<usize>>) -> Result<Identifiable> {
+        match self.settings.prior {
+            Prior::None => self.rounds(start, held),
+            Prior::Tolerances { .. } => self.with_prior(start, held),
         }
-    };
-    for _round in 0..ROUNDS {
-        let free = without(&wanted, &held);
-        if free.is_empty() {
-            return Err(nothing_left(robot, observations, &start));
-        }
-        for &i in &held {
-            let p = &robot.parameters()[i];
-            // base and targets of an arm have no nominal values: they stay where they were placed
-            values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
-        }
-        let problem = Residuals::new(robot, observations, settings, &free, &values)?;
-        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
-        iterations += solution.iterations;
-        values = problem.all(&solution.x);
-        if !solution.termination.is_success() {
-            return Err(diagnose_failure(robot, observations, settings, asked, &start, solution.termination));
-        }
-        wanted.retain(|&i| useless.iter().all(|g| g.held != i));
-        let all = problem.of_others(settings, &by_rank(robot, &wanted), &values)?;
-        let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
-            .groups
-            .into_iter()
-            .partition(|g| g.useless_uncertainty.is_some());
-        useless.extend(new);
-        let groups = [useless.clone(), redundant].concat();
-        let now = held_by(&groups);
-        if now == held {
-            return Ok(Identifiable { values, free, groups, solution, iterations, weight: 1.0, prior: settings.prior });
-        }
-        held = now;
     }
-    Err(Error::Unsteady)
+
+    /// Solves with nominal values as readings: what is redundant in the data alone is held,
+    /// everything else is well posed. Nominal values weigh as against the noise that the residuals
+    /// show, where that is more than stated.
+    fn with_prior(&self, start: Vec<f64>, held: Option<Vec<usize>>) -> Result<Identifiable> {
+        let Self { robot, observations, settings, wanted } = *self;
+        let plain = settings.without_prior();
+        let order = by_rank(robot, wanted);
+        let groups = |values: &[f64], weight: f64| -> Result<Vec<Group>> {
+            let plain = plain.with_weight(weight);
+            Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, &order, values)?, values).groups)
+        };
+        let stated = settings.standard_uncertainty_mm;
+        let mut weight = if stated.is_some() { 1.0 } else { ANCHOR_MM };
+        let mut scale = 1.0;
+        let mut held = match held {
+            Some(held) => held,
+            None => held_by(&groups(&start, weight)?),
+        };
+        let (mut values, mut iterations) = (start.clone(), 0);
+        for round in 1.. {
+            let free = without(wanted, &held);
+            if free.is_empty() {
+                return Err(nothing_left(robot, observations, settings, &start));
+            }
+            for &i in &held {
+                let p = &robot.parameters()[i];
+                values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
+            }
+            let prior = Prior::Tolerances { weight, scale };
+            let weighted = Settings { prior, ..settings.with_weight(weight) };
+            // unknowns without tolerance are expected where the search began
+            let problem = Residuals::new(robot, observations, &weighted, &free, &start)?.holding(&values);
+            let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+            let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
+            iterations += solution.iterations;
+            values = problem.all(&solution.x);
+            if !solution.termination.is_success() {
+                return Err(diagnose_failure(self, &start, solution.termination));
+            }
+            let least = problem.noise(None).max(LEAST_NOISE_MM / problem.unit);
+            let shown = problem.noise(Some(&solution)).max(least);
+            let data = plain.with_weight(shown);
+            let data = Residuals::new(robot, observations, &data, &free, &values)?;
+            let by_nominal = problem.undetermined(&solution) > BY_NOMINAL * free.len() as f64;
+            let probable = most_probable((&data, &start), &solution.x, [least, shown], by_nominal);
+            let (noise, probable) = (probable.noise, probable.scale);
+            let found = groups(&values, noise)?;
+            let now = held_by(&found);
+            let settled = now == held && (noise / weight - 1.0).abs() < SETTLED && probable == scale;
+            if settled || round == ROUNDS {
+                return Ok(Identifiable { values, free, groups: found, solution, iterations, weight, prior });
+            }
+            (held, weight, scale) = (now, noise, probable);
+        }
+        unreachable!("the last round returns")
+    }
+
+    /// Solves with redundant and useless parameters held, until the same are redundant at the
+    /// solution; `held` is a first guess of them.
+    fn rounds(&self, start: Vec<f64>, held: Option<Vec<usize>>) -> Result<Identifiable> {
+        let Self { robot, observations, settings, .. } = *self;
+        let mut values = start.clone();
+        let mut iterations = 0;
+        let mut wanted = self.wanted.to_vec();
+        // what a solution showed to be useless stays held: at nominal it may look better than it is
+        let mut useless: Vec<Group> = Vec::new();
+        let mut held = match held {
+            Some(held) => held,
+            None => {
+                let near = self.anchored(&values)?;
+                values = near.0;
+                useless = near.1.iter().filter(|g| g.useless_uncertainty.is_some()).cloned().collect();
+                held_by(&near.1)
+            }
+        };
+        for _round in 0..ROUNDS {
+            let free = without(&wanted, &held);
+            if free.is_empty() {
+                return Err(nothing_left(robot, observations, settings, &start));
+            }
+            for &i in &held {
+                let p = &robot.parameters()[i];
+                // base and targets of an arm have no nominal values: they stay where they were
+                // placed
+                values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
+            }
+            let problem = Residuals::new(robot, observations, settings, &free, &values)?;
+            let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+            let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
+            iterations += solution.iterations;
+            values = problem.all(&solution.x);
+            if !solution.termination.is_success() {
+                return Err(diagnose_failure(self, &start, solution.termination));
+            }
+            wanted.retain(|&i| useless.iter().all(|g| g.held != i));
+            let all = problem.of_others(settings, &by_rank(robot, &wanted), &values)?;
+            let (new, redundant): (Vec<Group>, Vec<Group>) = Analysis::at(&all, &values, all.noise(Some(&solution)))
+                .groups
+                .into_iter()
+                .partition(|g| g.useless_uncertainty.is_some());
+            useless.extend(new);
+            let groups = [useless.clone(), redundant].concat();
+            let now = held_by(&groups);
+            if now == held {
+                return Ok(Identifiable {
+                    values,
+                    free,
+                    groups,
+                    solution,
+                    iterations,
+                    weight: 1.0,
+                    prior: settings.prior,
+                });
+            }
+            held = now;
+        }
+        Err(Error::Unsteady)
+    }
+
+    /// A first solution tied to the start, each parameter as loosely as it may be known before it
+    /// is useless, and what must be held there: what the data do not determine stays where it is,
+    /// instead of running away.
+    fn anchored(&self, start: &[f64]) -> Result<(Vec<f64>, Vec<Group>)> {
+        let Self { robot, observations, settings, wanted } = *self;
+        let all = Residuals::new(robot, observations, settings, &by_rank(robot, wanted), start)?;
+        let analysis = Analysis::at(&all, start, 0.0);
+        let free = without(wanted, &held_by(&analysis.groups));
+        if free.is_empty() {
+            return Err(nothing_left(robot, observations, settings, start));
+        }
+        let residuals = all.of_others(settings, &free, start)?;
+        let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
+        let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
+        let prior = |(parameter, i)| etalon_math::ParameterPrior { parameter, value: x[parameter], weight: weight(i) };
+        let priors: Vec<etalon_math::ParameterPrior> = free.iter().enumerate().map(prior).collect();
+        let solution =
+            etalon_math::solve(&WithPriors::new(&residuals, &priors), &x, Options { step: 1e-3, ..Options::default() });
+        if !solution.termination.is_success() {
+            return Ok((start.to_vec(), analysis.groups));
+        }
+        let values = residuals.all(&solution.x);
+        let noise = all.noise(Some(&solution));
+        Ok((values.clone(), Analysis::at(&all, &values, noise).groups))
+    }
 }
 
 /// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come
@@ -222,34 +267,4 @@ fn held_by(groups: &[Group]) -> Vec<usize> {
     let mut held: Vec<usize> = groups.iter().map(|g| g.held).collect();
     held.sort_unstable();
     held
-}
-
-/// A first solution tied to the start, each parameter as loosely as it may be known before it is useless, and what must
-/// be held there: what the data do not determine stays where it is, instead of running away.
-fn anchored(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    wanted: &[usize],
-    start: &[f64],
-) -> Result<(Vec<f64>, Vec<Group>)> {
-    let all = Residuals::new(robot, observations, settings, &by_rank(robot, wanted), start)?;
-    let analysis = Analysis::at(&all, start, 0.0);
-    let free = without(wanted, &held_by(&analysis.groups));
-    if free.is_empty() {
-        return Err(nothing_left(robot, observations, start));
-    }
-    let residuals = all.of_others(settings, &free, start)?;
-    let x: Vec<f64> = free.iter().map(|&i| start[i]).collect();
-    let weight = |&i: &usize| ANCHOR_MM / residuals.unit / robot.parameters()[i].known_within();
-    let prior = |(parameter, i)| etalon_math::ParameterPrior { parameter, value: x[parameter], weight: weight(i) };
-    let priors: Vec<etalon_math::ParameterPrior> = free.iter().enumerate().map(prior).collect();
-    let solution =
-        etalon_math::solve(&WithPriors::new(&residuals, &priors), &x, Options { step: 1e-3, ..Options::default() });
-    if !solution.termination.is_success() {
-        return Ok((start.to_vec(), analysis.groups));
-    }
-    let values = residuals.all(&solution.x);
-    let noise = all.noise(Some(&solution));
-    Ok((values.clone(), Analysis::at(&all, &values, noise).groups))
 }

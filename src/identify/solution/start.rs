@@ -13,6 +13,8 @@ use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
+/// Distances in standard uncertainties of a coordinate that noise leaves: √3 of them, and as much again.
+const NOISE: f64 = 3.5;
 
 /// Starting values of all parameters: nominal, for robots with a free base with those of base, targets and fixtures that are `wanted`
 /// found from what was observed.
@@ -25,7 +27,11 @@ pub(crate) fn start(
     let nominal = robot.nominal();
     let Some(arm) = robot.free_base() else { return Ok(nominal) };
     let has_points = observations.iter().any(|o| o.targets.iter().any(Option::is_some));
-    let mut values = if has_points { by_points(robot, arm, observations, wanted)? } else { nominal };
+    let mut values = if has_points {
+        by_points(robot, arm, observations, (wanted, settings.coordinate_uncertainty_mm()))?
+    } else {
+        nominal
+    };
     if !settings.conditions.is_empty() {
         place_fixtures(arm, observations, settings, wanted, &mut values);
     }
@@ -37,7 +43,7 @@ fn by_points(
     robot: &dyn Robot,
     arm: &dyn FreeBase,
     observations: &[Observation],
-    wanted: &[usize],
+    (wanted, noise_mm): (&[usize], f64),
 ) -> Result<Vec<f64>> {
     let nominal = robot.nominal();
     let places: Vec<usize> = wanted.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
@@ -45,7 +51,7 @@ fn by_points(
     let there = |o: &Observation| arm.flange(&nominal, &o.joints).translation_mm.iter().all(|v| v.is_finite());
     let Placed { rms_mm, mut values } = place(robot, arm, &subset, &nominal, &places)?.ok_or_else(|| {
         if !subset.iter().all(there) {
-            return far_from_nominal(robot, observations, f64::INFINITY, 0.0).into();
+            return far_from_nominal(robot, observations, [f64::INFINITY, 0.0], noise_mm).into();
         }
         Error::BaseNotFound
     })?;
@@ -56,13 +62,14 @@ fn by_points(
         place_targets(arm, observations, &others, &mut values);
     }
     let spread = spread_mm(&subset);
-    if rms_mm > UNEXPLAINED * spread {
+    // where poses are near each other, noise is a large share of their spread
+    if rms_mm > (UNEXPLAINED * spread).max(NOISE * noise_mm) {
         let what = format!(
             "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
         );
         let message = Message::error(what)
             .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot");
-        return Err(explained(message, robot, observations).into());
+        return Err(explained(message, robot, observations, noise_mm).into());
     }
     if (3..6).all(|i| places.contains(&i)) {
         let turn = shortest([values[3], values[4], values[5]]);

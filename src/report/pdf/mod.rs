@@ -1,6 +1,8 @@
-//! The report as PDF: what the HTML page shows, in the order of a document that is signed, typeset by typst.
+//! Report as a PDF with the contents of the HTML page, in the order of a document to be signed,
+//! typeset by typst.
 //!
-//! PDF/A-3 (ISO 19005-3), tagged, fonts embedded, pictures as vectors, the documents that it is made from attached.
+//! PDF/A-3 (ISO 19005-3), tagged, with embedded fonts, vector figures, and the source documents as
+//! attachments.
 
 mod printable;
 #[cfg(test)]
@@ -20,19 +22,19 @@ use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
 
-/// Date of a PDF whose campaign states none: the first that a ZIP file can state.
+/// Date of a PDF if the campaign states none: the earliest date of a ZIP file.
 const UNDATED: (i32, u8, u8) = (1980, 1, 1);
-/// Warnings between a reader and the results; the others are in an annex.
+/// Maximum number of warnings before the results; further warnings are in an annex.
 const NOTICES: usize = 6;
 
-/// Whether a laboratory's template reads, without a report to lay out.
+/// Checks the syntax of a laboratory's template without a report.
 pub(super) fn check(template: &str) -> Result<()> {
     let files = [(TYPESET.0.to_owned(), Bytes::from_string(template.to_owned()))];
     Desk::new(files.into(), UNDATED)?.check(TYPESET.0)
 }
 
-/// The report typeset. Names reach the template as data, never as markup; where a name cannot be set,
-/// its plain letters are.
+/// Typesets the report. Names reach the template as data, never as markup. A name that cannot be
+/// typeset is replaced by its plain letters.
 pub(super) fn pdf(
     contents: &Contents,
     attachments: &[Attachment],
@@ -65,7 +67,7 @@ pub(super) fn pdf(
     })
 }
 
-/// The contents as a typesetter gets them: what only some readers want is in annexes, behind the signatures.
+/// Contents for typesetting: optional reading is in annexes after the signatures.
 fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> serde_json::Result<Value> {
     let mut data = serde_json::to_value(contents)?;
     let mut annexes = Vec::new();
@@ -91,7 +93,7 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
     Ok(data)
 }
 
-/// The words of the layout itself, and their language.
+/// Texts of the layout itself, and language.
 fn labels(presentation: &Presentation, words: &Words) -> Value {
     let note = words.say("Texts of the campaign are in their own language.");
     let lang = presentation.language.code();
@@ -109,7 +111,7 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
     })
 }
 
-/// Year, month and day of a text that starts with a date of ISO 8601, which counts from 1583.
+/// Year, month and day at the start of a text in ISO 8601, which starts in 1583.
 fn day(text: &str) -> Option<(i32, u8, u8)> {
     date(text).filter(|(year, ..)| *year >= 1583)
 }

@@ -1,23 +1,23 @@
-//! Text as the embedded fonts can show it: PDF/A forbids what they cannot.
+//! Text that the embedded fonts can show, as PDF/A requires.
 
 use super::super::model::is_checksum;
 use super::world::fonts;
 use serde_json::Value;
 
-/// Letters of a word that may be broken anywhere.
+/// Minimum length (characters) of a word that may be broken anywhere.
 const LONG: usize = 28;
 
-/// Letters that reach the typesetter.
+/// Characters that reach the typesetter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Letters {
-    /// All that a font has.
+    /// All characters of the fonts.
     Known,
-    /// Letters that are set one by one. Fonts join letters of other scripts, and not every joint has the
-    /// text that PDF/A asks for.
+    /// Characters that are set individually. Fonts join characters of other scripts, and not every
+    /// ligature has the text that PDF/A requires.
     Single,
 }
 
-/// Replaces what cannot be shown in every text of a JSON value; keys stay.
+/// Replaces characters that cannot be shown in all texts of a JSON value, except keys.
 pub(super) fn printable(value: &mut Value, letters: Letters) {
     match value {
         Value::String(text) => {
@@ -37,13 +37,13 @@ pub(super) fn printable(value: &mut Value, letters: Letters) {
     }
 }
 
-/// The bytes of an SVG picture with the text replaced that cannot be shown.
+/// Bytes of an SVG figure, with characters replaced that cannot be shown.
 pub(super) fn printable_picture(svg: Vec<u8>, letters: Letters) -> Vec<u8> {
     let replaced = std::str::from_utf8(&svg).ok().and_then(|text| shown(text, letters));
     replaced.map_or(svg, String::into_bytes)
 }
 
-/// An inline picture as a file of its own, with the style that it has on a page.
+/// An inline figure as a separate file, with the style of the page.
 fn styled(svg: &str) -> String {
     const STYLE: &str = concat!(
         "<style>text { font-family: 'Libertinus Serif'; font-size: 12px }\n",
@@ -56,7 +56,7 @@ fn styled(svg: &str) -> String {
     }
 }
 
-/// Long words with places to break at, but for checksums, which are copied.
+/// Adds break opportunities to long words, except for checksums, which are copied.
 fn breakable(text: &str) -> String {
     let broken = |word: &str| match word.chars().count() > LONG && !is_checksum(word) {
         true => word.chars().flat_map(|c| [c, '\u{200b}']).collect(),
@@ -65,8 +65,8 @@ fn breakable(text: &str) -> String {
     text.split(' ').map(broken).collect::<Vec<_>>().join(" ")
 }
 
-/// The text with what cannot be shown replaced, where there is any. Marks that turn the direction of what follows are
-/// dropped: a name must not change how its surroundings read.
+/// Replaces characters that cannot be shown; `None` if nothing changes. Marks of writing direction
+/// are removed, so that a name cannot affect its surroundings.
 fn shown(text: &str, letters: Letters) -> Option<String> {
     let fine = |c: char| c == '\n' || ('\u{20}'..'\u{7f}').contains(&c);
     if text.chars().all(fine) {
@@ -75,7 +75,7 @@ fn shown(text: &str, letters: Letters) -> Option<String> {
     let shown = |c: char| match c {
         c if fine(c) => Some(c),
         '\t' => Some(' '),
-        // has no text in PDF/A
+        // without text in PDF/A
         '\u{feff}' => None,
         '\u{200e}' | '\u{200f}' | '\u{061c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => None,
         c if c.is_control() || is_private(c) || !has_glyph(c) => Some('\u{fffd}'),
@@ -89,7 +89,7 @@ fn is_private(c: char) -> bool {
     matches!(c, '\u{e000}'..='\u{f8ff}' | '\u{f0000}'..)
 }
 
-/// Latin, Greek and Cyrillic letters, punctuation and signs of mathematics.
+/// `true` for Latin, Greek and Cyrillic letters, punctuation and mathematical signs.
 fn is_single(c: char) -> bool {
     matches!(c, '\u{a0}'..='\u{2af}' | '\u{370}'..='\u{482}' | '\u{48a}'..='\u{52f}' | '\u{1e00}'..='\u{1fff}'
         | '\u{2010}'..='\u{2027}' | '\u{202f}'..='\u{205f}' | '\u{2070}'..='\u{20cf}' | '\u{2100}'..='\u{25ff}')

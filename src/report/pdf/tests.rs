@@ -1,4 +1,4 @@
-//! What the typesetter is given, and what it must survive.
+//! Input of the typesetter, and unusual input that it must handle.
 
 use super::*;
 use crate::tests::demo::{Documents, point};
@@ -9,7 +9,7 @@ fn typeset_of(documents: &Documents) -> Vec<u8> {
     pdf(&report.contents(&words), &report.attachments().unwrap(), &documents.campaign.report, &words).unwrap()
 }
 
-/// What `pdftotext` reads; `None` where it is not installed.
+/// Text that `pdftotext` reads; `None` if it is not installed.
 fn text_of(pdf: &[u8]) -> Option<String> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("report.pdf");
@@ -19,7 +19,7 @@ fn text_of(pdf: &[u8]) -> Option<String> {
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
-/// `ETALON_REPORT_DEMO` names a folder to write it to, and what it was made from.
+/// Writes the demo and its source to the folder named by `ETALON_REPORT_DEMO`.
 #[test]
 fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
     let documents = Documents::demo();

@@ -1,4 +1,5 @@
-//! What a typst template can see: the files that it is given and the fonts of the program. No disk, no network, no clock.
+//! Environment of a typst template: given files and fonts of the program, without disk, network or
+//! clock.
 
 use etalon_base::message::{Message, Place, Problems, Result};
 use std::collections::BTreeMap;
@@ -12,16 +13,16 @@ use typst::{Library, LibraryExt, World, WorldExt};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
 
-/// What is typeset: attachments first, so that no template can leave them out.
+/// Main file; attachments come first, so that no template can omit them.
 const MAIN: &str = "main.typ";
 const START: &str = "#for file in json(\"attachments.json\") {\n  \
     pdf.attach(file.name, bytes(file.text), relationship: file.relationship, mime-type: file.mime, \
     description: file.description)\n}\n#include \"report.typ\"\n";
 
-/// Documents after which typst forgets a step that none of them took.
+/// Number of documents after which typst forgets unused results.
 const REMEMBERED: usize = 1;
 
-/// Files and fonts, and the date that is today.
+/// Files, fonts and current date.
 pub(super) struct Desk {
     library: LazyHash<Library>,
     main: FileId,
@@ -30,7 +31,8 @@ pub(super) struct Desk {
 }
 
 impl Desk {
-    /// `files` by name: `report.typ`, and what it reads. `date`: year, month, day.
+    /// Creates the environment. `files` by name: `report.typ` and the files that it reads; `date`:
+    /// year, month, day.
     pub fn new(mut files: BTreeMap<String, Bytes>, date: (i32, u8, u8)) -> Result<Self> {
         files.insert(MAIN.to_owned(), Bytes::from_string(START));
         let (year, month, day) = date;
@@ -39,7 +41,7 @@ impl Desk {
         Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
     }
 
-    /// Whether a file is written as typst wants it.
+    /// Checks the syntax of a file.
     pub fn check(&self, name: &str) -> Result<()> {
         let source = self.source(id(name)?).map_err(|e| Message::error(format!("{name}: {e}")))?;
         let (errors, _) = source.root().errors_and_warnings();
@@ -47,10 +49,10 @@ impl Desk {
         Problems(wrong.collect()).check().map(|_| ())
     }
 
-    /// The typeset document as PDF/A-3a, identified by `ident`.
+    /// Typeset document as PDF/A-3a, identified by `ident`.
     pub fn pdf(&self, ident: &str) -> Result<Vec<u8>> {
         let made = self.typeset(ident);
-        // typst remembers every step of every document; what documents share was used in this one
+        // typst remembers all results; common ones were used in this document
         comemo::evict(REMEMBERED);
         made
     }
@@ -70,7 +72,7 @@ impl Desk {
         typst_pdf::pdf(&document, &options).map_err(|e| problems(&e))
     }
 
-    /// A diagnostic with its place in the template.
+    /// Converts a diagnostic to a message with its place in the template.
     fn message(&self, diagnostic: &SourceDiagnostic) -> Message {
         let message = Message::error(format!("cannot typeset report.pdf: {}", diagnostic.message));
         let place = diagnostic.span.id().and_then(|id| {
@@ -125,7 +127,8 @@ impl World for Desk {
     }
 }
 
-/// The fonts of the program, read once. Those that typst brings along are more, but not all under a licence of our kind.
+/// Fonts of the program, loaded once. The fonts of typst are more, but not all have a suitable
+/// licence.
 pub(super) fn fonts() -> &'static (Vec<Font>, LazyHash<FontBook>) {
     static FONTS: OnceLock<(Vec<Font>, LazyHash<FontBook>)> = OnceLock::new();
     const FILES: [&[u8]; 4] = [

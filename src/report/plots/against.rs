@@ -1,18 +1,18 @@
-//! Error after calibration against the value of each joint and the distance from the base.
+//! Errors after calibration against joint values and distance from the base.
 
 use super::layer::*;
 
 /// Quantity of a pose.
 type Quantity<'a> = Box<dyn Fn(&PointError) -> Option<f64> + 'a>;
 
-/// Quantity that errors are drawn against.
+/// Quantity on the horizontal axis.
 struct Along<'a> {
     id: String,
     name: String,
     of: Quantity<'a>,
 }
 
-/// One picture for each joint, and one for the distance from the base.
+/// One figure for each joint, and one for the distance from the base.
 pub(crate) fn pictures(
     errors: &[&PointError],
     joints: &[String],

@@ -3,12 +3,12 @@
 use super::layer::*;
 use crate::number::round_down_125;
 
-/// More arrows than this cannot be read.
+/// Maximum number of legible arrows.
 const LIMIT: usize = 120;
-/// Length of the longest arrow as a share of the workspace.
+/// Length of the longest arrow relative to the workspace.
 const SHARE: f64 = 0.16;
 
-/// Before and after, side by side, for every plane of the workspace.
+/// Figures before and after calibration for every plane of the workspace.
 pub(crate) fn arrows(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
     let of_plane = |&seen: &Seen| [false, true].map(|after| in_plane(errors, seen, after, words));
     let mut all: Vec<Figure> = Seen::planes(planar).iter().flat_map(of_plane).collect();
@@ -34,7 +34,7 @@ fn in_plane(errors: &[&PointError], seen: Seen, after: bool, words: &Words) -> F
     for p in &drawn {
         map.svg.mark(points::look(p), map.at(p.at_mm), 2.0, &points::tooltip(p, words));
     }
-    // the scale arrow: a round length as long as the picture's own arrows
+    // scale arrow: a round length of about the size of the other arrows
     let shown = number::shown("mm", longest_mm);
     if longest_mm > 0.0 {
         let round = round_down_125(longest_mm * shown.factor);
@@ -62,7 +62,7 @@ fn in_plane(errors: &[&PointError], seen: Seen, after: bool, words: &Words) -> F
     Figure { pair, side, caption, ..map.figure(&format!("arrows-{side}-{name}"), title, description) }
 }
 
-/// Round factor that makes the longest arrow a readable share of the workspace.
+/// Round factor that makes the longest arrow a legible share of the workspace.
 fn enlargement(drawn: &[&PointError], seen: Seen, longest_mm: f64) -> f64 {
     let spans = [0, 1, 2].map(|i| range(drawn.iter().map(|p| p.at_mm[i])).map_or(0.0, |(low, high)| high - low));
     let workspace =

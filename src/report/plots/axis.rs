@@ -2,21 +2,22 @@
 
 use crate::number::{self, Shown};
 
-/// Scale of an axis. Values are in the unit of the documents; ends and labels are in the unit shown.
+/// Scale of an axis. Values are in the unit of the documents; ends and labels are in the displayed
+/// unit.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     low: f64,
     high: f64,
     shown: Shown,
     logarithmic: bool,
-    /// labels in place of round numbers
+    /// Labels instead of round numbers.
     labels: Option<Vec<(f64, String)>>,
 }
 
-/// Values beyond this are blunders that no picture can show.
+/// Largest value that is drawn; larger values are blunders.
 const DRAWABLE: f64 = 1e12;
 
-/// `true` for values that a picture can show.
+/// `true` for values that can be drawn.
 pub(crate) fn drawable(value: f64) -> bool {
     value.abs() < DRAWABLE
 }
@@ -29,16 +30,16 @@ pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)>
     })
 }
 
-/// Largest of the finite values and zero.
+/// Largest of the finite values, at least zero.
 pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     range(values).map_or(0.0, |(_, high)| high.max(0.0))
 }
 
-/// Round step that cuts `span` into at most `count` parts.
+/// Round step that divides `span` into at most `count` parts.
 pub(crate) fn step(span: f64, count: usize) -> f64 {
     let exact = span / count.max(1) as f64;
     let below = number::round_down_125(exact);
-    // 1 → 2 → 5 → 10: the next round number after `below` is at most 2.5 times it
+    // 1 → 2 → 5 → 10: the next round number after `below` is at most 2.5 times as large
     let next = if number::round_down_125(2.5 * below) > 2.2 * below { 2.5 * below } else { 2.0 * below };
     if below >= exact * (1.0 - 1e-9) { below } else { next }
 }
@@ -50,19 +51,19 @@ impl Axis {
         Self { low, high, shown: number::shown("", 0.0), logarithmic: false, labels: None }
     }
 
-    /// Linear axis whose ends are in the unit shown.
+    /// Linear axis with ends in the displayed unit.
     pub fn linear_in(shown: Shown, low: f64, high: f64) -> Self {
         Self { shown, ..Self::linear(low, high) }
     }
 
-    /// Linear axis over values of a unit, with a share of their range left free at either end.
+    /// Linear axis over values in a unit, with free margins relative to their range.
     pub fn over(unit: &str, (low, high): (f64, f64), margin: f64) -> Self {
         let shown = number::shown(unit, low.abs().max(high.abs()));
         let margin = margin * (high - low).max(1e-9 * high.abs().max(low.abs()));
         Self::linear_in(shown, (low - margin) * shown.factor, (high + margin) * shown.factor)
     }
 
-    /// Linear axis from zero to the first round tick at or over `largest`.
+    /// Linear axis from zero to the first round tick at or above `largest`.
     pub fn from_zero(unit: &str, largest: f64) -> Self {
         Self::from_zero_in(number::shown(unit, largest), largest)
     }
@@ -74,7 +75,7 @@ impl Axis {
         Self::linear_in(shown, 0.0, step * (largest / step - 1e-9).ceil().max(1.0))
     }
 
-    /// Linear axis that reaches as far below zero as above.
+    /// Linear axis symmetrical about zero.
     pub fn both_ways(shown: Shown, largest: f64) -> Self {
         let high = Self::from_zero_in(shown, largest).high;
         Self::linear_in(shown, -high, high)
@@ -88,12 +89,12 @@ impl Axis {
         Self { low, high, shown, logarithmic: true, labels: None }
     }
 
-    /// Axis of rows or columns, numbered from zero, with their labels and this room at either end.
+    /// Axis of rows or columns, numbered from zero, with their labels and margins.
     pub fn rows(count: usize, labels: Vec<(f64, String)>, room: f64) -> Self {
         Self { labels: Some(labels), ..Self::linear(-room, count as f64 - 1.0 + room) }
     }
 
-    /// Share of the axis at which a value is drawn; values off the axis are drawn at its end.
+    /// Position of a value as a share of the axis; values beyond an end are drawn at that end.
     pub fn share(&self, value: f64) -> f64 {
         let value = value * self.shown.factor;
         let value = match self.logarithmic {
@@ -116,12 +117,12 @@ impl Axis {
         (of(self.low), of(self.high))
     }
 
-    /// Unit of the labels, and its factor.
+    /// Displayed unit and its factor.
     pub fn shown(&self) -> Shown {
         self.shown
     }
 
-    /// Number of rows or columns with the room at their ends.
+    /// Number of rows or columns, including margins.
     pub fn length(&self) -> f64 {
         self.high - self.low
     }
@@ -131,7 +132,7 @@ impl Axis {
         self.labels.is_some()
     }
 
-    /// Values on the axis with their labels: the given ones, or round numbers, at most about `count`.
+    /// Ticks with their labels: the given labels, or round numbers, at most about `count`.
     pub fn ticks(&self, count: usize) -> Vec<(f64, String)> {
         if let Some(labels) = &self.labels {
             return labels.clone();

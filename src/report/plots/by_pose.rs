@@ -1,14 +1,15 @@
-//! Error by pose, before and after in one picture.
+//! Errors by pose, before and after calibration in one figure.
 
 use super::layer::*;
 use std::collections::BTreeSet;
 
-/// The axis is logarithmic where the largest error before is more than this many times the median after.
+/// Ratio of the largest error before to the median error after, above which the axis is
+/// logarithmic.
 const RATIO: f64 = 20.0;
-/// Decades below the largest error that are drawn.
+/// Number of decades below the largest error.
 const DECADES: u8 = 6;
 
-/// Position and, where there is one, orientation.
+/// Figures of position and, if measured, orientation.
 pub(crate) fn pictures(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     let position = |p: &PointError| Some([points::before_mm(p), points::after_mm(p)]);
     let orientation = |p: &PointError| Some([p.before_deg?.abs(), p.after_deg?.abs()]);
@@ -34,7 +35,7 @@ fn picture(
         return None;
     }
     let of = |k: usize| pairs.iter().map(move |(_, s)| s[k]);
-    // a few errors that happen to be nearly zero must not squeeze all others
+    // a few tiny errors must not compress all others
     let ends = (crate::number::quantile(of(1), 0.02), largest(of(0).chain(of(1))));
     let logarithmic = largest(of(0)) > RATIO * crate::number::quantile(of(1), 0.5) && ends.0 > 0.0;
     let is_angle = quantity == ErrorQuantity::Orientation;
@@ -90,12 +91,12 @@ fn picture(
     Some(Figure { caption, ..chart.figure(&format!("by-pose-{quantity}"), title, description) })
 }
 
-/// Poses of points in their order.
+/// Poses of the points, in order.
 pub(super) fn poses(points: &[&PointError]) -> Vec<PoseName> {
     points.iter().map(|p| p.pose).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// Column of the pose of a point.
+/// Column of a point's pose.
 pub(super) fn place(poses: &[PoseName], p: &PointError) -> f64 {
     poses.binary_search(&p.pose).unwrap_or(0) as f64
 }
@@ -105,7 +106,8 @@ pub(super) fn across(poses: &[PoseName]) -> Axis {
     Axis::rows(poses.len(), pose_ticks(poses), 0.7)
 }
 
-/// Labels along the poses: each of few; of many, round numbers, a missing one between its neighbours.
+/// Labels of the poses: all of a few; round numbers of many, where a missing pose is labelled
+/// between its neighbours.
 fn pose_ticks(poses: &[PoseName]) -> Vec<(f64, String)> {
     let numbers: Vec<i64> = poses.iter().filter_map(|pose| pose.number()).collect();
     if poses.len() <= 15 || numbers.len() < poses.len() {
@@ -161,7 +163,7 @@ mod tests {
         let svg = &drawn(&errors, &[])[1].svg;
         let labels = svg.lines().filter(|l| l.contains("class=\"end\"") && l.contains(">0.0001<"));
         let right: Vec<f64> = labels.flat_map(|l| numbers(l, "text", "x")).collect();
-        // the name is centred at 13 and 12 high, six characters are some 42 wide
+        // the name is centred at 13 and 12 high; six characters are about 42 wide
         assert!(!right.is_empty() && right.iter().all(|x| x - 42.0 > 20.0), "{right:?}");
     }
 
@@ -171,7 +173,7 @@ mod tests {
         let ticks = pose_ticks(&poses);
         let labels: Vec<&str> = ticks.iter().map(|(_, label)| label.as_str()).collect();
         assert_eq!(labels, ["100", "200", "300", "400", "500", "600", "700", "800", "900"]);
-        // between poses 399 and 401, which are the 399th and 400th
+        // between poses 399 and 401, which are number 399 and 400
         assert_eq!(ticks[3].0, 398.5);
     }
 
@@ -179,10 +181,10 @@ mod tests {
     fn a_limit_is_a_line_with_its_name() {
         let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.15; 3], [0.1; 3])).collect();
         let limit =
-            LimitVerdict::of(etalon_documents::LimitQuantity::PositionMaxMm, "mm", 0.2, 0.17, None, Default::default());
+            LimitVerdict::of(etalon_documents::LimitQuantity::PositionMaxMm, 0.2, 0.17, None, Default::default());
         let svg = &drawn(&errors, std::slice::from_ref(&limit))[0].svg;
         assert!(svg.contains("class=\"limit\"") && svg.contains(">position_max_mm</text>"));
-        // under the axis and its name, where there are no marks
+        // below the axis and its name, where there are no marks
         let [name, pose] = [">position_max_mm<", ">pose<"].map(|text| svg.lines().find(|l| l.contains(text)).unwrap());
         let [name, pose] = [name, pose].map(|line| numbers(line, "text", "y")[0]);
         assert!(name > pose, "{svg}");

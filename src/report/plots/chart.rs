@@ -1,22 +1,23 @@
-//! Layer under the pictures with two axes: frame, grid, labels, names, limit lines and legend. A picture adds its marks.
+//! Common layer of figures with two axes: frame, grid, labels, names, limit lines and legend.
+//! Figures add their marks.
 
 use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
 use etalon_documents::{ErrorQuantity, LimitVerdict};
 
-/// Height between the axes.
+/// Height of the frame.
 const HEIGHT: f64 = 240.0;
-/// Room above the frame, for the numbers of limits.
+/// Margin above the frame for the numbers of limits.
 const TOP: f64 = 16.0;
-/// Room at the right of the frame, for half of a label or the numbers of limits.
+/// Margin at the right of the frame for half of a label or the numbers of limits.
 const RIGHT: f64 = 20.0;
-/// Room under the frame, for the labels and the name of the axis.
+/// Margin below the frame for the labels and the name of the axis.
 pub(super) const UNDER: f64 = 42.0;
-/// Least distance of the numbers at limit lines: their height or width with a gap.
+/// Minimum distance of the numbers at limit lines: height or width plus a gap.
 const APART: f64 = 12.0;
 
-/// Two axes and where they are drawn.
+/// Two axes with their positions.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub across: Axis,
@@ -28,18 +29,18 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// Place of a value of each axis; rows count from the top.
+    /// Position of a pair of values; rows count from the top.
     pub fn at(&self, across: f64, up: f64) -> Place {
         (self.left + self.across.share(across) * (self.right - self.left), self.level(&self.up, up))
     }
 
-    /// Height at which a value of an upright axis is drawn.
+    /// Height of a value on a vertical axis.
     pub fn level(&self, axis: &Axis, value: f64) -> f64 {
         let share = axis.share(value) * (self.bottom - self.top);
         if axis.is_labelled() { self.top + share } else { self.bottom - share }
     }
 
-    /// Draws the axes: with a grid on both where `grid`, otherwise on the one that has the values.
+    /// Draws the axes; `grid` draws grid lines of both, otherwise of the axis of values only.
     pub fn draw(&self, svg: &mut Svg, [along, upwards]: [&str; 2], grid: bool) {
         let Self { left, right, top, bottom, .. } = *self;
         let rows = self.up.is_labelled();
@@ -56,7 +57,7 @@ impl Frame {
                 true => svg.line("grid", (x, top), (x, bottom)),
                 false => svg.line("axis", (x, bottom), (x, bottom + 4.0)),
             }
-            // the last label stays inside the picture
+            // the last label stays inside the figure
             svg.text("mid", (x.min(svg.width - 0.5 * width(&label)), bottom + 17.0), &label);
         }
         svg.line("axis", (left, bottom), (right, bottom));
@@ -69,7 +70,7 @@ impl Frame {
         }
     }
 
-    /// Ticks of the level axis: as many as have room for their labels, at least two.
+    /// Ticks of the horizontal axis: as many as fit, at least two.
     fn level_ticks(&self) -> Vec<(f64, String)> {
         let room = self.right - self.left;
         let fits = |ticks: &Vec<(f64, String)>| {
@@ -84,19 +85,19 @@ impl Frame {
     }
 }
 
-/// Picture with two axes.
+/// A figure with two axes.
 pub(crate) struct Chart {
     pub svg: Svg,
     pub frame: Frame,
 }
 
 impl Chart {
-    /// Draws the axes with their names, the level one first.
+    /// Draws the axes with their names, the horizontal axis first.
     pub fn new(width: f64, axes: [Axis; 2], names: [impl AsRef<str>; 2]) -> Self {
         Self::with_room(RIGHT, axes, width, names)
     }
 
-    /// Draws the axes with this room at their right.
+    /// Draws the axes with the given margin at the right.
     pub fn with_room(room: f64, [across, up]: [Axis; 2], width: f64, names: [impl AsRef<str>; 2]) -> Self {
         let names = [names[0].as_ref(), names[1].as_ref()];
         let height = if up.is_labelled() { ROW * up.length() } else { HEIGHT };
@@ -107,24 +108,24 @@ impl Chart {
         Self { svg, frame }
     }
 
-    /// Place of a value of each axis.
+    /// Position of a pair of values.
     pub fn at(&self, across: f64, up: f64) -> Place {
         self.frame.at(across, up)
     }
 
-    /// Draws a line at a value of the level axis, from top to bottom.
+    /// Draws a vertical line at a value of the horizontal axis.
     pub fn upright(&mut self, class: &str, value: f64) {
         let x = self.at(value, 0.0).0;
         self.svg.line(class, (x, self.frame.top), (x, self.frame.bottom));
     }
 
-    /// Draws a line at a value of the upright axis, from left to right.
+    /// Draws a horizontal line at a value of the vertical axis.
     pub fn level(&mut self, class: &str, value: f64) {
         let y = self.at(0.0, value).1;
         self.svg.line(class, (self.frame.left, y), (self.frame.right, y));
     }
 
-    /// Draws a second upright axis at the right.
+    /// Draws a second vertical axis at the right.
     pub fn second(&mut self, axis: &Axis, name: &str) {
         let Frame { right, top, bottom, .. } = self.frame;
         for (value, label) in upright_ticks(axis) {
@@ -134,20 +135,20 @@ impl Chart {
         self.svg.text_upwards("mid", (self.svg.width - 6.0, 0.5 * (top + bottom)), name);
     }
 
-    /// Draws a bar in a row, from one value to another.
+    /// Draws a horizontal bar in a row between two values.
     pub fn bar_along(&mut self, look: Look, row: usize, ends: [f64; 2], tooltip: &str) {
         let [(left, y), (right, _)] = ends.map(|v| self.at(v, row as f64));
         self.svg.rect(look, (left, y - 0.35 * ROW), ((right - left).max(0.5), 0.7 * ROW), tooltip);
     }
 
-    /// Draws a bar of a width that begins at `x`, from zero to a value.
+    /// Draws a vertical bar of the given width at `x`, from zero to a value.
     pub fn bar_up(&mut self, look: Look, (x, width): Place, value: f64, tooltip: &str) {
         let [zero, end] = [0.0, value].map(|v| self.at(0.0, v).1);
         self.svg.rect(look, (x, end.min(zero)), (width, (end - zero).abs().max(0.5)), tooltip);
     }
 
-    /// Draws the limits of a quantity that lie on its axis, which is the level one where `across`. Their names are in the
-    /// legend, where they cover no mark; several are numbered at the ends of their lines.
+    /// Draws the limits of a quantity, on the horizontal axis if `across`. Their names are in the
+    /// legend so that they cover no marks; several limits are numbered at the ends of their lines.
     pub fn limits(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, across: bool) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
         let of = |l: &LimitVerdict| l.name.of_errors().is_some_and(|(of, _)| of == quantity);
@@ -174,13 +175,13 @@ impl Chart {
         }
     }
 
-    /// Returns the picture with its description, which is its caption too.
+    /// Returns the figure with its description, which is also its caption.
     pub fn figure(self, id: &str, title: String, description: String) -> Figure {
         self.svg.figure(id, title, description)
     }
 }
 
-/// Room at the left of an upright axis for its name and labels; letters of names are wider than digits.
+/// Margin at the left of a vertical axis for its name and labels; letters are wider than digits.
 pub(super) fn left_of(up: &Axis, name: &str) -> f64 {
     let ticks = upright_ticks(up);
     let labels = widest(ticks.iter().map(|(_, label)| label.as_str()));
@@ -192,12 +193,12 @@ fn upright_ticks(up: &Axis) -> Vec<(f64, String)> {
     up.ticks(if up.ends().0 < 0.0 { 6 } else { 5 })
 }
 
-/// Moves places in ascending order apart, so that numbers at them can be read.
+/// Moves ascending positions apart so that the numbers at them are legible.
 fn spread(mut places: Vec<f64>) -> Vec<f64> {
     for i in 1..places.len() {
         let lack = APART - (places[i] - places[i - 1]);
         if lack > 0.0 {
-            // half to either side of the first two, the rest behind them
+            // half to either side of the first two, otherwise after the previous one
             places[i - 1] -= if i == 1 { 0.5 * lack } else { 0.0 };
             places[i] = places[i - 1] + APART;
         }
@@ -216,7 +217,7 @@ mod tests {
             .iter()
             .map(|&name| {
                 let limit = 0.001 * name.to_string().len() as f64;
-                LimitVerdict::of(name, "mm", limit, 0.0, None, Default::default())
+                LimitVerdict::of(name, limit, 0.0, None, Default::default())
             })
             .collect();
         let axis = || Axis::from_zero("mm", 0.1);

@@ -1,16 +1,17 @@
-//! Map of candidates and chosen positions (thesis, figure 4.7).
+//! Map of candidates and chosen positions (thesis, fig. 4.7).
 
 use super::layer::*;
 use etalon_documents::{CandidatePlace, PlanDocument};
 use std::collections::BTreeSet;
 
-/// Positions beyond this (mm) are not positions of a robot.
+/// Largest plausible coordinate (mm).
 const DRAWABLE_MM: f64 = 1e7;
-/// More marks than this hide each other.
+/// Maximum number of legible marks.
 const LIMIT: usize = 2000;
 const CANDIDATE: Look<'static> = Look { class: "before", ..CALIBRATION };
 
-/// Candidates, and those chosen with the number of their pose; `None` where no candidate has a place.
+/// Candidates, and chosen positions with the number of their pose; `None` if no candidate has a
+/// position.
 pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let whole = |p: &&CandidatePlace| p.at_mm.iter().all(|v| v.abs() < DRAWABLE_MM);
     let all: Vec<&CandidatePlace> = plan.places.iter().filter(whole).collect();

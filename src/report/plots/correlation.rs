@@ -1,18 +1,19 @@
-//! Correlation of every pair of identified parameters: strongly correlated ones are hardly separable.
+//! Correlations of all pairs of identified parameters; strongly correlated parameters are hardly
+//! separable.
 
 use super::intervals::shortened;
 use super::layer::*;
 use etalon_documents::ParametersDocument;
 
-/// More parameters than this take the whole width.
+/// Number of parameters above which the figure occupies the whole width.
 const FEW: usize = 14;
-/// Of more parameters than this every second is lettered, of twice as many every third.
+/// Number of parameters above which every second name is shown; every third at twice the number.
 const LETTERED: usize = 48;
-/// Least absolute correlation of pairs that are named.
+/// Smallest absolute correlation of pairs that are named.
 const STRONG: f64 = 0.9;
 const TOP: f64 = 4.0;
 
-/// Matrix of correlations; `None` without a covariance of the identified parameters.
+/// Correlation matrix; `None` without a covariance of the identified parameters.
 pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
     let names: Vec<&str> = document.identified().map(|p| p.name.as_str()).collect();
     let (covariance, n) = (&document.covariance, names.len());
@@ -63,13 +64,13 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
         caption: format!("{description} {caption}"),
         table_title: words.say("Numbers of this picture"),
         header: std::iter::once(words.say("name")).chain(names.iter().map(|name| (*name).to_owned())).collect(),
-        // of many the workbook has the numbers
+        // with many parameters, the numbers are in the workbook
         rows: if n > FEW { Vec::new() } else { (0..n).map(row).collect() },
         ..svg.figure("correlation", title, description)
     })
 }
 
-/// Draws the scale of colours where the triangle leaves room.
+/// Draws the colour scale in the free triangle.
 fn scale(svg: &mut Svg, words: &Words) {
     for (i, r) in [1.0, 0.5, 0.0, -0.5, -1.0].into_iter().enumerate() {
         let (right, y, fill) = (svg.width, TOP + 16.0 * i as f64, colour(r));
@@ -79,7 +80,8 @@ fn scale(svg: &mut Svg, words: &Words) {
     }
 }
 
-/// White at zero, blue at one, orange at minus one; both ends are dark enough for eyes that miss the other.
+/// White at zero, blue at one, orange at minus one; both ends are dark enough for colour-blind
+/// readers.
 fn colour(r: f64) -> String {
     let end = if r > 0.0 { [0.0, 90.0, 160.0] } else { [200.0, 90.0, 0.0] };
     let [red, green, blue] = end.map(|c| (255.0 + r.abs().min(1.0) * (c - 255.0)).round() as u8);
@@ -114,7 +116,7 @@ mod tests {
             document.parameters = (0..n).map(of).collect();
             document.covariance = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
             let picture = picture(&document, &Words::default()).unwrap();
-            // at the side, below, and of the scale
+            // at the side, below, and at the scale
             assert_eq!(picture.svg.matches("class=\"end\"").count(), 2 * lettered + 5);
         }
     }

@@ -1,19 +1,21 @@
-//! Poses of a test in space or, of planar robots, in their plane, with the cube of ISO 9283:1998, 6, if they lie in one.
+//! Poses of a test in space or, for planar robots, in their plane, with the cube of ISO 9283:1998,
+//! 6, if the poses lie in one.
 
 use super::layer::*;
 use super::visits::of_pose;
 use etalon_documents::Iso9283Document;
 
-/// Distance of P2 to P5 from the centre over half the diagonal: (10 ± 2) % of a diagonal from its ends.
+/// Distance of P2 to P5 from the centre relative to half the diagonal: (10 ± 2) % of a diagonal
+/// from its ends.
 const FROM_CENTRE: f64 = 0.8;
-/// How far the coordinates of a pose from the centre may differ: 2 % of the diagonal over 80 % of its half.
+/// Tolerance of the coordinates relative to the centre: 2 % of the diagonal over 80 % of its half.
 const TOLERANCE: f64 = 0.05;
-/// Height of poses in a plane over their extent.
+/// Largest height of coplanar poses relative to their extent.
 const FLAT: f64 = 0.01;
-/// More names than this hide each other.
+/// Maximum number of legible names.
 const NAMED: usize = 12;
 
-/// Where each pose was commanded or, where it was not, the mean of its visits.
+/// Commanded position of each pose or, without one, mean of its visits.
 fn places(document: &Iso9283Document) -> Vec<(PoseName, Vector)> {
     let place = |p: &etalon_documents::Iso9283Pose| {
         let mean = centroid(&of_pose(document, p.pose).map(|v| v.attained_mm).collect::<Vec<_>>())?;
@@ -24,8 +26,8 @@ fn places(document: &Iso9283Document) -> Vec<(PoseName, Vector)> {
     document.poses.iter().filter_map(place).collect()
 }
 
-/// Centre and half the side of the cube (of planar robots the square) in which P1 is the centre and P2 to P5 are on the diagonals of
-/// a plane through it; `None` where the poses are others.
+/// Centre and half side of the cube (for planar robots the square) with P1 in the centre and P2 to
+/// P5 on the diagonals of a plane through it; `None` for other poses.
 fn cube(places: &[(PoseName, Vector)], planar: bool) -> Option<(Vector, f64)> {
     let [(_, centre), around @ ..] = places else { return None };
     let axes = if planar { 2 } else { 3 };
@@ -37,7 +39,7 @@ fn cube(places: &[(PoseName, Vector)], planar: bool) -> Option<(Vector, f64)> {
     (alike && opposite).then_some((*centre, mean / FROM_CENTRE))
 }
 
-/// All poses, and the cube where there is one.
+/// All poses, and the cube if applicable.
 pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figure> {
     let places = places(document);
     let extent = |axis: usize| range(places.iter().map(|(_, p)| p[axis])).map_or(0.0, |(low, high)| high - low);
@@ -51,7 +53,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
         around = [-half, half].iter().map(|d| centre.map(|v| v + d)).collect();
     }
     let mut map = Workspace::new(if planar { XY } else { Seen::Space }, &around, words);
-    // the square around the poses of a plane, the test plane through those of space
+    // the square around coplanar poses, the test plane through spatial poses
     let (class, corners) = match (cube, &around[..]) {
         (None, _) => ("axis", Vec::new()),
         (_, [low, high]) if planar => ("axis", vec![*low, [high[0], low[1], 0.0], *high, [low[0], high[1], 0.0]]),

@@ -1,13 +1,13 @@
-//! Index and condition number over the number of configurations (thesis, figure 4.6).
+//! Index and condition number over the number of configurations (thesis, fig. 4.6).
 
 use super::layer::*;
 use crate::number::significant;
 use etalon_documents::{CurvePoint, PlanDocument};
 
-/// Room at the right for the labels and the name of the second axis.
+/// Margin at the right for the labels and the name of the second axis.
 const ROOM: f64 = 56.0;
 
-/// Curve of the thesis' way; `None` where it has no two points.
+/// Curve of the greedy choice; `None` with fewer than two points.
 pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let points: Vec<_> = plan.greedy.curve.iter().filter(|p| p.value.is_finite() && p.condition.is_finite()).collect();
     let configurations = range(points.iter().map(|p| p.configurations as f64)).filter(|_| points.len() > 1)?;

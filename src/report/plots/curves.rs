@@ -1,12 +1,12 @@
-//! Curves over one axis, with marks.
+//! Curves with marks over a common axis.
 
 use super::layer::*;
 
-/// More marks of a curve than this hide each other.
+/// Maximum number of legible marks of a curve.
 const LIMIT: usize = 300;
-/// Curves that a legend names.
+/// Maximum number of curves in a legend.
 const NAMED: usize = 12;
-/// Rows of the table of numbers.
+/// Maximum number of rows in the table of numbers.
 const ROWS: usize = 2000;
 
 pub(crate) struct Curve {
@@ -14,7 +14,7 @@ pub(crate) struct Curve {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Value that matters, with its interval.
+/// An important value with its interval.
 pub(crate) struct Mark {
     pub at: (f64, f64),
     pub interval: Option<(f64, f64)>,
@@ -32,7 +32,7 @@ pub(crate) struct Curves {
 }
 
 impl Curves {
-    /// Returns the picture with its numbers; `None` where no curve has a point that can be drawn.
+    /// Returns the figure with its numbers; `None` if no curve has a point that can be drawn.
     pub fn picture(mut self, words: &Words) -> Option<Figure> {
         self.curves.iter_mut().for_each(|c| c.points.retain(|p| drawable(p.0) && drawable(p.1)));
         self.curves.retain(|c| !c.points.is_empty());

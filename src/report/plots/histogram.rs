@@ -1,4 +1,5 @@
-//! Sizes of the errors before and after calibration: calibration poses against validation poses.
+//! Histograms of the errors before and after calibration: calibration poses compared with
+//! validation poses.
 
 use super::axis::step;
 use super::layer::*;
@@ -6,12 +7,12 @@ use std::fmt::Display;
 
 const BINS: usize = 12;
 
-/// Shares of the points by size of the position error, before and after.
+/// Shares of the points by size of the position error, before and after calibration.
 pub(crate) fn histograms(errors: &[&PointError], limits: &[LimitVerdict], words: &Words) -> Vec<Figure> {
     [false, true].into_iter().filter_map(|after| histogram(errors, limits, after, words)).collect()
 }
 
-/// Points of a set by size.
+/// Number of points of a set in each bin.
 struct Counts {
     class: &'static str,
     name: String,

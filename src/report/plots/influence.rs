@@ -1,14 +1,14 @@
-//! Influence of each pose: Cook's distances as bars, against the value from which a pose decides.
+//! Influence of each pose: Cook's distances as bars, with the critical value.
 
 use super::layer::*;
 use etalon_documents::ReliabilitySummary;
 
-/// Room at the right for a distance in numbers.
+/// Margin at the right for a distance in digits.
 const ROOM: f64 = 60.0;
-/// Letters of the name of a pose that are drawn.
+/// Maximum number of characters of a pose's name.
 const LETTERS: usize = 14;
 
-/// One bar for each pose of the table; `None` where no pose has a distance.
+/// One bar for each pose in the table; `None` if no pose has a distance.
 pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figure> {
     let distance = |p: &etalon_documents::InfluenceEntry| p.cooks_distance.filter(|d| d.is_finite());
     let all: Vec<_> = found.poses.iter().filter_map(|p| Some((p.pose.to_string(), distance(p)?))).collect();
@@ -25,7 +25,7 @@ pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figur
         chart.bar_along(CALIBRATION, i, [0.0, *distance], &tip);
     }
     chart.upright("limit", found.influential);
-    // the rim of the numbers keeps the line away from them
+    // the outline of the digits separates them from the line
     for (i, (_, distance)) in all.iter().enumerate() {
         let (x, y) = chart.at(*distance, i as f64);
         chart.svg.text("start over", (x + 5.0, y + 4.0), &words.number(&number::significant(*distance, 2)));

@@ -3,14 +3,15 @@
 use super::layer::*;
 use etalon_documents::{ParameterEntry, ParameterStatus};
 
-/// Room at the right for the half width of an interval in numbers.
+/// Margin at the right for the half-width of an interval in digits.
 const ROOM: f64 = 84.0;
-/// Letters of a name that are drawn: a long one loses its middle, as its end often distinguishes it.
+/// Maximum number of characters of a name. Long names lose their middle, as their end often
+/// distinguishes them.
 pub(super) const LETTERS: usize = 14;
-/// Letters that are drawn of the end of a long name.
+/// Number of characters at the end of a long name.
 const LAST: usize = 5;
 
-/// One picture for each unit that occurs.
+/// One figure for each unit.
 pub(crate) fn pictures(parameters: &[&ParameterEntry], group: (usize, &str), words: &Words) -> Vec<Figure> {
     let mut units: Vec<&str> = parameters.iter().map(|p| p.unit.as_str()).collect();
     units.sort_unstable();
@@ -37,7 +38,7 @@ fn picture(
     let reach = largest(all.iter().map(|p| change(p).abs() + expanded(p)));
     let shown = number::shown(unit, reach);
     let unit = if shown.unit.is_empty() { unit } else { shown.unit };
-    // a ratio has no unit to name
+    // ratios are dimensionless
     let (title, along) = match unit {
         "1" => (words.fill("{0}: change of the ratios, with ± 2u", &[&group]), words.say("identified minus nominal")),
         _ => (
@@ -66,7 +67,7 @@ fn picture(
     Some(Figure { caption, ..chart.figure(&format!("intervals-{key}-{index}"), title, description) })
 }
 
-/// Name without its middle where it is long.
+/// Shortens a long name by its middle.
 pub(super) fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= LETTERS {

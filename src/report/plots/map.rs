@@ -1,23 +1,26 @@
-//! Errors over the workspace (thesis, figures 3.8 to 3.10). The colour of a mark is its error on one scale for before and after,
-//! its size the error as a share of the largest of the picture. A page can show the colours on the picture's own scale.
+//! Errors over the workspace (thesis, figs. 3.8 to 3.10). The colour of a mark is its error on a
+//! common scale for before and after; its size is the error relative to the largest of the figure.
+//! A page can also show the colours on the figure's own scale.
 
 use super::layer::*;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Marks nearer than this (units of the picture) lie on one another.
+/// Distance within which marks coincide (units of the figure).
 const NEAR: f64 = 2.0;
-/// Colours from no error to the largest: classes `o0` to `o15` of the common scale, `w0` to `w15` of a picture's own.
+/// Number of colours from zero to the largest error: classes `o0` to `o15` of the common scale,
+/// `w0` to `w15` of the figure's own scale.
 const LEVELS: usize = 16;
 
-/// Before and after, side by side: every plane of the workspace, and space where it has a third dimension.
+/// Figures before and after calibration for every plane of the workspace, and for space if
+/// three-dimensional.
 pub(crate) fn maps(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
     let all = Seen::planes(planar).iter().copied().chain((!planar).then_some(Seen::Space));
     let common = scale(errors.iter().flat_map(|p| [points::before_mm(p), points::after_mm(p)]));
     all.flat_map(|seen| [false, true].map(|after| map(errors, seen, after, &common, words))).collect()
 }
 
-/// Scale of colours from zero to the largest length (mm).
+/// Colour scale from zero to the largest length (mm).
 pub(super) fn scale(lengths_mm: impl IntoIterator<Item = f64>) -> Axis {
     Axis::from_zero("mm", largest(lengths_mm))
 }
@@ -28,7 +31,7 @@ pub(super) fn top(scale: &Axis) -> String {
     format!("{} {}", number::significant(scale.ends().1 * shown.factor, 2), shown.unit)
 }
 
-/// Class of a length on the common scale and on the picture's own.
+/// Class of a length on the common scale and on the figure's own scale.
 pub(super) fn class([common, own]: [&Axis; 2], mm: f64) -> String {
     format!("map o{} w{}", level(common.share(mm)), level(own.share(mm)))
 }
@@ -84,20 +87,21 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
     }
 }
 
-/// Length with three digits and its unit.
+/// Length with three significant digits and its unit.
 pub(super) fn length(mm: f64) -> String {
     let shown = number::shown("mm", mm);
     format!("{} {}", number::significant(mm * shown.factor, 3), shown.unit)
 }
 
-/// Number of errors that no larger one of the same set hides (repeats and orientations of a position), and the errors drawn,
-/// largest first: small marks lie on large ones.
+/// Drawn errors, the largest first so that small marks lie on large ones, and number of visible
+/// errors: errors hidden by a larger error of the same set (repeats and orientations of a position)
+/// do not count.
 fn chosen<'a>(
     errors: &[&'a PointError],
     size: fn(&PointError) -> f64,
     at: impl Fn(&PointError) -> Place,
 ) -> (usize, Vec<&'a PointError>) {
-    // bits of numbers that are not negative are in the order of the numbers
+    // the bit patterns of non-negative numbers are in the order of the numbers
     let largest_first = |errors: &mut [&PointError]| errors.sort_by_cached_key(|p| Reverse(size(p).to_bits()));
     let mut visible = errors.to_vec();
     largest_first(&mut visible);
@@ -118,7 +122,7 @@ fn chosen<'a>(
     (visible.len(), drawn)
 }
 
-/// Draws both scales, of which a page shows the chosen one, and paper the common one.
+/// Draws both scales. A page shows the selected scale, paper the common scale.
 pub(super) fn scales(svg: &mut Svg, [common, own]: [&Axis; 2]) {
     let y = svg.row();
     for (scale, class, letter) in [(common, "common", 'o'), (own, "own", 'w')] {
@@ -137,7 +141,7 @@ pub(super) fn scales(svg: &mut Svg, [common, own]: [&Axis; 2]) {
     }
 }
 
-/// Radius of a mark, whose area grows with the error.
+/// Radius of a mark; its area grows with the error.
 fn radius(share: f64) -> f64 {
     1.8 + 5.0 * share.sqrt()
 }
@@ -168,7 +172,7 @@ mod tests {
         errors.push(point(99, [100.0, 80.0, 0.0], [1.0; 3], [0.001, 0.0, 0.0]));
         let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
-        // 1.73 mm before: millimetres, to two digits of the error after
+        // 1.73 mm before calibration: in mm, to two digits of the error after
         assert!(map.svg.contains("1.7321 mm before, 0.0070 mm after"));
         assert!(map.caption.contains("Of 16 errors the largest is drawn at each of 2 places."), "{}", map.caption);
     }
@@ -185,7 +189,7 @@ mod tests {
         assert!(maps[1].caption.contains("size from 0 to 2.0 µm"), "{}", maps[1].caption);
         assert!(maps[3].title.contains("xz") && maps[5].title.contains("yz") && maps[7].title.contains("in space"));
         assert_eq!(maps[0].svg.matches("pose 1, cycle 1").count(), 1);
-        // 2 µm are the least of the common colours, and the darkest of the picture's own
+        // 2 µm has the lightest colour on the common scale, and the darkest on the figure's own
         assert!(maps[1].svg.contains("class=\"map o0 w15\""), "{}", maps[1].svg);
         assert!(maps[7].svg.contains("data-turn=") && maps[7].svg.contains("data-at="));
         let (mark, name) = (maps[7].svg.rfind("</circle>"), maps[7].svg.find(">x 9 mm<"));

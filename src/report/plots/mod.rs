@@ -1,5 +1,6 @@
-//! The pictures of reports as SVG, with the texts that a pointer or a screen reader reads off them. `svg` draws elements and legends,
-//! `axis` scales, `chart` the frame of pictures with two axes, `workspace` that of planes and space; each other file is one picture.
+//! Figures of reports as SVG, with texts for pointers and screen readers. `svg` draws elements and
+//! legends, `axis` scales, `chart` the frame of figures with two axes, `workspace` the frame of
+//! planes and space; each other file is one figure.
 
 pub(super) mod against;
 pub(super) mod arrows;
@@ -28,7 +29,7 @@ mod view;
 pub(super) mod visits;
 pub(super) mod workspace;
 
-/// Names that most pictures use.
+/// Names that most figures use.
 mod layer {
     pub(super) use super::axis::{Axis, drawable, largest, range};
     pub(super) use super::chart::Chart;

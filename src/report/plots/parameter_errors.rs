@@ -1,13 +1,13 @@
-//! Errors of identified parameters after a simulated calibration (thesis, figure 4.8).
+//! Errors of identified parameters after a simulated calibration (thesis, fig. 4.8).
 
 use super::layer::*;
 use crate::number::Shown;
 use etalon_documents::{StudiedParameter, StudyDocument};
 
-/// More names than this hide each other.
+/// Maximum number of legible names.
 const NAMED: usize = 16;
 
-/// One picture for each unit that occurs.
+/// One figure for each unit.
 pub(crate) fn pictures(study: &StudyDocument, words: &Words) -> Vec<Figure> {
     ["mm", "deg", "1"].into_iter().filter_map(|unit| picture(study, unit, words)).collect()
 }
@@ -16,7 +16,7 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
     let off = |p: &StudiedParameter| p.identified - p.actual;
     let all: Vec<_> = study.parameters.iter().filter(|p| p.unit == unit && off(p).is_finite()).collect();
     let largest = range(all.iter().map(|p| off(p).abs()))?.1;
-    // an angle's error is some 1e-4 deg: thousandths leave room for the labels
+    // errors of angles are about 1e-4 deg: 10⁻³ deg leaves room for the labels
     let shown = match unit {
         "deg" if largest < 0.05 => Shown { unit: "10⁻³ deg", factor: 1000.0 },
         _ => number::shown(unit, largest),

@@ -1,27 +1,27 @@
-//! Errors of points as pictures show them: choice of the points drawn, looks and tooltips of their marks.
+//! Errors of points in figures: selection of the drawn points, style and tooltips of their marks.
 
 use super::layer::*;
 use crate::words::isolated;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-/// Places and errors beyond this are blunders that no picture can show, mm.
+/// Largest position or error that is drawn (mm); larger ones are blunders.
 const DRAWABLE_MM: f64 = 1e7;
 
-/// The errors that can be drawn, in their order.
+/// Errors that can be drawn, in order.
 pub(crate) fn drawable(errors: &[PointError]) -> Vec<&PointError> {
     let small = |v: &f64| v.abs() < DRAWABLE_MM;
     let whole = |p: &&PointError| [p.at_mm, p.before_mm, p.after_mm].iter().flatten().all(small);
     errors.iter().filter(whole).collect()
 }
 
-/// `true` if the points lie in a plane, as those of a planar robot do.
+/// `true` if the points are coplanar, as for a planar robot.
 pub(crate) fn planar(points: &[&PointError], world: bool) -> bool {
     let flat = |p: &&PointError| p.at_mm[2] == 0.0 && p.before_mm[2] == 0.0 && p.after_mm[2] == 0.0;
     world || points.iter().all(flat)
 }
 
-/// Chooses at most about `limit` points evenly, the largest always among them.
+/// Selects at most about `limit` points evenly, always including the largest error.
 pub(crate) fn thin<'a>(
     points: &[&'a PointError],
     limit: usize,
@@ -33,11 +33,12 @@ pub(crate) fn thin<'a>(
     (0..points.len()).filter(chosen).map(|i| points[i]).collect()
 }
 
-/// Number of marks of a picture: more hide each other and make a page slow.
+/// Maximum number of marks in a figure; more are illegible and make a page slow.
 const MARKS: usize = 380;
 
-/// Returns all points where they are few. Otherwise each pose counts with its largest error after: all validation poses as far
-/// as they can be drawn, and calibration poses evenly chosen. Every picture has the same choice.
+/// Selects points for legible figures: all points if there are few. Otherwise each pose is
+/// represented by its largest error after calibration, with validation poses first and calibration
+/// poses evenly selected. All figures use the same selection.
 pub(crate) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
     if points.len() <= MARKS {
         return points.to_vec();
@@ -56,7 +57,7 @@ pub(crate) fn readable<'a>(points: &[&'a PointError]) -> Vec<&'a PointError> {
     [calibration, validation].concat()
 }
 
-/// Sentence on how many of the points are drawn; empty where all are.
+/// Sentence on the number of drawn points; empty if all are drawn.
 pub(crate) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
     if drawn == all {
         return String::new();
@@ -68,22 +69,22 @@ pub(crate) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
     )
 }
 
-/// Name of a picture before or after calibration.
+/// Name of a figure before or after calibration.
 pub(crate) fn side(after: bool) -> &'static str {
     if after { "after" } else { "before" }
 }
 
-/// Size of the position error before or after.
+/// Size of the position error before or after calibration.
 pub(crate) fn size(after: bool) -> fn(&PointError) -> f64 {
     if after { after_mm } else { before_mm }
 }
 
-/// Size of the position error before (mm).
+/// Size of the position error before calibration (mm).
 pub(crate) fn before_mm(p: &PointError) -> f64 {
     norm(p.before_mm)
 }
 
-/// Size of the position error after (mm).
+/// Size of the position error after calibration (mm).
 pub(crate) fn after_mm(p: &PointError) -> f64 {
     norm(p.after_mm)
 }
@@ -93,7 +94,7 @@ pub(crate) fn is_validation(p: &PointError) -> bool {
     p.set == PoseSet::Validation
 }
 
-/// Look of the mark of a point.
+/// Style of the mark of a point.
 pub(crate) fn look(p: &PointError) -> Look<'static> {
     look_of(p.set)
 }
@@ -105,7 +106,7 @@ fn look_of(set: PoseSet) -> Look<'static> {
     }
 }
 
-/// Look and name of each set that occurs.
+/// Style and name of each set that occurs.
 pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, &'static str)> {
     let there = PoseSet::ALL.into_iter().filter(|set| points.iter().any(|p| p.set == *set));
     there.map(|set| (look_of(set), set.name())).collect()
@@ -116,10 +117,12 @@ pub(crate) fn legend(svg: &mut Svg, points: &[&PointError], words: &Words) {
     sets(points).into_iter().for_each(|(look, name)| svg.legend(look, &words.say(name)));
 }
 
-/// Name of a point with its errors before and after. All pictures have this text, so that a page holds it once. The target's
-/// name is isolated from its surroundings (right-to-left).
+/// Name of a point with its errors before and after calibration. All figures share this text, so
+/// that a page holds it once. The target's name is isolated from its surroundings (right-to-left
+/// scripts).
 pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
-    // one unit and one number of decimals, so that all lengths compare: two digits of the error after
+    // a common unit and number of decimals make all lengths comparable: two digits of the error
+    // after
     let (before, after) = (before_mm(p), after_mm(p));
     let shown = number::shown("mm", before.max(after));
     let places = decimals(after * shown.factor, before * shown.factor);
@@ -141,7 +144,8 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     text + &words.number(&format!(" (x {x}, y {y}, z {z} {}){turned}", shown.unit))
 }
 
-/// Decimals, at most five, that show two significant digits of the error after, or of the error before where it is zero.
+/// Number of decimals (at most five) that show two significant digits of the error after
+/// calibration, or of the error before if it is zero.
 fn decimals(after: f64, before: f64) -> usize {
     let of = |v: f64| if v > 0.0 { number::decimals(v, 2) } else { None };
     of(after).or_else(|| of(before)).unwrap_or(0).clamp(0, 5)

@@ -1,16 +1,18 @@
-//! Error to expect at a point of the tool over the workspace: a cell for each node, the largest of nodes behind one another.
+//! Expected error at the tool point over the workspace: a cell for each node, with the largest of
+//! overlapping nodes.
 
 use super::layer::*;
 use super::map::{class, length, scale, scales, top};
 use etalon_documents::{MapNode, PredictionMap};
 use std::collections::BTreeMap;
 
-/// Nodes beyond this (mm) are not positions of a robot.
+/// Largest plausible coordinate of a node (mm).
 const DRAWABLE_MM: f64 = 1e7;
-/// Nodes nearer than this (units of the picture) lie behind one another.
+/// Distance within which nodes overlap (units of the figure).
 const NEAR: f64 = 1.0;
 
-/// Nominal minus identified model, and expected error with the identified one, in every plane of the workspace.
+/// Nominal minus identified model, and expected error with the identified model, in every plane of
+/// the workspace.
 pub(crate) fn pictures(map: &PredictionMap, planar: bool, words: &Words) -> Vec<Figure> {
     let small = |n: &&MapNode| n.at_mm.iter().chain([&n.before_mm, &n.p95_mm]).all(|v| v.abs() < DRAWABLE_MM);
     let nodes: Vec<&MapNode> = map.nodes.iter().filter(small).collect();
@@ -106,7 +108,8 @@ mod tests {
         assert!(
             figures[1].svg.contains("nominal minus identified 300 µm; expected 6.00 µm (k = 1), 95 % at most 12.0 µm")
         );
-        // 400 µm are the darkest of the common scale, on which 6 µm are the lightest; of their own they are dark
+        // 400 µm is the darkest colour on the common scale, and 6 µm the lightest; on their own
+        // scale both are dark
         assert!(figures[2].svg.contains("class=\"map o15 w15\"") && figures[3].svg.contains("class=\"map o0 w15\""));
         assert!(
             figures[0].caption.contains("Of cells behind one another") && figures[0].caption.contains("0 to 400 µm")

@@ -1,15 +1,16 @@
-//! Residuals after calibration: every component by pose, and those of the calibration poses against a normal distribution.
+//! Residuals after calibration: all components by pose, and residuals of the calibration poses
+//! against a normal distribution.
 
 use super::by_pose;
 use super::layer::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// More marks than this hide each other.
+/// Maximum number of legible marks.
 const LIMIT: usize = 300;
-/// Fewer residuals show nothing of their distribution.
+/// Minimum number of residuals that show a distribution.
 const FEWEST: usize = 10;
 
-/// By pose, and against the normal distribution.
+/// Residuals by pose, and against the normal distribution.
 pub(crate) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
     let axes = if planar { 2 } else { 3 };
     let largest = largest(errors.iter().flat_map(|p| &p.after_mm[..axes]).map(|v| v.abs()));
@@ -27,7 +28,7 @@ fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Fi
     let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [words.say("pose"), name]);
     chart.level("axis", 0.0);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(axes) {
-        // beside each other
+        // side by side
         let aside = 0.22 * (axis as f64 - 0.5 * (axes - 1) as f64);
         for p in &drawn {
             let at = chart.at(by_pose::place(&poses, p) + aside, p.after_mm[axis]);
@@ -42,7 +43,7 @@ fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Fi
     Figure { caption, ..chart.figure("residuals", title, description) }
 }
 
-/// Sorted residuals over the quantiles of a normal distribution: on a line where they are noise.
+/// Sorted residuals over the quantiles of a normal distribution; noise lies on a line.
 fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Option<Figure> {
     let calibration = errors.iter().filter(|p| !points::is_validation(p));
     let mut all: Vec<(f64, &PointError)> =
@@ -63,7 +64,7 @@ fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> O
         words.fill("measured minus predicted in {0}", &[&shown.unit]),
     ];
     let mut chart = Chart::new(NARROW, [across, up.clone()], names);
-    // cut where it leaves the picture
+    // clipped at the edge of the figure
     let end = |q: f64| if deviation > 0.0 { q.signum() * q.abs().min((reach - mean.abs()) / deviation) } else { q };
     let [from, to] = [-widest, widest].map(|q| chart.at(end(q), mean + deviation * end(q)));
     chart.svg.line("knee", from, to);

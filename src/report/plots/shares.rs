@@ -1,15 +1,15 @@
-//! Shares of the sources in the variance of each parameter, as bars.
+//! Contributions of the sources to the variance of each parameter, as bars.
 
 use super::intervals::shortened;
 use super::layer::*;
 use etalon_documents::{ParameterEntry, ParametersDocument, UncertaintySource};
 
-/// Parameters that are drawn: base and targets are first in the list, and many.
+/// Maximum number of parameters; base and targets are first in the list, and many.
 const MOST: usize = 40;
-/// Least share whose number is written.
+/// Smallest share whose number is shown.
 const WRITTEN: f64 = 0.08;
 
-/// One bar for each parameter, its sources by their names; `None` with a single source.
+/// One bar for each parameter, with sources by name; `None` with a single source.
 pub(crate) fn picture(
     document: &ParametersDocument,
     name_of: fn(UncertaintySource) -> &'static str,

@@ -1,15 +1,16 @@
-//! Singular values of the identification in order, on a logarithmic axis: what the data determine well and what badly.
+//! Singular values of the identification in descending order on a logarithmic axis: well and poorly
+//! determined directions.
 
 use super::layer::*;
 use crate::number::significant;
 use etalon_documents::{ObservabilitySummary, SingularValueEntry};
 
-/// Decades below the largest that are drawn: values beyond are rounding errors.
+/// Number of decades below the largest value; smaller values are rounding errors.
 const DECADES: u8 = 18;
-/// Labels of an axis that do not run into each other.
+/// Maximum number of legible labels of an axis.
 const LABELS: usize = 20;
 
-/// `None` where the document has no singular value that could be drawn.
+/// Figure of the singular values; `None` if no value can be drawn.
 pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure> {
     let identified = o.singular_values.iter().map(|s| (s, false));
     let all: Vec<(&SingularValueEntry, bool)> =

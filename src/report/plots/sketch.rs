@@ -6,19 +6,19 @@ use etalon_base::sketch::{Sketch, StrokeKind};
 use std::borrow::Cow;
 
 const MOST_HIGH: f64 = 420.0;
-/// Room for letters around the lines.
+/// Margin for letters around the lines.
 const MARGIN: f64 = 46.0;
-/// A dimension is drawn this far from what it measures.
+/// Distance of a dimension line from the measured part.
 const ASIDE: f64 = 7.0;
-/// Size of letters, and width of one.
+/// Size of letters, and width of a letter.
 const LETTER: f64 = 12.0;
 const LETTER_WIDTH: f64 = 6.8;
-/// Most letters of a name in a drawing; a longer one is cut in its middle.
+/// Maximum length of a name in a drawing; longer names lose their middle.
 const LONGEST_NAME: usize = 40;
-/// Places beyond this are not places of a robot, mm.
+/// Largest plausible coordinate (mm).
 const REACH: f64 = 1e7;
 
-/// One picture for each drawing that can be drawn.
+/// One figure for each drawing that can be drawn.
 pub(crate) fn pictures(sketches: &[Sketch], words: &Words) -> Vec<Figure> {
     sketches.iter().enumerate().filter_map(|(i, sketch)| picture(sketch, i, words)).collect()
 }
@@ -53,7 +53,7 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     let parts = parts.flat_map(|(_, line)| line.windows(2).map(|pair| [pair[0], pair[1]])).collect();
     let mut labels = Labels { height: paper.height, taken: Vec::new(), parts };
     let lines = sketch.strokes.iter().zip(&drawn).filter(|(s, _)| !s.name.is_empty());
-    // those with the least choice first
+    // names with the least freedom first
     let (short, long): (Vec<_>, Vec<_>) = lines.partition(|(s, _)| s.kind == StrokeKind::Direction);
     for (stroke, line) in short.into_iter().chain(long) {
         let name = &*shortened(&stroke.name);
@@ -71,7 +71,7 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
     Some(svg.figure(&format!("sketch-{index}"), title, words.say(&sketch.title)))
 }
 
-/// Unit normal of the line from one place to another; zero where they coincide.
+/// Unit normal of the line between two positions; zero if they coincide.
 fn across(from: Place, to: Place) -> Place {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy);
@@ -84,7 +84,7 @@ fn aside(line: &[Place]) -> Vec<Place> {
     line.iter().map(|p| (p.0 + ASIDE * nx, p.1 + ASIDE * ny)).collect()
 }
 
-/// A name that fits into a drawing: its beginning and its end, which tells parameters of one joint apart.
+/// Shortens a name to its beginning and its end, which distinguishes parameters of a joint.
 fn shortened(name: &str) -> Cow<'_, str> {
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= LONGEST_NAME {
@@ -94,7 +94,7 @@ fn shortened(name: &str) -> Cow<'_, str> {
     Cow::Owned(letters[..kept].iter().chain(&['…']).chain(&letters[last..]).collect())
 }
 
-/// Left, right, top and bottom of a name around its place.
+/// Left, right, top and bottom of a name about its position.
 fn frame((x, y): Place, name: &str) -> [f64; 4] {
     let half = half_width(name);
     [x - half, x + half, y - LETTER, y + 3.0]
@@ -104,7 +104,8 @@ fn half_width(name: &str) -> f64 {
     0.5 * LETTER_WIDTH * name.chars().count() as f64 + 2.0
 }
 
-/// A line from the joint of an axis, the middle of what is drawn of it, to its name; none where the name is at the axis.
+/// Line from the joint of an axis, in the middle of its drawn part, to the name; `None` if the name
+/// is at the axis.
 fn leader(kind: StrokeKind, line: &[Place], at: Place, name: &str) -> Option<(Place, Place)> {
     const AT_THE_AXIS: f64 = 14.0;
     if kind != StrokeKind::Axis {
@@ -119,13 +120,14 @@ fn leader(kind: StrokeKind, line: &[Place], at: Place, name: &str) -> Option<(Pl
     (tip > AT_THE_AXIS && far(joint) > 2.0).then(|| (joint, nearest(joint)))
 }
 
-/// The joint on an axis, which is drawn from 0.09 behind it to 0.13 before it.
+/// Position of the joint on an axis, which is drawn from 0.09 before to 0.13 after it.
 fn on_axis(first: Place, last: Place) -> Place {
     const SHARE: f64 = 0.09 / 0.22;
     (first.0 + SHARE * (last.0 - first.0), first.1 + SHARE * (last.1 - first.1))
 }
 
-/// `true` if a line from one place to another meets a frame: the line is cut to the part inside of each pair of edges.
+/// `true` if a line between two positions intersects a frame: the line is clipped at each pair of
+/// edges.
 fn meets([a, b]: [Place; 2], [left, right, top, bottom]: [f64; 4]) -> bool {
     let (mut from, mut to) = (0.0f64, 1.0f64);
     for (start, along, low, high) in [(a.0, b.0 - a.0, left, right), (a.1, b.1 - a.1, top, bottom)] {
@@ -141,7 +143,7 @@ fn meets([a, b]: [Place; 2], [left, right, top, bottom]: [f64; 4]) -> bool {
     from <= to
 }
 
-/// Letters that do not lie over each other, nor over the parts where there is room beside them.
+/// Names that overlap neither each other nor, where there is room, the parts.
 struct Labels {
     height: f64,
     taken: Vec<[f64; 4]>,
@@ -149,7 +151,7 @@ struct Labels {
 }
 
 impl Labels {
-    /// The first place along a line and beside it where a name has room.
+    /// First position along and beside a line with room for a name.
     fn place(&mut self, kind: StrokeKind, line: &[Place], name: &str) -> Place {
         let half = half_width(name);
         let (first, last) = (line[0], line[line.len() - 1]);
@@ -171,7 +173,7 @@ impl Labels {
         for far in [14.0, -14.0, 24.0, -24.0, 38.0, -38.0, 54.0, -54.0, 72.0, -72.0] {
             for share in shares {
                 let along = |a: f64, b: f64| a + share * (b - a);
-                // letters are wider than high
+                // names are wider than high
                 let (nx, ny) = (normal.0 * (far + f64::signum(far) * half * normal.0.abs()), normal.1 * far);
                 let on = match line.len() > 2 {
                     true => line[((line.len() - 1) as f64 * share).round() as usize],
@@ -180,7 +182,7 @@ impl Labels {
                 choices.push((on.0 + nx, on.1 + ny + 0.35 * LETTER));
             }
         }
-        // around its end, or the joint of an axis, where a short line has no room beside it
+        // around the end, or the joint of an axis, if a short line has no room beside it
         let last = if kind == StrokeKind::Axis { on_axis(first, last) } else { last };
         for far in [22.0, 34.0, 46.0, 60.0, 76.0, 94.0, 112.0, 130.0] {
             choices.extend((0..12).map(|i| {

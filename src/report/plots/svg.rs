@@ -1,16 +1,16 @@
-//! Inline SVG, one element at a time; texts are escaped here and nowhere else.
+//! Inline SVG, element by element; texts are escaped only here.
 
 use crate::model::Figure;
 use etalon_base::pose::Vector;
 use std::fmt::Write;
 
-/// Colours that every eye distinguishes (Okabe & Ito 2008).
+/// Colours distinguishable by colour-blind readers (Okabe & Ito 2008).
 pub(crate) const COLOURS: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9"];
 
-/// Position in the picture, in its own units.
+/// Position in the figure, in its own units.
 pub(crate) type Place = (f64, f64);
 
-/// Position on paper and, in a picture that turns, in space (mm from the middle).
+/// Position on paper and, in a rotatable figure, in space (mm from the middle).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spot {
     pub at: Place,
@@ -24,13 +24,13 @@ impl From<Place> for Spot {
 }
 
 impl Spot {
-    /// Returns the spot moved on paper; in space it stays where it is.
+    /// Moves the position on paper; its position in space is unchanged.
     pub fn beside(self, right: f64, down: f64) -> Self {
         Self { at: (self.at.0 + right, self.at.1 + down), ..self }
     }
 }
 
-/// Form of a mark.
+/// Shape of a mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
     Circle,
@@ -45,7 +45,7 @@ pub(crate) enum Shape {
 const SHAPES: [Shape; 6] =
     [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle, Shape::Inverted, Shape::Plus];
 
-/// Form, class and colour of a mark; the class decides where the colour is empty.
+/// Shape, class and colour of a mark; an empty colour leaves it to the class.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Look<'a> {
     pub shape: Shape,
@@ -53,9 +53,9 @@ pub(crate) struct Look<'a> {
     pub fill: &'a str,
 }
 
-/// Look of calibration poses.
+/// Style of calibration poses.
 pub(crate) const CALIBRATION: Look<'static> = Look::new(Shape::Circle, "cal");
-/// Look of validation poses, and of what stands out.
+/// Style of validation poses, and of highlighted marks.
 pub(crate) const VALIDATION: Look<'static> = Look::new(Shape::Diamond, "val");
 
 impl<'a> Look<'a> {
@@ -63,12 +63,12 @@ impl<'a> Look<'a> {
         Self { shape, class, fill: "" }
     }
 
-    /// Returns the look of a group by its number: groups differ by form as well as colour.
+    /// Style of a group by its number; groups differ by shape as well as colour.
     pub fn group(i: usize) -> Self {
         Self { shape: SHAPES[i % SHAPES.len()], class: "map", fill: COLOURS[i % COLOURS.len()] }
     }
 
-    /// Returns a coloured square without a class.
+    /// Style of a coloured square without a class.
     pub fn colour(fill: &'a str) -> Self {
         Self { shape: Shape::Square, class: "", fill }
     }
@@ -81,7 +81,7 @@ impl<'a> Look<'a> {
             .collect()
     }
 
-    /// Corners of the mark; forms have about the area of the circle. A circle has none.
+    /// Corners of the mark, whose area is about that of the circle; a circle has no corners.
     fn corners(self, (x, y): Place, radius: f64) -> Vec<Place> {
         let triangle = |up: f64| vec![(0.0, -1.35 * up), (1.35, 0.9855 * up), (-1.35, 0.9855 * up)];
         let unit = match self.shape {
@@ -100,13 +100,14 @@ impl<'a> Look<'a> {
     }
 }
 
-/// Width of a picture (units of the picture): that of a phone, so that letters keep their size there.
+/// Width of a figure (units of the figure): the width of a phone, so that letters keep their size
+/// there.
 pub(crate) const NARROW: f64 = 380.0;
-/// Width of a picture that takes a whole row.
+/// Width of a figure that occupies a whole row.
 pub(crate) const WIDE: f64 = 760.0;
 /// Height of a row of a legend or of bars.
 pub(crate) const ROW: f64 = 20.0;
-/// Width of a letter: 0.6 of its 12 px.
+/// Width of a letter: 0.6 of its size (12 px).
 pub(crate) const LETTER: f64 = 7.2;
 /// Left end of a legend.
 const LEGEND: f64 = 30.0;
@@ -121,14 +122,14 @@ pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>) -> f64 {
     texts.into_iter().map(width).fold(0.0, f64::max)
 }
 
-/// Picture being drawn, with its legend below.
+/// A figure being drawn, with its legend below.
 pub(crate) struct Svg {
     out: String,
-    /// attribute that lets a script turn the picture
+    /// Attribute that lets a script rotate the figure.
     turn: String,
     pub width: f64,
     height: f64,
-    /// left end of the next entry of the legend in the last row
+    /// Left end of the next legend entry in the last row.
     next: f64,
 }
 
@@ -145,7 +146,7 @@ impl Svg {
         self.element("line", &attributes, &spots, "");
     }
 
-    /// Draws lines from each place to the next.
+    /// Draws lines between consecutive positions.
     pub fn lines(&mut self, class: &str, places: &[Place]) {
         places.windows(2).for_each(|pair| self.line(class, pair[0], pair[1]));
     }
@@ -168,7 +169,7 @@ impl Svg {
         self.element("path", &format!("{look_of}d=\"{path}\""), &[spot], tooltip);
     }
 
-    /// Draws arrows of one class as one path, each head shorter than its arrow.
+    /// Draws arrows of one class as a single path; each head is shorter than its arrow.
     pub fn arrows(&mut self, class: &str, all: &[[Place; 2]]) {
         let mut path = String::new();
         let to = |(x, y): Place| format!("{} {}", px(x), px(y));
@@ -192,7 +193,7 @@ impl Svg {
         self.line(class, (x, y - half), (x, y + half));
     }
 
-    /// Draws the ends of an interval of a mark, if there are any, each with a bar across.
+    /// Draws the interval of a mark, if any, with a bar across each end.
     pub fn interval(&mut self, class: &str, at: Place, ends: impl IntoIterator<Item = Place>) {
         for (x, y) in ends {
             self.line(class, at, (x, y));
@@ -233,14 +234,14 @@ impl Svg {
         self.text("start", (x + 24.0, y + 4.0), name);
     }
 
-    /// Begins a row below the picture and returns its middle.
+    /// Adds a row below the figure and returns its middle.
     pub fn row(&mut self) -> f64 {
         self.height += ROW;
         self.next = f64::INFINITY;
         self.height - 0.5 * ROW
     }
 
-    /// Place of the next entry of the legend, in a new row where this one has no room for it.
+    /// Position of the next legend entry, in a new row if it does not fit.
     fn entry(&mut self, around: f64, name: &str) -> Place {
         let wide = around + width(name);
         if self.next + wide > self.width + 10.0 {
@@ -252,22 +253,22 @@ impl Svg {
         (x, self.height - 0.5 * ROW)
     }
 
-    /// Draws what a page shows or hides as one.
+    /// Draws a group of elements that a page shows or hides together.
     pub fn group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
         let _ = writeln!(self.out, "<g class=\"{class}\">");
         draw(self);
         self.out.push_str("</g>\n");
     }
 
-    /// Lets a script turn the picture: azimuth and elevation (rad), units of the picture per mm.
+    /// Lets a script rotate the figure: azimuth and elevation (rad), units of the figure per mm.
     pub fn turns(&mut self, azimuth_rad: f64, elevation_rad: f64, scale: f64) {
         self.turn = format!("data-turn=\"{azimuth_rad} {elevation_rad} {scale:.6}\" ");
     }
 
-    /// Returns the picture, described to those who cannot see it; the description is its caption too.
+    /// Returns the figure with its description, which is also its caption.
     pub fn figure(self, id: &str, title: String, description: String) -> Figure {
         let Self { out, turn, width, .. } = self;
-        // room under the last row of the legend
+        // margin below the last row of the legend
         let height = self.height + 4.0;
         let svg = format!(
             "<svg {turn}viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
@@ -287,7 +288,7 @@ impl Svg {
     }
 }
 
-/// Attribute with positions in space, which a script turns: mm from the middle, to a tenth.
+/// Attribute with positions in space for rotation by a script: mm from the middle, to 0.1 mm.
 fn in_space(spots: &[Spot]) -> String {
     let all: Vec<String> = spots.iter().filter_map(|s| s.space).flatten().map(px).collect();
     if all.is_empty() { String::new() } else { format!(" data-at=\"{}\"", all.join(" ")) }
@@ -300,7 +301,7 @@ fn outline(corners: &[Place]) -> String {
     corners.first().map_or_else(String::new, |(x, y)| format!("M{} {}l{steps}z", px(*x), px(*y)))
 }
 
-/// Coordinate with one decimal, a tenth of a dot of the screen.
+/// Coordinate with one decimal, a tenth of a screen pixel.
 fn px(value: f64) -> String {
     let value = crate::number::fixed(if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 }, 1);
     value.strip_suffix(".0").map_or_else(|| value.clone(), str::to_owned)
@@ -312,7 +313,7 @@ pub(crate) fn escape(text: &str) -> String {
     quick_xml::escape::escape(printable).into_owned()
 }
 
-/// Numbers of an attribute of every element of a name, in order.
+/// Numbers of an attribute in all elements of a name, in order.
 #[cfg(test)]
 pub(crate) fn numbers(svg: &str, element: &str, attribute: &str) -> Vec<f64> {
     let number = |l: &str| l.split(&format!(" {attribute}=\"")).nth(1)?.split('"').next()?.parse().ok();

@@ -1,18 +1,18 @@
-//! One quantity over the campaigns, with its intervals.
+//! A quantity over campaigns, with its intervals.
 
 use super::layer::*;
 use crate::words::comparison::{self, quantity};
 use etalon_documents::{CompareTrend, CompareValue};
 
-/// Label of a campaign: its date where it is short enough.
+/// Label of a campaign: its date if short enough.
 pub(crate) type Label = String;
 
-/// Most campaigns whose labels do not run into each other.
+/// Maximum number of campaigns with legible labels.
 const LABELLED: usize = 4;
-/// Most numbers of campaigns along the axis.
+/// Maximum number of campaign numbers along the axis.
 const NUMBERED: usize = 6;
 
-/// `None` where fewer than two campaigns have the quantity.
+/// Figure of a trend; `None` if fewer than two campaigns have the quantity.
 pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], words: &Words) -> Option<Figure> {
     let known = |v: &CompareValue| v.value.filter(|v| drawable(*v));
     let points: Vec<(usize, f64, &CompareValue)> =
@@ -51,7 +51,7 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
     Some(Figure { caption, ..chart.figure(&format!("trend-{index}"), quantity(trend, words), description) })
 }
 
-/// `true` if a campaign changed significantly, from the first or from the one before.
+/// `true` if a campaign changed significantly, from the first or the previous campaign.
 fn changed(trend: &CompareTrend, campaign: usize) -> bool {
     trend.changes.iter().any(|c| c.to == campaign + 1 && c.significant == Some(true))
 }
@@ -60,7 +60,10 @@ fn sentence(trend: &CompareTrend, words: &Words) -> String {
     let changed: Vec<String> =
         trend.changes.iter().filter(|c| c.significant == Some(true)).map(|c| comparison::pair(c, words)).collect();
     match changed.is_empty() {
-        true if trend.changes.iter().all(|c| c.significant.is_none()) => words.say("no uncertainty is known"),
+        true if trend.changes.iter().all(|c| c.significant.is_none()) => {
+            let known = trend.changes.iter().any(|c| c.low.is_some());
+            if known { words.say("not judged: the model misfits") } else { words.say("no uncertainty is known") }
+        }
         true => words.say("No significant change."),
         false => words.fill("Significant: {0}.", &[&changed.join(", ")]),
     }

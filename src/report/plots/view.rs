@@ -1,4 +1,4 @@
-//! Parallel projection: places on paper of points that are seen from a direction.
+//! Parallel projection of points from a direction of view to paper.
 
 use super::axis::range;
 use super::svg::Place;
@@ -12,24 +12,24 @@ pub(super) struct View {
     pub elevation_rad: f64,
 }
 
-/// From the front, the right and above: x to the right, y away, z up.
+/// View from the front, the right and above: x to the right, y away, z up.
 pub(super) const ASLANT: View = View { azimuth_rad: -1.0, elevation_rad: 0.5 };
-/// Onto the plane z = 0.
+/// View onto the plane z = 0.
 pub(super) const ABOVE: View =
     View { azimuth_rad: -std::f64::consts::FRAC_PI_2, elevation_rad: std::f64::consts::FRAC_PI_2 };
 
 impl View {
-    /// Across and up, in mm.
+    /// Horizontal and vertical position (mm).
     pub fn flat(self, [x, y, z]: Vector) -> Place {
         let ((sin_a, cos_a), (sin_e, cos_e)) = (self.azimuth_rad.sin_cos(), self.elevation_rad.sin_cos());
         (cos_a * y - sin_a * x, cos_e * z - sin_e * (cos_a * x + sin_a * y))
     }
 }
 
-/// Places on paper, fitted into a width.
+/// Positions on paper, fitted into a width.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paper {
-    /// units of the picture per mm
+    /// Units of the figure per mm.
     pub scale: f64,
     middle: Place,
     centre: Place,
@@ -37,7 +37,8 @@ pub(super) struct Paper {
 }
 
 impl Paper {
-    /// Fits `flat` (mm) into `width` units less a margin on every side, and at most `most` units of height.
+    /// Fits `flat` (mm) into `width` units minus a margin on every side, and at most `most` units
+    /// of height.
     pub fn around(flat: &[Place], width: f64, most: f64, margin: f64) -> Self {
         let (x0, x1) = range(flat.iter().map(|p| p.0)).unwrap_or_default();
         let (y0, y1) = range(flat.iter().map(|p| p.1)).unwrap_or_default();
@@ -47,7 +48,7 @@ impl Paper {
         Self { scale, middle: ((x0 + x1) / 2.0, (y0 + y1) / 2.0), centre: (width / 2.0, height / 2.0), height }
     }
 
-    /// Place of a point on paper.
+    /// Position of a point on paper.
     pub fn at(&self, flat: Place) -> Place {
         let along = |k: f64, middle: f64| self.scale * (k - middle);
         (self.centre.0 + along(flat.0, self.middle.0), self.centre.1 - along(flat.1, self.middle.1))

@@ -1,16 +1,16 @@
-//! Visits of a pose by approach, in each plane (thesis, figure 2.7).
+//! Visits of a pose by approach, in each plane (thesis, fig. 2.7).
 
 use super::layer::*;
 use etalon_documents::{Iso9283Document, Iso9283Pose, Iso9283Visit};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-/// Look of a visit whose approach is not recorded.
+/// Style of a visit without recorded approach.
 const UNKNOWN: Look<'static> = Look { shape: Shape::Circle, class: "map", fill: "#ffffff" };
-/// Visits beyond this (µm from the mean) are blunders that no picture can show.
+/// Largest distance from the mean that is drawn (µm); larger ones are blunders.
 const DRAWABLE_UM: f64 = 1e9;
 
-/// Name of an approach: the program's own words are translated, names from a table are kept.
+/// Name of an approach; the program's own texts are translated, names from a table are kept.
 pub(crate) fn approach(name: &str, words: &Words) -> String {
     match name.strip_prefix("from pose ") {
         Some(pose) => words.fill("from pose {0}", &[&pose]),
@@ -18,18 +18,18 @@ pub(crate) fn approach(name: &str, words: &Words) -> String {
     }
 }
 
-/// The visits of a pose.
+/// Visits of a pose.
 pub(crate) fn of_pose(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
     document.visits.iter().filter(move |v| v.pose == pose)
 }
 
-/// Commanded position of a pose, in µm from the mean of its visits; `None` without one.
+/// Commanded position of a pose relative to the mean of its visits (µm); `None` without one.
 fn commanded_um(pose: &Iso9283Pose) -> Option<Vector> {
     let at = [pose.ap_x_mm?, pose.ap_y_mm?, pose.ap_z_mm.unwrap_or(0.0)].map(|v| -1e3 * v);
     at.iter().all(|v| v.abs() < DRAWABLE_UM).then_some(at)
 }
 
-/// One picture for each pose with visits, and for each plane in which they scatter.
+/// One figure for each pose with visits, and for each plane with scatter.
 pub(crate) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure> {
     let of_one = |p: &Iso9283Pose| {
         let visits: Vec<&Iso9283Visit> = of_pose(document, p.pose).collect();
@@ -39,13 +39,13 @@ pub(crate) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure>
     document.poses.iter().flat_map(of_one).collect()
 }
 
-/// From which pose, in words.
+/// Approach in words.
 fn approached(name: Option<&str>, words: &Words) -> String {
     name.map_or_else(|| words.say("the first"), |name| approach(name, words))
 }
 
-/// Draws the commanded point: a cross, or an arrow in its direction where it is outside of the picture. Its words are long, so
-/// that it has a row of its own below.
+/// Draws the commanded point: a cross, or an arrow in its direction if it is outside the figure.
+/// The long text has a row of its own below.
 fn commanded(map: &mut Workspace, p: Vector, words: &Words) {
     let hollow = |shape| Look::new(shape, "before");
     let [dx, dy, dz] = p.map(|v| number::fixed(v, 1));
@@ -67,7 +67,7 @@ fn commanded(map: &mut Workspace, p: Vector, words: &Words) {
     map.svg.text("start", (40.0, y + 4.0), &name);
 }
 
-/// All visits of a pose in a plane, by approach, with their means and the commanded point.
+/// Visits of a pose in a plane, by approach, with their means and the commanded point.
 fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words) -> Option<Figure> {
     let pose = of.pose;
     let middle = centroid(&visits.iter().map(|v| v.attained_mm).collect::<Vec<_>>())?;
@@ -126,7 +126,7 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words
             .into_iter()
             .chain(["x", "y", "z"].map(|axis| format!("{axis}, µm")))
             .collect(),
-        // all planes have the same numbers
+        // the numbers of all planes are equal
         rows: visits.iter().zip(&places).map(row).take(if seen == XY { usize::MAX } else { 0 }).collect(),
         ..map.figure(&format!("visits-{pose}-{name}"), title, description)
     })

@@ -1,4 +1,4 @@
-//! The workspace drawn true to scale: a plane with its axes, or space within a box that a script turns.
+//! Workspace to scale: a plane with its axes, or space in a box that a script rotates.
 
 use super::axis::{Axis, range};
 use super::chart::{Frame, UNDER, left_of};
@@ -25,7 +25,7 @@ pub(crate) enum Seen {
 pub(crate) const XY: Seen = Seen::Plane([0, 1]);
 
 impl Seen {
-    /// Planes of a workspace: xy, and xz and yz where it has a third dimension.
+    /// Planes of a workspace: xy, and xz and yz if three-dimensional.
     pub fn planes(planar: bool) -> &'static [Self] {
         if planar { &[XY] } else { &[XY, Self::Plane([0, 2]), Self::Plane([1, 2])] }
     }
@@ -38,7 +38,7 @@ impl Seen {
         }
     }
 
-    /// Size of a vector as it is seen.
+    /// Length of a vector in the view.
     pub fn length(self, v: Vector) -> f64 {
         match self {
             Self::Plane([a, b]) => v[a].hypot(v[b]),
@@ -52,21 +52,21 @@ enum Projection {
     Space { middle: Vector, half: Vector, paper: Paper },
 }
 
-/// Picture of the workspace.
+/// Figure of the workspace.
 pub(crate) struct Workspace {
     pub svg: Svg,
-    /// units of the picture per unit of the places
+    /// Units of the figure per unit of the positions.
     pub scale: f64,
     projection: Projection,
 }
 
 impl Workspace {
-    /// Draws the axes or the box around all places (mm).
+    /// Draws the axes or the box around all positions (mm).
     pub fn new(seen: Seen, places_mm: &[Vector], words: &Words) -> Self {
         Self::of(seen, places_mm, "mm", words)
     }
 
-    /// Draws the axes or the box around places of a unit.
+    /// Draws the axes or the box around positions in a unit.
     pub fn of(seen: Seen, places: &[Vector], unit: &str, words: &Words) -> Self {
         match seen {
             Seen::Plane(axes) => Self::plane(axes, places, unit, words),
@@ -74,10 +74,10 @@ impl Workspace {
         }
     }
 
-    /// Draws the axes of a plane that shows all places of a unit: it is as long across as up.
+    /// Draws the axes of a square plane that shows all positions in a unit.
     fn plane(axes: [usize; 2], places: &[Vector], unit: &str, words: &Words) -> Self {
         let [(x0, x1), (y0, y1)] = axes.map(|axis| range(places.iter().map(|p| p[axis])).unwrap_or_default());
-        // a lone point gets a unit around it
+        // a single point gets one unit around it
         let span = (x1 - x0).max(y1 - y0).max(1.0);
         let fitted = |left: f64| {
             let room = RIGHT - left - 2.0 * MARGIN;
@@ -90,7 +90,7 @@ impl Workspace {
             let (across, up) = (axis(x0, x1, RIGHT - left), axis(y0, y1, height));
             (scale, Frame { across, up, left, right: RIGHT, top: TOP, bottom: TOP + height })
         };
-        // the labels of the upright axis decide on its place, which decides on them
+        // the labels of the vertical axis determine its position, and conversely
         let (_, first) = fitted(52.0);
         let (scale, frame) = fitted(left_of(&first.up, AXES[axes[1]]));
         let mut svg = Svg::new(NARROW, frame.bottom + UNDER);
@@ -99,7 +99,8 @@ impl Workspace {
         Self { svg, scale, projection: Projection::Plane(axes, frame) }
     }
 
-    /// Draws the box around all places, in a square around a sphere: whichever way it is turned.
+    /// Draws the box around all positions, in a square around a sphere, so that it fits in any
+    /// rotation.
     fn space(places: &[Vector]) -> Self {
         let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or_default());
         let (middle, half) = (ends.map(|(a, b)| 0.5 * (a + b)), ends.map(|(a, b)| (0.5 * (b - a)).max(0.5)));
@@ -121,7 +122,7 @@ impl Workspace {
         all
     }
 
-    /// Place of a point.
+    /// Position of a point.
     pub fn at(&self, p: Vector) -> Spot {
         match &self.projection {
             Projection::Plane([a, b], frame) => frame.at(p[*a], p[*b]).into(),
@@ -132,7 +133,8 @@ impl Workspace {
         }
     }
 
-    /// The last part of the way from the middle of a plane to its edge, towards a point outside; `None` for a point inside.
+    /// Last part of the line from the middle of a plane to its edge, towards a point outside;
+    /// `None` for a point inside.
     pub fn towards(&self, p: Vector) -> Option<[Place; 2]> {
         let Projection::Plane([a, b], frame) = &self.projection else { return None };
         if frame.across.contains(p[*a]) && frame.up.contains(p[*b]) {
@@ -145,7 +147,8 @@ impl Workspace {
         Some([0.84, 0.97].map(|share| (cx + share * out * dx, cy + share * out * dy)))
     }
 
-    /// Returns the picture. The ends of the axes of space are named last: marks would cover their names.
+    /// Returns the figure. The axes of space are labelled last, so that marks do not cover the
+    /// labels.
     pub fn figure(mut self, id: &str, title: String, description: String) -> Figure {
         if let Projection::Space { middle, half, .. } = self.projection {
             for (axis, name) in AXES.into_iter().enumerate() {

@@ -1,4 +1,5 @@
-//! What commanded poses add: accuracy of position and orientation, distances; and the exchangeability of robots.
+//! Results for commanded poses: accuracy of position and orientation, distances, and
+//! exchangeability of robots.
 
 use super::repeatability::{Named, angles, columns, conformity, interval, named};
 use crate::model::{Block, Columns, Section, Table, fixed};
@@ -6,7 +7,7 @@ use crate::number;
 use crate::words::Words;
 use etalon_documents::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
 
-/// Distances that a page shows; the workbook has all.
+/// Maximum number of distances on a page; the workbook contains all.
 const DISTANCES: usize = 60;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
@@ -30,7 +31,7 @@ pub(super) fn distances(tested: &Characteristics, words: &Words) -> Option<Secti
     section.on_terminal().whole()
 }
 
-/// How far robots of one kind differ (7.7).
+/// Differences between robots of one type (7.7).
 pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option<Section> {
     let um = number::fixed(1e3 * tested.poses.as_ref()?.exchangeability_mm?, 1);
     let mut section = Section::new("exchangeability", words.say("Exchangeability"));
@@ -87,7 +88,7 @@ fn between(d: &Iso9283Distance) -> String {
     format!("{} – {}", d.poses[0], d.poses[1])
 }
 
-/// The same of the angles.
+/// Table of the angles.
 fn turned(document: &Iso9283Document, words: &Words) -> Table {
     let names = angles(document);
     if names.is_empty() {

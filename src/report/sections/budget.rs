@@ -1,4 +1,5 @@
-//! The uncertainty budget: what each source contributes to the uncertainty of every parameter and of the errors (GUM 5.1.2).
+//! Uncertainty budget: contribution of each source to the uncertainty of all parameters and errors
+//! (GUM 5.1.2).
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
@@ -29,7 +30,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// The name of a source.
+/// Name of a source.
 fn name(source: Source) -> &'static str {
     match source {
         Source::Instrument => "instrument",
@@ -48,7 +49,7 @@ fn name(source: Source) -> &'static str {
     }
 }
 
-/// What a source is.
+/// Explanation of a source.
 fn meaning(source: Source) -> &'static str {
     match source {
         Source::Instrument => "the stated uncertainty of each reading",
@@ -90,14 +91,14 @@ fn table(document: &ParametersDocument, words: &Words) -> Table {
     Table::of(words, &identified, columns).on("Uncertainty budget")
 }
 
-/// A contribution to the second digit of the whole, which is shown `factor` times as large; nothing where that is less.
+/// Contribution, shown `factor` times as large, to the second digit of the whole; empty if smaller.
 fn part(u: Option<f64>, whole: Option<f64>, factor: f64) -> Cell {
     let whole = whole.map(|u| factor * u);
     let shows = |u: &f64| whole.is_none_or(|whole| factor * u > 0.005 * whole);
     shown(u.filter(shows), |u| number::with_uncertainty(factor * u, whole))
 }
 
-/// The source that contributes most to a parameter.
+/// Source with the largest contribution to a parameter.
 fn largest(budget: &[BudgetSource], k: usize) -> Option<Source> {
     let of = |b: &BudgetSource| b.standard_uncertainties.get(k).copied().unwrap_or(0.0);
     Some(budget.iter().max_by(|a, b| of(a).total_cmp(&of(b)))?.source)
@@ -128,7 +129,7 @@ fn figure(f: &FigureBudget) -> &'static str {
     }
 }
 
-/// What repeats of poses show.
+/// Sentence on repeats of poses.
 fn repeats(document: &ParametersDocument, words: &Words) -> String {
     let Some(found) = document.residuals.repeats else { return String::new() };
     words.fill(

@@ -1,4 +1,5 @@
-//! The certificate: one page of the report for the customer (ISO/IEC 17025:2017, 7.8.4), from the same facts, verdict and errors.
+//! Certificate: one page of the report for the customer (ISO/IEC 17025:2017, 7.8.4), from the same
+//! facts, verdict and errors.
 
 use super::{conditions, errors, limits};
 use crate::Report;
@@ -6,7 +7,7 @@ use crate::model::{Block, Contents, Section, Verdict};
 use crate::words::Words;
 use etalon_documents::AccuracyDocument;
 
-/// The page, made of what the report has.
+/// Contents of the page, from the contents of the report.
 pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
     let title = match report.identified {
         Some(_) => words.say("Calibration certificate"),
@@ -15,12 +16,14 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
     let mut facts = Section::new("conditions", words.say("Item, customer, traceability"));
     facts.push(Block::facts(conditions::of_certificate(report, words)));
     let of_set = report.identified.and_then(|i| {
-        // of the poses that decide
+        // from the decisive poses
         let set = i.accuracy.sets.iter().rfind(|s| s.count > 0)?;
         let accuracy = AccuracyDocument {
             sets: vec![set.clone()],
             tool: None,
             map: None,
+            placed_apart: Vec::new(),
+            effects: Vec::new(),
             validation_distance: None,
             ..i.accuracy.clone()
         };
@@ -33,7 +36,7 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
         title,
         sections: [Some(facts), of_set, limits::section(report, words)].into_iter().flatten().collect(),
         statement: format!("{} {}", whole.statement, words.say("This certificate may be reproduced only as a whole.")),
-        // the table has them
+        // the table contains them
         verdict: Verdict { about: String::new(), headlines: Vec::new(), ..whole.verdict },
         compact: true,
         ..whole

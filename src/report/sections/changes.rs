@@ -1,20 +1,23 @@
-//! What changed between campaigns, and what is chance: a section for each family of quantities.
+//! Significant changes between campaigns: a section for each family of quantities.
 
-use crate::model::{Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, strong_term, term};
+use crate::model::{
+    Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, significant, strong_term, term,
+};
 use crate::number::{self, stated};
 use crate::plots::trend;
 use crate::words::comparison::{Change, change, family, quantity, unit, value};
 use crate::words::{Words, isolated};
 use etalon_base::message::one_line;
 use etalon_documents::{
-    CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue, ComparedCampaign,
+    CompareBetween, CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue,
+    ComparedCampaign,
 };
 use std::fmt::Display;
 
-/// More pictures than this nobody looks at.
+/// Maximum number of figures.
 const PICTURES: usize = 60;
 
-/// Campaigns, how changes are judged, and every family.
+/// Sections on campaigns, rules for judging changes, and all families.
 pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section> {
     let mut all = vec![campaigns(compare, words), rules(compare, words)];
     all.push(super::messages::of(&compare.messages.iter().collect::<Vec<_>>(), words));
@@ -54,7 +57,7 @@ fn figures(compare: &CompareDocument, trends: &[(usize, &CompareTrend)], words: 
     trends.iter().filter_map(|(i, t)| trend::picture(t, *i, &labels, words)).collect()
 }
 
-/// How many campaigns, and of which robot.
+/// Number of campaigns, and robot.
 pub(crate) fn lead(compare: &CompareDocument, words: &Words) -> String {
     let count = compare.campaigns.len();
     match compare.campaigns.iter().find_map(|c| c.robot.as_ref()) {
@@ -72,9 +75,10 @@ fn instrument(c: &ComparedCampaign) -> String {
     c.instrument.as_deref().map(one_line).into_iter().chain(u).collect::<Vec<_>>().join(", ")
 }
 
-/// What else differs between the campaigns than the robot may: instrument, set-up, and what was identified.
+/// Differences between the campaigns other than the robot: instrument, set-up, and identified
+/// parameters.
 fn differences(compare: &CompareDocument, words: &Words) -> Vec<String> {
-    // each value once, in the order of the campaigns; a single value is not a difference
+    // each value once, in the order of the campaigns; a single value is no difference
     let differing = |of: &dyn Fn(&ComparedCampaign) -> Option<String>| -> Option<Vec<String>> {
         let mut all: Vec<String> = Vec::new();
         compare.campaigns.iter().filter_map(of).for_each(|v| {
@@ -143,6 +147,17 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
     compare.conventions.iter().for_each(|c| section.push(Block::text(Text::document(c, words))));
     section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
+    let columns = Columns::<CompareBetween>::new()
+        .page("campaign", "", |b| format!("{} – {}", b.from, b.to))
+        .sheet("campaign", "", |b| b.to)
+        .sheet("against", "", |b| b.from)
+        .both("parameters", "", |b| b.parameters)
+        .page("Birge ratio", "", |b| significant(Some(b.birge_ratio), 3))
+        .sheet("Birge ratio", "", |b| b.birge_ratio);
+    let between = Table::of(words, &compare.between_series, columns).on("Between series");
+    if !compare.between_series.is_empty() {
+        section.table(words.say("What differs between series"), "", between);
+    }
     section.on_terminal()
 }
 
@@ -153,6 +168,7 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
     let judged = |c: &CompareChange| match c.significant {
         Some(true) => strong_term(words, "changed"),
         Some(false) => term(words, "no significant change"),
+        None if c.low.is_some() => term(words, "not judged: the model misfits"),
         None => term(words, "no uncertainty is known"),
     };
     let columns = Columns::<Row>::new()
@@ -207,10 +223,11 @@ fn all_values(trends: &[&CompareTrend], words: &Words) -> Table {
     Table::of(words, &rows, columns).on("Values")
 }
 
-/// The first box: its style, and a sentence.
+/// First box: style and sentence.
 pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     const NAMED: usize = 6;
-    // a frame that was found again elsewhere moves mean positions: they are not a quantity of the robot alone
+    // mean positions also move when a frame is measured again, so that they do not belong to the
+    // robot alone
     let robot = |t: &&CompareTrend| !matches!(t.family, CompareFamily::SetUp | CompareFamily::MeanPosition);
     let of = |t: &CompareTrend| t.changes.iter().any(|c| c.significant == Some(true));
     let name = |t: &CompareTrend| isolated(&quantity(t, words));
@@ -233,12 +250,18 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
             (Grade::Open, words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
         }
     };
-    let unjudged = compare.trends.iter().filter(robot).filter(|t| !judged(t)).count();
+    let known = |t: &&CompareTrend| t.changes.iter().any(|c| c.low.is_some());
+    let unjudged = || compare.trends.iter().filter(robot).filter(|t| !judged(t));
+    let (misfits, unjudged) = (unjudged().filter(known).count(), unjudged().filter(|t| !known(t)).count());
     let unknown = words.fill("{0} could not be judged: no uncertainty is known.", &[&unjudged]);
+    let misfit = words.fill("{0} could not be judged: the model misfits.", &[&misfits]);
     let moved = compare.trends.iter().any(|t| t.family == CompareFamily::MeanPosition && of(t));
     let elsewhere = words.say("Mean positions changed: the robot, or how its frame was found.");
-    let more: Vec<String> =
-        [(unjudged > 0, unknown), (moved, elsewhere)].into_iter().filter(|m| m.0).map(|m| m.1).collect();
+    let more: Vec<String> = [(unjudged > 0, unknown), (misfits > 0, misfit), (moved, elsewhere)]
+        .into_iter()
+        .filter(|m| m.0)
+        .map(|m| m.1)
+        .collect();
     let class = if more.is_empty() { class } else { Grade::Open };
     let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
     let frames = || compare.trends.iter().filter(|t| t.family == CompareFamily::SetUp).filter(judged);

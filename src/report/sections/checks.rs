@@ -1,4 +1,4 @@
-//! Checks of the model by what it leaves: readings that control each other, poses that decide, trends of the residuals.
+//! Checks of the model by its residuals: reliability of readings, influential poses, trends.
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
@@ -7,9 +7,9 @@ use crate::plots::influence;
 use crate::words::Words;
 use etalon_documents::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary};
 
-/// Parameters that a table of a robust fit shows.
+/// Maximum number of parameters in the table of a robust fit.
 const SHOWN: usize = 10;
-/// Below this p value residuals have a trend.
+/// Significance level of a trend.
 const SIGNIFICANCE: f64 = 0.05;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -37,7 +37,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// How well the readings control each other, in sentences.
+/// Reliability of the readings in sentences.
 fn readings(found: &ReliabilitySummary, words: &Words) -> String {
     let um = |mm: Option<f64>| {
         mm.map_or_else(|| words.say("not detectable"), |mm| format!("{} µm", number::significant(1e3 * mm, 3)))
@@ -75,7 +75,7 @@ fn poses(found: &ReliabilitySummary, words: &Words) -> Table {
     Table::of(words, &found.poses, columns).on("Influence of poses")
 }
 
-/// Whether the robust fit differs, in sentences.
+/// Comparison with the robust fit in sentences.
 fn robust(found: &RobustSummary, words: &Words) -> String {
     let largest = found.parameters.iter().max_by(|a, b| a.difference_over_u.total_cmp(&b.difference_over_u));
     let Some(largest) = largest else { return String::new() };
@@ -92,7 +92,7 @@ fn robust(found: &RobustSummary, words: &Words) -> String {
     format!("{differs} {poses}")
 }
 
-/// The parameters that differ most.
+/// Parameters with the largest differences.
 fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
     let mut most: Vec<&RobustParameter> = found.parameters.iter().collect();
     most.sort_by(|a, b| b.difference_over_u.total_cmp(&a.difference_over_u));
@@ -112,7 +112,7 @@ fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
     Table::of(words, &most, columns).on("Robust fit")
 }
 
-/// The poses of the least weight.
+/// Poses with the smallest weights.
 fn robust_poses(found: &RobustSummary, words: &Words) -> Table {
     let beyond = |p: &RobustPose| match p.residual_over_sigma > found.critical_residual {
         true => strong_term(words, "yes"),

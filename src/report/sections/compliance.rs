@@ -1,4 +1,4 @@
-//! How a robot gives way under load.
+//! Compliance of a robot under load.
 
 use crate::model::{Block, Columns, Section, Table, Text, shown};
 use crate::number::significant;

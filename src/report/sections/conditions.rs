@@ -1,4 +1,5 @@
-//! What identifies the report, and the conditions: the lists that ISO/IEC 17025:2017 (7.8.2.1) and ISO 9283:1998 (12, annex C) ask for.
+//! Identification of the report, and test conditions: lists required by ISO/IEC 17025:2017
+//! (7.8.2.1) and ISO 9283:1998 (12, annex C).
 
 use super::limits::name;
 use crate::Report;
@@ -31,12 +32,12 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// Names and what the campaign states of them, or that it does not.
+/// Names with the statements of the campaign, or "not stated".
 fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cell)> {
     all.into_iter().map(|(what, text)| (what, text.or_else(|| Some(words.say("not stated"))).into())).collect()
 }
 
-/// What identifies report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
+/// Identification of report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
 fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, issue) = (report.campaign, &report.campaign.conditions, &report.campaign.issue);
     let rule = c.decision_rule.map(|rule| name(rule, words));
@@ -63,7 +64,8 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
     stated(all, words)
 }
 
-/// What a certificate states of report, customer, item, place, dates and traceability: each that is not stated too.
+/// Statements of a certificate on report, customer, item, place, dates and traceability, including
+/// those that are missing.
 pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cell)> {
     let conditions = facts(report.campaign, report.tested, words);
     let traced = [
@@ -79,12 +81,12 @@ pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cel
         .collect()
 }
 
-/// The robot as the campaign names it; its model is not its name.
+/// Name of the robot in the campaign, which differs from its model.
 pub(crate) fn robot_name(report: &Report) -> Option<String> {
     report.campaign.conditions.robot.clone().or_else(|| report.campaign.robot.clone())
 }
 
-/// By what the results were found.
+/// Method by which the results were obtained.
 fn method(report: &Report, words: &Words) -> String {
     let model = report.identified.map(|i| one_line(&i.parameters.robot));
     let identified = model.map(|model| {
@@ -95,7 +97,7 @@ fn method(report: &Report, words: &Words) -> String {
     identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
 }
 
-/// What a campaign states of the conditions.
+/// Statements of a campaign on the conditions.
 fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) -> Vec<(String, Cell)> {
     let (c, given) = (campaign, &campaign.conditions);
     let text = |text: &Option<String>| text.clone();
@@ -127,7 +129,7 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
         all.push((words.say("poses and cycles"), Some(cycles(test, words))));
     }
     all.push((words.say("deviations from the method"), given.deviations.as_ref().map(|d| deviations(d, words))));
-    // no load has no centre
+    // without a load there is no centre
     if given.load_kg == Some(0.0) && given.load_centre_mm.is_none() {
         all.retain(|(what, _)| *what != words.say("centre of the load from the mechanical interface"));
     }
@@ -160,7 +162,7 @@ fn deviations(stated: &[String], words: &Words) -> String {
     if stated.is_empty() { words.say("none") } else { stated.join("; ") }
 }
 
-/// How many poses, visited how often.
+/// Number of poses and visits.
 fn cycles(test: &Iso9283Document, words: &Words) -> String {
     let cycles = || test.poses.iter().map(|p| p.cycles);
     let (least, most) = (cycles().min().unwrap_or(0), cycles().max().unwrap_or(0));

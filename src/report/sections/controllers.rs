@@ -1,4 +1,5 @@
-//! Controller files whose format leaves identified parameters out: the values that they hold, and the errors with them.
+//! Controller files with formats that leave identified parameters out: their values, and errors
+//! with these values.
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, significant};

@@ -5,7 +5,7 @@ use crate::model::{Text, Verdict};
 use crate::words::Words;
 use etalon_documents::{DistributionEntry, UncertaintyDocument, UncertaintyFrom};
 
-/// What the draws show, in sentences.
+/// Result of the draws in sentences.
 pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict {
     let apart = document.parameters.iter().filter(|p| p.agrees == Some(false)).count();
     let mut sentences = vec![match apart {
@@ -16,12 +16,18 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
         sentences.push(words.say("The draws do not suffice for two digits of every standard uncertainty: allow more."));
     }
     if document.uncertainties_from != UncertaintyFrom::Instrument {
-        sentences.push(words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties and the bootstrap contain that."));
+        let reported = document.parameters.iter().any(|p| p.standard_uncertainty.is_some());
+        sentences.push(match (reported, document.resamples > 0) {
+            (true, true) => words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties and the bootstrap contain that."),
+            (true, false) => words.say("Draws contain what is stated; the model leaves out more: the report's standard uncertainties contain that."),
+            (false, true) => words.say("Draws contain what is stated; the model leaves out more: the bootstrap contains that."),
+            (false, false) => words.say("Draws contain what is stated, and not what the model leaves out."),
+        });
     }
     Verdict { met: true, sentences, ..Verdict::default() }
 }
 
-/// The tables of parameters and of errors.
+/// Tables of parameters and errors.
 pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Section> {
     let mut parameters = Section::new("distributions", words.say("Distributions of the parameters"));
     parameters.push(Block::Table(table(&document.parameters, words).on("Distributions")));

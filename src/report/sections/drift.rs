@@ -1,4 +1,5 @@
-//! What changes in the course of a test: characteristics by set of cycles, and targets that should stand still.
+//! Changes in the course of a test: characteristics by set of cycles, and targets that should be
+//! stationary.
 
 use crate::model::{Columns, Figure, Section, Table, term, um};
 use crate::plots::curves::{Curve, Curves};
@@ -12,9 +13,11 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.table(words.say("Drift of accuracy and repeatability"), note, drifts(&document.drifts, words));
     section.table("", "", sets(document, words));
     let (title, caption) = (words.say("AP by set"), words.say("Accuracy of each pose in the course of the test."));
-    section.figures(by_set("AP", title, caption, &document.drifts, |d| &d.ap_mm, words));
+    let accuracy = by_set("AP", &document.drifts, |d| &d.ap_mm, words);
+    section.figures(Curves { title, caption, ..accuracy }.picture(words));
     let (title, caption) = (words.say("RP by set"), words.say("Repeatability of each pose in the course of the test."));
-    section.figures(by_set("RP", title, caption, &document.drifts, |d| &d.rp_mm, words));
+    let repeatability = by_set("RP", &document.drifts, |d| &d.rp_mm, words);
+    section.figures(Curves { title, caption, ..repeatability }.picture(words));
     if !document.reference.is_empty() {
         let note = words.say("Displacement of the fixed targets since their first measurement, and what remains of it in positions that are corrected by them (not part of the standard).");
         section.table(words.say("Movement of the set-up"), note, reference(&document.reference, words));
@@ -33,7 +36,7 @@ fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
     Table::of(words, drifts, columns)
 }
 
-/// A set of cycles of a pose.
+/// Cycles of a set at a pose.
 struct Set<'a> {
     of: &'a Iso9283Drift,
     i: usize,
@@ -53,14 +56,8 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
     Table::of(words, &rows, columns).on("ISO 9283 drift")
 }
 
-fn by_set(
-    quantity: &str,
-    title: String,
-    caption: String,
-    drifts: &[Iso9283Drift],
-    values: fn(&Iso9283Drift) -> &[f64],
-    words: &Words,
-) -> Option<Figure> {
+/// Curves of a characteristic by set of cycles for each pose, without title and caption.
+fn by_set(quantity: &str, drifts: &[Iso9283Drift], values: fn(&Iso9283Drift) -> &[f64], words: &Words) -> Curves {
     let curve = |d: &Iso9283Drift| Curve {
         name: words.fill("pose {0}", &[&d.pose]),
         points: values(d).iter().enumerate().map(|(i, v)| (i as f64 + 1.0, 1e3 * v)).collect(),
@@ -68,7 +65,7 @@ fn by_set(
     let (across, up) = (words.say("set of cycles"), words.fill("{0} in {1}", &[&quantity, &"µm"]));
     let curves = drifts.iter().map(curve).collect();
     let id = format!("drift-{}", quantity.to_lowercase());
-    Curves { id, title, caption, across, up, curves, marks: vec![] }.picture(words)
+    Curves { id, title: String::new(), caption: String::new(), across, up, curves, marks: vec![] }
 }
 
 fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {

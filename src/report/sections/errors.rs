@@ -1,6 +1,6 @@
-//! Errors before and after: by set of poses, by pose, every one of them, and in pictures.
+//! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use crate::model::{Block, Columns, ROWS, Section, Table, Text, shown};
+use crate::model::{Block, Columns, ROWS, Section, Table, Text, fixed, shown, term};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
@@ -9,8 +9,8 @@ use crate::{Identified, Report};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument, PointError, PoseSet,
-    Statistics,
+    AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument,
+    PlacedApart, PointError, PoseSet, Statistics,
 };
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     of(accuracy, errors, words).whole()
 }
 
-/// The section of these errors.
+/// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     let mut section = Section::new("errors", words.say("Errors before and after"));
     section.summarise(words.say("definition of errors"), Text::document(&accuracy.definition, words), "");
@@ -37,6 +37,21 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         };
         section.push(Block::heading(title));
         section.push(Block::Table(statistics(accuracy, set, set.name.name(), ["before", "after"], words).on("Errors")));
+    }
+    if !accuracy.placed_apart.is_empty() {
+        let of = |p: &PlacedApart| {
+            let numbers: [&dyn std::fmt::Display; 3] = [&p.name, &p.readings, &number::fixed(p.redundancy, 2)];
+            match p.is_assessed {
+                true => words.fill("{0} ({1} readings, redundancy {2})", &numbers),
+                false => words.fill("{0} ({1} readings, redundancy {2}: not judged)", &numbers),
+            }
+        };
+        let all: Vec<String> = accuracy.placed_apart.iter().map(of).collect();
+        section.push(Block::text(words.fill("No calibration pose shows {0}: placed by their own readings at validation poses, with the identified robot held. Each of these errors counts over √r, r its redundancy.", &[&all.join(", ")])));
+    }
+    if !accuracy.effects.is_empty() {
+        section.push(Block::heading(words.say("Effects proven by poses that are left out")));
+        section.push(Block::Table(effects(&accuracy.effects, words)));
     }
     if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
         let p = number::p_value(p);
@@ -58,7 +73,8 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
             expanded_uncertainty: None,
         };
         let set = AccuracySet { name: tool.set, poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
-        // the base plays no part in these: they are not the errors before and after of the sets
+        // the base has no effect here: these errors differ from the errors of the sets before and
+        // after calibration
         let names = ["nominal minus identified", "expected"];
         section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on("Tool point")));
         let um = |mm: f64| number::significant(1e3 * mm, 3);
@@ -85,7 +101,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
     section.on_terminal()
 }
 
-/// Every picture of the errors.
+/// Figures of the errors.
 pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
     let errors = identified.errors;
@@ -115,15 +131,17 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// Origin of the base in the frame of the errors, where its parameters are those of a base in the world.
+/// Origin of the base in the frame of the errors, if its parameters are those of a base in the
+/// world.
 fn base_mm(parameters: &ParametersDocument) -> Option<Vector> {
     let value = |name: &str| parameters.parameters.iter().find(|p| p.name == name).map(|p| p.value);
     Some([value("base_x")?, value("base_y")?, value("base_z")?])
 }
 
-/// Mean, RMS, 95 % and max of every quantity of a set, `called` so in the workbook, of both errors by their names.
+/// Table of mean, RMS, 95 % and maximum of all quantities of a set. `called` is the name of the set
+/// in the workbook, `names` are those of the two errors.
 fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, called: &str, names: [&str; 2], words: &Words) -> Table {
-    // one unit for all lengths, so that rows and sets can be compared
+    // a common unit for all lengths makes rows and sets comparable
     let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
     let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
     let cell = move |e: &ErrorStatistics, value: f64| {
@@ -160,8 +178,23 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, called: &str, name
     Table::of(words, &set.errors, columns)
 }
 
-/// Decimals of all numbers in `unit`: two digits of the smallest uncertainty, or, where none is known, three of the smallest error
-/// after that is not zero.
+/// Benefit of each effect at poses that are left out.
+fn effects(all: &[EffectProof], words: &Words) -> Table {
+    let yes_no = |yes: bool| term(words, if yes { "yes" } else { "no" });
+    let columns = Columns::<EffectProof>::new()
+        .page("effect", "", |e| words.say(&format!("{:?}", e.effect).to_lowercase()))
+        .sheet("effect", "", |e| format!("{:?}", e.effect).to_lowercase())
+        .both("joints", "", |e| Text::name(&e.joints.join(", ")))
+        .both("RMS without it", "mm", |e| fixed(e.without_mm, 4))
+        .both("RMS with it", "mm", |e| fixed(e.with_mm, 4))
+        .both("gain over u", "", |e| fixed(e.gain_over_u, 1))
+        .page("identified", "", move |e| yes_no(e.is_identified))
+        .sheet("identified", "", |e| if e.is_identified { "yes" } else { "no" });
+    Table::of(words, all, columns).on("Proven effects")
+}
+
+/// Number of decimals in `unit`: two digits of the smallest uncertainty or, if unknown, three
+/// digits of the smallest non-zero error after calibration.
 fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
     let factor = number::shown(unit, largest_mm).factor;
     let errors = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == unit);
@@ -174,7 +207,7 @@ fn decimals(accuracy: &AccuracyDocument, unit: &str, largest_mm: f64) -> usize {
     number::decimals(after.fold(f64::INFINITY, f64::min), 3).unwrap_or(1).clamp(1, 5)
 }
 
-/// Set and number of a pose, and its errors.
+/// Errors of a pose.
 struct OfPose<'a> {
     set: PoseSet,
     pose: PoseName,
@@ -187,12 +220,12 @@ impl OfPose<'_> {
     }
 
     fn largest(&self, size: fn(&PointError) -> Option<f64>) -> Option<f64> {
-        // f64::max would let what is not a number vanish
+        // unlike `f64::max`, keeps NaN
         self.errors.iter().filter_map(|p| size(p)).map(f64::abs).max_by(f64::total_cmp)
     }
 }
 
-/// Mean and largest error of every pose; of more than a page shows, the largest first.
+/// Mean and largest error of every pose; if not all fit on a page, the largest first.
 fn poses(errors: &[PointError], words: &Words) -> Table {
     let mut by_pose: BTreeMap<(PoseSet, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
@@ -201,7 +234,7 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
     let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
     let validation = rows.iter().filter(|row| row.set == PoseSet::Validation).count();
     if rows.len() > ROWS {
-        // every validation pose, and of the others the largest
+        // all validation poses, then the largest of the others
         let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);
         rows.sort_by(|a, b| b.set.cmp(&a.set).then(largest(b).total_cmp(&largest(a))));
     }
@@ -240,7 +273,7 @@ fn residuals(errors: &[PointError], words: &Words) -> Table {
     Table::of(words, errors, columns).on("Residuals")
 }
 
-/// The map of the error to expect, for the workbook.
+/// Map of the expected error for the workbook.
 fn nodes(accuracy: &AccuracyDocument, words: &Words) -> Table {
     let columns = Columns::<MapNode>::new()
         .sheet_xyz(["x", "y", "z"], "mm", |n| &n.at_mm)
@@ -266,7 +299,7 @@ mod tests {
         ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
     }
 
-    /// Rows of the table of a set as a page shows them.
+    /// Rows of a set's table as shown on a page.
     fn shown(all: Vec<ErrorStatistics>) -> Vec<Vec<String>> {
         let set = set(PoseSet::Validation, all);
         let document = AccuracyDocument {
@@ -277,6 +310,8 @@ mod tests {
             point: String::new(),
             definition: String::new(),
             sets: vec![set.clone()],
+            placed_apart: Vec::new(),
+            effects: Vec::new(),
             validation_distance: None,
             budget: Vec::new(),
             limits: vec![],
@@ -305,7 +340,7 @@ mod tests {
 
     #[test]
     fn numbers_in_one_unit_have_the_same_decimals_and_three_digits_after() {
-        // the case of a robot that is better along x than in all: 0.1366 against a limit of 0.137
+        // a robot with a smaller error along x than in total: 0.1366 against a limit of 0.137
         let rows = shown(vec![errors(ErrorQuantity::Position, 2.0, 0.1366), errors(ErrorQuantity::X, 1.0, 0.0747)]);
         assert_eq!((rows[0][7].as_str(), rows[1][7].as_str()), ("0.1366", "0.0747"));
         assert_eq!(rows[0][3], "2.0000");

@@ -1,4 +1,4 @@
-//! How well the model fits, what the poses make observable, and how the solver ended.
+//! Goodness of fit, observability by the poses, and termination of the solver.
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
@@ -16,7 +16,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(of(identified.parameters, plots::pictures(&drawable, planar, words), words))
 }
 
-/// The section of a fit, with the pictures of its residuals.
+/// Section of a fit, with figures of its residuals.
 pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
     let mut section = Section::new("fit", words.say("Fit and observability"));
     section.push(Block::heading(words.say("Residuals")));
@@ -59,7 +59,7 @@ fn indices(o: &ObservabilitySummary, words: &Words) -> Table {
     Table::of(words, [o], columns)
 }
 
-/// Singular values in their order, those of what is held behind.
+/// Singular values in descending order, followed by those of held parameters.
 fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
     let all = o.singular_values.iter().map(|s| ("identified", s));
     let all = all.chain(o.held_singular_values.iter().map(|s| ("held", s)));

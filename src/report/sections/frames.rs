@@ -1,11 +1,11 @@
-//! The world frame and the features that it is made from, in the coordinates of the exports.
+//! World frame and features, in the coordinates of the exports.
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
 use crate::number::fixed as number;
 use crate::words::Words;
 use etalon_base::pose::Vector;
-use etalon_documents::{Feature, FramePose, WorldFrame};
+use etalon_documents::{Feature, FramePose, Uncontrolled, WorldFrame};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let (features, world) = (&report.features.features, &report.frames.world);
@@ -18,6 +18,11 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::text(words.say("The campaign fits no features.")));
     }
     section.push(Block::Table(elements(features, words)));
+    let open = &report.frames.not_controlled;
+    if !open.is_empty() {
+        section.push(Block::heading(words.say("Not controlled by the data")));
+        section.push(Block::Table(uncontrolled(open, words)));
+    }
     section.whole()
 }
 
@@ -61,7 +66,7 @@ fn elements(features: &[Feature], words: &Words) -> Table {
     Table::of(words, features, columns).on("Features")
 }
 
-/// Where the world frame was each time it was measured.
+/// World frame at each measurement.
 fn poses(world: &WorldFrame, words: &Words) -> Table {
     let first = Columns::<FramePose>::new().sheet("pose", "", |f| f.pose).sheet("cycle", "", |f| f.cycle).sheet_xyz(
         ["origin x", "origin y", "origin z"],
@@ -77,6 +82,16 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
     let columns = titles
         .fold(first, |columns, (i, title)| columns.sheet(title, "", move |f| f.export_T_world.rotation[i % 3][i / 3]));
     Table::of(words, &world.poses, columns).on("Frames")
+}
+
+/// Errors that no reading would show.
+fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
+    let columns = Columns::<Uncontrolled>::new()
+        .page("what no reading shows", "", |u| Text::document(&u.what, words))
+        .sheet("what no reading shows", "", |u| u.what.as_str())
+        .both("points", "", |u| Text::name(&u.points.join(", ")))
+        .both("controlled by", "", |u| Text::name(&u.keys.join(", ")));
+    Table::of(words, all, columns).on("Not controlled")
 }
 
 fn triple(v: Vector, decimals: usize) -> String {

@@ -1,4 +1,4 @@
-//! The geometric calibration beside the identification: what geometry alone finds, and how much accuracy it leaves.
+//! Geometric calibration beside the identification: its results, and its accuracy.
 
 use crate::Report;
 use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
@@ -76,7 +76,7 @@ fn bar_verdict(verdict: BarVerdict, words: &Words) -> String {
     }
 }
 
-/// What the technician's way costs in accuracy.
+/// Sentence on the accuracy of the geometric method.
 fn sentence(document: &GeometricDocument, words: &Words) -> String {
     let largest = |name: &str| document.methods.iter().find(|m| m.name == name).map(|m| m.position_max_mm);
     let (Some(nominal), Some(geometric), Some(identified)) =
@@ -116,7 +116,7 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
     Table::of(words, &document.quantities, columns).on("Geometry, quantities")
 }
 
-/// Mean errors of the poses of a table, by method.
+/// Mean errors of the poses in a table, by method.
 fn poses(table: &PoseTable, words: &Words) -> Table {
     let command = |r: &PoseRow| {
         let [x, y] = r.command_mm;
@@ -160,7 +160,7 @@ fn leads(document: &GeometricDocument, words: &Words) -> Table {
     Table::of(words, &document.leads, columns)
 }
 
-/// Every commanded position of every actuator.
+/// Commanded positions of all actuators.
 fn linearity(document: &GeometricDocument, words: &Words) -> Table {
     let rows: Vec<(&LeadResult, &Linearity)> =
         document.leads.iter().flat_map(|l| l.linearity.iter().map(move |p| (l, p))).collect();
@@ -175,7 +175,7 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
     Table::of(words, &rows, columns).on("Geometry, leads")
 }
 
-/// How well each fit did.
+/// Quality of each fit.
 fn fits(document: &GeometricDocument, words: &Words) -> Table {
     let columns = Columns::<etalon_documents::GeometricStep>::new()
         .both("fit", "", |s| Text::document(&s.name, words))
@@ -189,7 +189,7 @@ fn fits(document: &GeometricDocument, words: &Words) -> Table {
     Table::of(words, &document.steps, columns).on("Geometry, fits")
 }
 
-/// Outlines of the regions, the last one (every orientation) heavier.
+/// Outlines of the regions, with the last one (every orientation) in a thicker line.
 fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
     let regions: Vec<_> = document.workspace.iter().filter(|r| r.corners_mm.len() > 2).collect();
     let corners: Vec<_> = regions.iter().flat_map(|r| &r.corners_mm).copied().collect();

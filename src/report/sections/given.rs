@@ -1,4 +1,4 @@
-//! Given parameters judged: whether they still hold, and which of them deserve to be loaded.
+//! Judgement of given parameters: whether they still apply, and which of them should be loaded.
 
 use crate::model::{Block, Columns, Grade, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
 use crate::number;
@@ -8,7 +8,7 @@ use etalon_documents::{
     VerificationPlanDocument, VerificationVerdict,
 };
 
-/// Whether parameters still hold.
+/// Verdict on whether the parameters still apply.
 pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
     Verdict {
         met: document.verdict == VerificationVerdict::Valid,
@@ -18,7 +18,7 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
     }
 }
 
-/// By which probability, and what these poses would have detected.
+/// Sections on the probability of the verdict, and on the detectable changes.
 pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
     let mut judged = Section::new("judged", words.say("How changes are judged")).on_terminal();
     let p = words.number(&number::p_value(document.p_value));
@@ -33,7 +33,7 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
     vec![judged, detected(&document.power.least, document.power.probability, document.power.naming, words)]
 }
 
-/// The least motions that are detected.
+/// Smallest detectable movements.
 fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Words) -> Section {
     let percent = |p: f64| number::fixed(100.0 * p, 0);
     let title = words.fill("Detected with a probability of {0} %", &[&percent(probability)]);
@@ -51,27 +51,27 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
     power
 }
 
-/// The poses that were chosen.
+/// Verdict on the chosen poses.
 pub(crate) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
     let names: Vec<String> = document.steps.iter().map(|step| step.pose.to_string()).collect();
     let sentences = vec![words.fill("Poses to measure: {0}.", &[&names.join(", ")])];
     Verdict { met: true, sentences, ..Verdict::default() }
 }
 
-/// What they would detect.
+/// Sections on the changes that the chosen poses detect.
 pub(crate) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words) -> Vec<Section> {
     let last = document.steps.last();
     last.map(|step| detected(&step.least, document.probability, document.naming, words)).into_iter().collect()
 }
 
-/// The recommendation in sentences.
+/// Recommendation in sentences.
 pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
     let met = document.recommended.is_plausible();
     let sentences = document.meaning.iter().map(|m| Text::document(m, words).plain()).collect();
     Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
 }
 
-/// Effects in the order in which they were tried, and what is proven of each parameter.
+/// Sections on effects in the order of trial, and on the evidence for each parameter.
 pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -> Vec<Section> {
     let p = |p: Option<f64>| numbers(p.map(number::probability));
     let values: [&dyn std::fmt::Display; 3] = [&document.poses, &document.folds, &document.repeats];

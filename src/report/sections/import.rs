@@ -1,4 +1,4 @@
-//! What was read, and every row that was refused or met no partner.
+//! Imported rows, and all rows that were rejected or unmatched.
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, term};

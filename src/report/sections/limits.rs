@@ -1,4 +1,4 @@
-//! Limits of the campaign, what was reached, and whether they are met.
+//! Limits of the campaign with measured values and verdicts.
 
 use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
 use crate::number;
@@ -10,7 +10,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     of(&limits(report.identified.as_ref(), report.tested), report.campaign.decision_rule.is_none(), words)
 }
 
-/// The section of these limits; `default` where nobody chose their rule.
+/// Section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
         .both("limit", "", |l| l.name.to_string())
@@ -28,7 +28,7 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
     section.on_terminal().whole()
 }
 
-/// What a decision rule says of a limit.
+/// Decision on a limit.
 pub(super) fn judged(conformity: Conformity, words: &Words) -> Cell {
     match conformity {
         Conformity::Conforming => term(words, "met"),
@@ -37,7 +37,7 @@ pub(super) fn judged(conformity: Conformity, words: &Words) -> Cell {
     }
 }
 
-/// A decision rule by name.
+/// Name of a decision rule.
 pub(super) fn name(rule: DecisionRule, words: &Words) -> String {
     match rule {
         DecisionRule::SimpleAcceptance => words.say("simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
@@ -46,7 +46,7 @@ pub(super) fn name(rule: DecisionRule, words: &Words) -> String {
     }
 }
 
-/// The rule by which limits are judged, what it means, and whether somebody chose it.
+/// Decision rule with its meaning, and whether it was chosen.
 fn rule(rule: DecisionRule, default: bool, words: &Words) -> String {
     let means = match rule {
         DecisionRule::SimpleAcceptance => {
@@ -62,12 +62,13 @@ fn rule(rule: DecisionRule, default: bool, words: &Words) -> String {
     if default { format!("{named} {none}") } else { named }
 }
 
-/// Every limit that the campaign states, judged.
+/// All judged limits of the campaign.
 pub(super) fn limits<'a>(identified: Option<&'a Identified>, tested: &'a Characteristics) -> Vec<&'a LimitVerdict> {
     identified.iter().flat_map(|i| &i.accuracy.limits).chain(tested.limits()).collect()
 }
 
-/// The value to the second digit of its uncertainty, or as many as tell it from its limit.
+/// Value to the second digit of its uncertainty, or with as many digits as distinguish it from its
+/// limit.
 fn reached(l: &LimitVerdict) -> String {
     let least =
         l.expanded_uncertainty.and_then(|u| number::decimals(u, 2)).or(number::decimals(l.limit, 3)).unwrap_or(4);
@@ -81,9 +82,8 @@ mod tests {
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
-        let of = |value, u| {
-            reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, value, u, DecisionRule::Guarded))
-        };
+        let of =
+            |value, u| reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded));
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
         assert_eq!(of(0.034_567, Some(0.0123)), "0.035");

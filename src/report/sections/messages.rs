@@ -1,4 +1,4 @@
-//! Every warning and error, with its place and its remedy.
+//! Warnings and errors, with place and remedy.
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text};
@@ -21,7 +21,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// The section of these messages: those of which somebody has to act first, rows of one kind joined.
+/// Section of these messages: those that need action first, with similar rows merged.
 pub(crate) fn of(messages: &[&Message], words: &Words) -> Section {
     let mut section = Section::new("messages", words.say("Warnings and remarks"));
     if messages.is_empty() {
@@ -46,7 +46,7 @@ pub(super) fn routine(messages: &[Message], words: &Words) -> Block {
     Block::Aside { title: words.say("Routine remarks"), blocks }
 }
 
-/// Every message, for the workbook.
+/// Messages for the workbook.
 fn table(messages: &[&Message], words: &Words) -> Table {
     let place = |m: &Message| m.place.as_deref().cloned().unwrap_or_default();
     let columns = Columns::<Message>::new()
@@ -68,14 +68,25 @@ fn class(message: &Message) -> &'static str {
 
 fn notice(m: &Message, words: &Words) -> Block {
     let severity = words.fill("{0}:", &[&words.say(class(m))]);
-    let mut lines = vec![Text::from(severity + " ").and(Text::document(&m.what, words))];
+    let texts = m.texts(words.code());
+    let english = m.texts("en");
+    let text = |text: &str| match [Some(&english.what), english.expected.as_ref(), english.hint.as_ref()]
+        .contains(&Some(&text.to_owned()))
+    {
+        true => Text::document(text, words),
+        false => Text::from(text.to_owned()),
+    };
+    let mut lines = vec![Text::from(severity + " ").and(text(&texts.what))];
+    if !m.id.is_empty() {
+        lines[0] = std::mem::take(&mut lines[0]).and(" ").and(Text::code(&m.id));
+    }
     lines.extend(m.place.as_ref().map(|p| {
         let line = p.line.map(|line| format!(", {}", words.fill("line {0}", &[&line]))).unwrap_or_default();
         let text = p.text.as_ref().map(|text| Text::from(": ").and(Text::code(&one_line(text))));
         Text::name(&p.file).and(line).and(text.unwrap_or_default())
     }));
-    let remark = |what: String, said: &String| Text::from(what + " ").and(Text::document(said, words));
-    lines.extend(m.expected.as_ref().map(|text| remark(words.say("expected:"), text)));
-    lines.extend(m.hint.as_ref().map(|text| remark(words.say("hint:"), text)));
+    let remark = |label: String, said: &String| Text::from(label + " ").and(text(said));
+    lines.extend(texts.expected.as_ref().map(|text| remark(words.say("expected:"), text)));
+    lines.extend(texts.hint.as_ref().map(|text| remark(words.say("hint:"), text)));
     Block::Notice { class: class(m), lines }
 }

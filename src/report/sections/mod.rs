@@ -1,4 +1,4 @@
-//! The sections of a report, one a file: what each contains, and nothing of how it is drawn.
+//! Sections of a report, one per file: their contents, independent of rendering.
 
 pub(super) mod accuracy;
 mod budget;
@@ -31,10 +31,10 @@ use super::model::{Block, Section};
 use super::words::Words;
 use etalon_documents::Characteristics;
 
-/// A section from the documents; `None` where they have nothing of it.
+/// Creates a section from the documents; `None` if they contain nothing for it.
 type Make = fn(&Report, &Words) -> Option<Section>;
 
-/// What comes before the characteristics of ISO 9283, and after them, in the order of reading.
+/// Sections before and after the characteristics of ISO 9283, in the order of reading.
 const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
 const AFTER: [Make; 9] = [
     parameters::section,
@@ -63,7 +63,7 @@ const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
     streams::weaving,          // 11
 ];
 
-/// Every section that the documents have.
+/// Sections of all documents.
 pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
     let made = |all: &[Make]| all.iter().filter_map(|make| make(report, words)).collect::<Vec<_>>();
     let mut sections = made(&BEFORE);
@@ -73,7 +73,7 @@ pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
     sections
 }
 
-/// A section of characteristics, which names the point that they are of (ISO 9283:1998, 12).
+/// A section of characteristics, with the name of the measured point (ISO 9283:1998, 12).
 fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
     let stated = &report.campaign.conditions.measurement_point;
     let point = stated.clone().unwrap_or_else(|| words.say("not stated"));
@@ -91,7 +91,7 @@ fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
     section
 }
 
-/// The sections of a test by ISO 9283 alone.
+/// Sections of a test by ISO 9283 alone.
 pub(super) fn tested(tested: &Characteristics, words: &Words) -> Vec<Section> {
     CHARACTERISTICS.iter().filter_map(|make| make(tested, words)).collect()
 }

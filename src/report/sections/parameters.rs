@@ -1,4 +1,4 @@
-//! Parameters: each number with the digits that its uncertainty allows, covariances and correlations.
+//! Parameters with the significant digits of their uncertainties, covariances and correlations.
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty};
@@ -11,7 +11,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(of(report.identified?.parameters, words))
 }
 
-/// The section of these parameters.
+/// Section of these parameters.
 pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     let mut section = Section::new("parameters", words.say("Parameters"));
     let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
@@ -20,6 +20,7 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     for (title, of) in &groups {
         section.table(title, "", table(of, words));
     }
+    section.push(Block::text(effective_values(document, words)));
     section.push(Block::Table(sheet(&document.parameters)));
     section.table(words.say("What the parameters mean"), "", meanings(&document.parameters, words).detail());
     section.figures(sketch::pictures(&document.sketches, words));
@@ -34,7 +35,19 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     section
 }
 
-/// The parameters of the robot, its base, targets and fixtures apart: their sizes differ by orders of magnitude.
+/// Sentence on parameters that are effective rather than physical; empty if the model fits.
+fn effective_values(document: &ParametersDocument, words: &Words) -> String {
+    let effective = document.effective();
+    if effective.is_empty() {
+        return String::new();
+    }
+    words.fill(
+        "Effective rather than physical: {0}. Residuals exceed the uncertainty of the instrument, and most of the uncertainty of these values is of what the model leaves out: they fit the measured poses, and need not be dimensions of the robot.",
+        &[&effective.join(", ")],
+    )
+}
+
+/// Groups of parameters by owner (robot, base, targets, fixtures), because their magnitudes differ.
 pub(crate) fn groups<'a>(parameters: &'a [ParameterEntry], words: &Words) -> Vec<(String, Vec<&'a ParameterEntry>)> {
     let all = [
         (Role::Robot, words.say("Parameters of the robot")),
@@ -51,7 +64,7 @@ fn change(p: &ParameterEntry) -> Cell {
     shown(p.value - p.nominal, |v| sign.to_owned() + &number::with_uncertainty(v, p.standard_uncertainty))
 }
 
-/// The change as a multiple of its standard uncertainty; nothing where that is zero or unknown.
+/// Change as a multiple of its standard uncertainty; `None` if that is zero or unknown.
 fn change_over_u(p: &ParameterEntry) -> Option<f64> {
     Some((p.value - p.nominal) / p.standard_uncertainty?).filter(|ratio| ratio.is_finite())
 }
@@ -74,7 +87,7 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
     Table::of(words, parameters, columns).without_empty_columns()
 }
 
-/// Names that a page shows in one cell; the workbook has all.
+/// Maximum number of names in a cell of a page; the workbook contains all.
 const NAMES: usize = 4;
 
 fn confounded(p: &ParameterEntry, words: &Words) -> Text {
@@ -88,7 +101,7 @@ fn confounded(p: &ParameterEntry, words: &Words) -> Text {
     }
 }
 
-/// All parameters, for the workbook.
+/// All parameters for the workbook.
 fn sheet(parameters: &[ParameterEntry]) -> Table {
     let words = &Words::default();
     let columns = Columns::<ParameterEntry>::new()
@@ -108,7 +121,7 @@ fn sheet(parameters: &[ParameterEntry]) -> Table {
     Table::of(words, parameters, columns).on("Parameters")
 }
 
-/// What parameters mean, those of one meaning in one row.
+/// Meanings of parameters, with equal meanings in one row.
 fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
     let mut rows: Vec<(&str, Vec<&str>)> = Vec::new();
     for p in parameters.iter().filter(|p| !p.meaning.is_empty()) {
@@ -123,16 +136,18 @@ fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
     Table::of(words, &rows, columns)
 }
 
-/// Why a parameter has its value, in words.
+/// Origin of a parameter's value in words.
 fn status(status: ParameterStatus, words: &Words) -> Cell {
     match status {
         ParameterStatus::Identified => term(words, "identified"),
         ParameterStatus::Fixed => term(words, "held by the campaign"),
         ParameterStatus::NotIdentifiable => term(words, "held: not separately identifiable"),
+        ParameterStatus::PlacedByValidation => term(words, "placed by validation poses"),
     }
 }
 
-/// A matrix of the identified parameters, with their names on two sides; no columns where there is none.
+/// Matrix of the identified parameters with their names at the side and the top; without columns if
+/// empty.
 fn matrix(
     name: &'static str,
     document: &ParametersDocument,

@@ -1,4 +1,5 @@
-//! A plan: which poses to measure, how far from the best, and what a calibration with them would come to.
+//! Plan: poses to measure, shortfall from the optimum, and expected results of a calibration with
+//! them.
 
 use crate::model::{
     Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, shown, significant as digits, term,
@@ -12,7 +13,7 @@ use etalon_documents::{
 };
 use std::collections::BTreeMap;
 
-/// How good the choice is.
+/// Quality of the choice.
 pub(crate) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
     let chosen = plan.chosen.len();
     let (class, sentence) = match plan.at_most_below_percent {
@@ -35,7 +36,7 @@ pub(crate) fn verdict(plan: &PlanDocument, words: &Words) -> Verdict {
     Verdict { class, met: true, sentences: vec![sentence], ..Verdict::default() }
 }
 
-/// In the order of reading.
+/// Sections in the order of reading.
 pub(crate) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
     let mut chosen = Section::new("chosen", words.say("Choice"));
     chosen.push(Block::facts(facts(plan, words)));
@@ -105,7 +106,7 @@ fn poses(plan: &PlanDocument, words: &Words) -> Section {
     type Row<'a> = (PoseName, &'a BTreeMap<String, f64>);
     let rows: Vec<Row> = plan.chosen.iter().flat_map(|p| p.configurations.iter().map(move |c| (p.pose, c))).collect();
     let joints: Vec<&str> = rows.iter().take(1).flat_map(|(_, c)| c.keys().map(String::as_str)).collect();
-    // assembly modes are whole
+    // assembly modes are integers
     let cell = |v: &f64| fixed(*v, if v.fract() == 0.0 { 0 } else { 4 });
     let first = Columns::<Row>::new().both("pose", "", |(pose, _)| *pose);
     let columns =
@@ -165,7 +166,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
     section
 }
 
-/// The largest error of a place as a mark of a map.
+/// Largest error of a place as a mark of a map.
 fn error(place: &StudiedPlace, words: &Words) -> PointError {
     PointError {
         set: PoseSet::Validation,
@@ -179,5 +180,6 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         after_deg: None,
         joints: Vec::new(),
         reliability: None,
+        own_redundancy: None,
     }
 }

@@ -1,4 +1,4 @@
-//! What the numbers come from: the program, its seed, and every input with its checksum.
+//! Origin of the numbers: program, seed, and all inputs with their checksums.
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text};
@@ -9,7 +9,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     Some(of(&report.provenance(), &report.import.sources, words))
 }
 
-/// The section; `sources` has more of the inputs where they were read by this campaign.
+/// Section of the provenance; `sources` adds information about inputs that this campaign read.
 pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
     let mut section = Section::new("provenance", words.say("Provenance"));
     section.push(Block::facts(vec![

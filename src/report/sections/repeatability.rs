@@ -1,4 +1,5 @@
-//! Visited poses: table 2.1 of the thesis, the uncertainty of RP, the 25 % rule, approaches, coplanarity.
+//! Visited poses: table 2.1 of the thesis, uncertainty of RP, the 25 % rule, approaches,
+//! coplanarity.
 
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::number;
@@ -42,23 +43,23 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.on_terminal().whole()
 }
 
-/// The angles of a pose, in their order.
+/// Angles of a pose, in order.
 const ANGLES: [&str; 3] = ["a", "b", "c"];
 
-/// Angles that the poses have, in their order.
+/// Measured angles of the poses, in order.
 pub(super) fn angles(document: &Iso9283Document) -> Vec<&'static str> {
     let of: [fn(&Iso9283Pose) -> Option<f64>; 3] = [|p| p.ap_a_deg, |p| p.ap_b_deg, |p| p.ap_c_deg];
     let has = |angle: &fn(&Iso9283Pose) -> Option<f64>| document.poses.iter().any(|p| angle(p).is_some());
     ANGLES.into_iter().zip(&of).filter(|(_, angle)| has(angle)).map(|(name, _)| name).collect()
 }
 
-/// An interval in µm.
+/// Interval (µm).
 pub(super) fn interval(of: Option<Iso9283Interval>, words: &Words) -> Cell {
     let um = |mm: f64| number::fixed(1e3 * mm, 1);
     numbers(of.map(|i| words.fill("{0} to {1}", &[&um(i.low_mm), &um(i.high_mm)])))
 }
 
-/// What the interval proves about a stated limit.
+/// Conformity with a stated limit, by the interval.
 pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     of.map_or(Cell::Missing, |c| match c {
         Conformity::Conforming => term(words, "conforming"),
@@ -67,13 +68,13 @@ pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     })
 }
 
-/// A pose with its number, or homing by its name.
+/// A pose with its number, or homing with its name.
 pub(super) struct Named<'a> {
     name: Cell,
     pub pose: &'a Iso9283Pose,
 }
 
-/// The poses of a document, and homing.
+/// Poses of a document, and homing.
 pub(super) fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
     let poses = document.poses.iter().map(|pose| Named { name: pose.pose.into(), pose });
     let homing = document.homing.iter().map(|pose| Named { name: term(words, "homing"), pose });
@@ -97,7 +98,7 @@ fn spheres(poses: &[Named], words: &Words) -> Table {
     Table::of(words, poses, columns)
 }
 
-/// RP with what is known of it beside its value.
+/// RP with its intervals and further assessments.
 fn intervals(poses: &[Named], words: &Words) -> Table {
     let axes = |n: &Named| {
         let um = |mm: f64| number::fixed(1e3 * mm, 1);
@@ -113,7 +114,7 @@ fn intervals(poses: &[Named], words: &Words) -> Table {
     Table::of(words, known, columns).without_empty_columns()
 }
 
-/// Whether the instrument is good enough, pose by pose.
+/// Table of the 25 % rule by pose.
 fn quarter_rule(poses: &[Named], words: &Words) -> Table {
     let over = |of: Option<f64>| of.map_or_else(|| term(words, "nothing to verify"), |r| fixed(r, 2));
     let columns = Columns::<Named>::new()
@@ -125,7 +126,7 @@ fn quarter_rule(poses: &[Named], words: &Words) -> Table {
     Table::of(words, judged, columns).without_empty_columns()
 }
 
-/// Whether the instrument is good enough.
+/// Sentence on the 25 % rule.
 pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> String {
     let of =
         |met: bool| document.poses.iter().filter(move |p| p.quarter_rule_met == Some(met)).map(|p| p.pose.to_string());
@@ -143,7 +144,7 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
     }
 }
 
-/// Everything of every pose: the columns of the workbook, of which pages show some.
+/// All columns of poses for the workbook; pages show some of them.
 pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
     let proved = |c: Option<Conformity>| {
         c.map(|c| match c {
@@ -257,7 +258,7 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
     Table::of(words, &rows, columns).on("ISO 9283 approaches")
 }
 
-/// vAP of the angles, where there are any.
+/// Table of vAP of the angles, if measured.
 fn turned(document: &Iso9283Document, words: &Words) -> Table {
     let titles: Vec<String> = angles(document).iter().map(|a| format!("vAP {a}")).collect();
     if titles.is_empty() {

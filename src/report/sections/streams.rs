@@ -1,4 +1,4 @@
-//! Recorded motions: characteristics of ISO 9283 in a table, the path, drift and arrivals in pictures.
+//! Recorded motions: table of ISO 9283 characteristics, and figures of path, drift and arrivals.
 
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers};
 use crate::number;
@@ -11,7 +11,7 @@ use etalon_documents::{
 };
 use std::collections::BTreeMap;
 
-/// Time to come to rest, and overshoot (7.4, 7.5).
+/// Section of stabilisation time and overshoot (7.4, 7.5).
 pub(super) fn stabilisation(tested: &Characteristics, words: &Words) -> Option<Section> {
     let mut section = Section::new("stabilisation", words.say("Stabilisation and overshoot"));
     let note = words
@@ -23,7 +23,7 @@ pub(super) fn stabilisation(tested: &Characteristics, words: &Words) -> Option<S
     section.on_terminal().whole()
 }
 
-/// Recordings, and the characteristics of their paths (8).
+/// Section of recordings and their path characteristics (8).
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.streams.as_ref()?;
     let mut section = Section::new("streams", words.say("Recorded motion"));
@@ -42,7 +42,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.on_terminal().whole()
 }
 
-/// Minimum posing time (9).
+/// Section of the minimum posing time (9).
 pub(super) fn posing(tested: &Characteristics, words: &Words) -> Option<Section> {
     let mut section = Section::new("posing", words.say("Minimum posing time"));
     let note = words.say("From leaving a pose to the end of stabilisation at the next (ISO 9283:1998, 9).");
@@ -52,7 +52,7 @@ pub(super) fn posing(tested: &Characteristics, words: &Words) -> Option<Section>
     section.on_terminal().whole()
 }
 
-/// Weaving (11).
+/// Section of weaving (11).
 pub(super) fn weaving(tested: &Characteristics, words: &Words) -> Option<Section> {
     let mut section = Section::new("weaving", words.say("Weaving"));
     for named in &tested.streams.as_ref()?.streams {
@@ -141,7 +141,7 @@ fn of_weave(w: &Iso9283Weaving, words: &Words) -> [(String, Cell); 3] {
     ]
 }
 
-/// How the mean path deviates, and how passes scatter, along the path.
+/// Deviation of the mean path and scatter of the passes along the path.
 fn path_picture(index: usize, path: Option<&Iso9283Path>, words: &Words) -> Option<Figure> {
     let path = path?;
     let of = |value: &dyn Fn(&Iso9283PathPoint) -> Option<f64>| -> Vec<(f64, f64)> {
@@ -170,7 +170,7 @@ fn path_picture(index: usize, path: Option<&Iso9283Path>, words: &Words) -> Opti
     .picture(words)
 }
 
-/// How far the mean of each visit lies from that of the first visit of its pose, over time.
+/// Distance of each visit's mean from the first visit of its pose, over time.
 fn drift(index: usize, standstills: &[Iso9283Standstill], words: &Words) -> Option<Figure> {
     let mut by_pose: BTreeMap<PoseName, Vec<&Iso9283Standstill>> = BTreeMap::new();
     for s in standstills {
@@ -200,7 +200,7 @@ fn drift(index: usize, standstills: &[Iso9283Standstill], words: &Words) -> Opti
     .picture(words)
 }
 
-/// Distance from where the robot comes to stand, from the first entry into the limit band on.
+/// Distance from the standstill, from the first entry into the limit band.
 fn arrivals(index: usize, named: &Iso9283NamedStream, words: &Words) -> Option<Figure> {
     let curve = |a: &Iso9283Arrival| Curve {
         name: words.fill("pose {0}, visit {1}", &[&a.pose, &a.cycle]),

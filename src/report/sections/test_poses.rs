@@ -1,4 +1,4 @@
-//! Where a test was made: the poses, their picture, and the cube of ISO 9283:1998, 6, where they are laid into one.
+//! Poses of a test with their figure, and the cube of ISO 9283:1998, 6, if they lie in one.
 
 use crate::model::{Columns, Section, Table, fixed};
 use crate::plots::cube;
@@ -24,7 +24,7 @@ fn places_note(document: &Iso9283Document, words: &Words) -> String {
     }
 }
 
-/// Where the poses are: means of the attained positions.
+/// Positions of the poses: means of the attained positions.
 fn places(document: &Iso9283Document, words: &Words) -> Table {
     let mut by_pose: BTreeMap<PoseName, Vec<Vector>> = BTreeMap::new();
     for visit in &document.visits {

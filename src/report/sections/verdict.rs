@@ -1,4 +1,4 @@
-//! The first thing a reader wants to know: are the limits met, and how much better did the robot get.
+//! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
 use super::limits::{judged, limits, name};
 use super::repeatability::quarter_sentence;
@@ -12,7 +12,7 @@ use etalon_documents::{
     ResidualSummary, Statistics, ToolAccuracy,
 };
 
-/// What the report is called: one of repeatability alone is called so.
+/// Title of the report; a test of repeatability alone has its own title.
 pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     let repeatability = tested.poses.as_ref().is_some_and(|d| d.poses.iter().all(|p| p.ap_mm.is_none()));
     match repeatability && tested.compliance.is_none() {
@@ -21,8 +21,8 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     }
 }
 
-/// Of everything that is judged: the result itself, the characteristics of ISO 9283, the instrument, and every limit that the
-/// campaign states.
+/// Verdict on everything that is judged: plausibility of the result, characteristics of ISO 9283,
+/// instrument, and all limits of the campaign.
 pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
     let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
     let class = match Conformity::of_all(limits.iter().map(|l| l.conformity)) {
@@ -36,7 +36,7 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
     sentences.extend(identified.zip(set).and_then(|(i, set)| largest_error(i.accuracy, set, words)));
     sentences.extend(identified.and_then(|i| unexplained(&i.parameters.residuals, words)));
     sentences.extend(characteristics(tested, words));
-    // of a test alone, the sentences on its characteristics say whether a limit is met
+    // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
     let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
@@ -55,7 +55,7 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
     }
 }
 
-/// How many limits are met, which are undecided, and by which rule.
+/// Number of limits met, undecided limits, and decision rule.
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
     let undecided: Vec<&str> =
@@ -81,7 +81,7 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     said.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// How the largest error changed, with its uncertainty and its limit.
+/// Change of the largest error, with its uncertainty and limit.
 fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
     let e = set.of(ErrorQuantity::Position)?;
     let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
@@ -106,7 +106,7 @@ fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) 
     Some(judged.map_or_else(|| format!("{changed}."), |judged| format!("{changed} {judged}.")))
 }
 
-/// How large the residuals are beside what the measurement explains.
+/// Size of the residuals relative to the measurement uncertainty.
 fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
     let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
@@ -120,14 +120,14 @@ fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
     })
 }
 
-/// Whether every limit is met and proven, and the result can be that of a robot.
+/// `true` if all limits are met and proved, and the result is plausible.
 pub(crate) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
     limits(identified, tested).iter().all(|l| l.met)
         && proven(tested)
         && identified.is_none_or(|i| i.parameters.is_plausible())
 }
 
-/// Of given parameters, judged on the data of a campaign.
+/// Verdict on given parameters, judged on the data of a campaign.
 pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
@@ -136,30 +136,30 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
     Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
 }
 
-/// Of a test without a campaign.
+/// Verdict of a test without a campaign.
 pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
     Verdict { met: proven(tested), sentences: characteristics(tested, words), ..Verdict::default() }
 }
 
-/// Whether the intervals of every pose prove every limit. They contain the instrument's uncertainty: that it exceeds a quarter of what
-/// it verifies is a warning.
+/// `true` if the intervals of all poses prove all limits. The intervals contain the instrument's
+/// uncertainty; that it exceeds a quarter of a characteristic is a warning.
 fn proven(tested: &Characteristics) -> bool {
     conformities(tested).all(|c| c == Conformity::Conforming)
 }
 
-/// Of an identification without a campaign.
+/// Verdict of an identification without a campaign.
 pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
     let sentences = alarm(document, words).into_iter().collect();
     Verdict { met: document.is_plausible(), sentences, ..Verdict::default() }
 }
 
-/// What the intervals prove of every limit of every pose.
+/// Conformities of all poses with all limits.
 fn conformities(tested: &Characteristics) -> impl Iterator<Item = Conformity> {
     let poses = tested.poses.iter().flat_map(|d| &d.poses);
     poses.flat_map(|p| PoseCharacteristic::ALL.map(|c| (c.conformity)(p))).flatten()
 }
 
-/// Why the numbers must not be used.
+/// Reason why the numbers must not be used.
 fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     let termination = document.solver.termination;
     match termination.is_success() {
@@ -169,7 +169,8 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     }
 }
 
-/// Validation poses were not used to fit: they decide where there are any.
+/// Set of the headlines: validation poses, which were not used in the fit, are decisive if there
+/// are any.
 fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
     let counted = || accuracy.sets.iter().filter(|s| s.count > 0);
     counted().find(|s| s.name == PoseSet::Validation).or_else(|| counted().next())
@@ -187,7 +188,7 @@ fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
         .collect()
 }
 
-/// The error to expect at the tool point.
+/// Headline of the expected error at the tool point.
 fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     let Shown { unit, factor } = number::shown("mm", tool.before.max);
     let text = |v: f64| number::significant(v * factor, 3);
@@ -206,15 +207,15 @@ fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f
     Headline { what, before: text(before), after: text(after), unit }
 }
 
-/// The worst accuracy and repeatability, whether they are within their limits and what their intervals prove, and whether the
-/// instrument is good enough.
+/// Sentences on the worst accuracy and repeatability: their limits, the evidence of their
+/// intervals, and the sufficiency of the instrument.
 fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let Some(document) = &tested.poses else { return Vec::new() };
     let of = |sentence: &str, of: PoseCharacteristic| {
         let all = document.poses.iter().filter_map(|p| Some(((of.value)(p)?, p.pose)));
         let (mm, pose) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let limit = document.limits.iter().find(|l| l.name == of.limit);
-        // with the digits that decide, also where it is close to the limit
+        // with the decisive digits, even close to the limit
         let apart_um = limit.map(|l| 1e3 * (l.limit - mm).abs());
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
@@ -231,7 +232,7 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     [accuracy, by_approach, repeatability, instrument].into_iter().flatten().collect()
 }
 
-/// RP of each approach by itself, where a pose has several: ISO 9283 visits a pose from one direction.
+/// RP of each approach, if a pose has several, because ISO 9283 visits a pose from one direction.
 fn pooled(document: &Iso9283Document, words: &Words) -> Option<String> {
     let several = document.approaches.iter().filter(|v| v.approaches.len() > 1);
     let of_pose = |v: &Iso9283Variation| {
@@ -255,7 +256,7 @@ fn within(within: bool, allowed: &str, words: &Words) -> String {
     }
 }
 
-/// Which poses conform by ISO 14253-1, where a limit is stated.
+/// Conformity of the poses by ISO 14253-1, if a limit is stated.
 fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words) -> Option<String> {
     let poses = |what| -> Vec<String> {
         document.poses.iter().filter(|p| (of.conformity)(p) == Some(what)).map(|p| p.pose.to_string()).collect()
@@ -307,7 +308,7 @@ mod tests {
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
-        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, "mm", 0.05, 0.0442, u, DecisionRule::Guarded);
+        let limit = |u| LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.0442, u, DecisionRule::Guarded);
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = of(&documents);
         assert!(

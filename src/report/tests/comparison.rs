@@ -1,4 +1,4 @@
-//! Every kind of the report of a comparison: what it must show, in which language, and what it must survive.
+//! Comparison reports of all kinds: contents, languages, and unusual input.
 
 use super::page::with_text;
 use super::workbook::only_texts_and_numbers;
@@ -27,7 +27,7 @@ fn demo() -> CompareDocument {
     compare(&[first, compared("autumn", later, demo_streams::streams())]).unwrap()
 }
 
-/// The same with one text in place of every name.
+/// The demo with one text in place of every name.
 fn named(text: &str) -> CompareDocument {
     let streams = |path: usize| {
         let mut streams = demo_streams::streams();

@@ -1,4 +1,4 @@
-//! Documents to try the report on: a campaign like the thesis', with synthetic errors.
+//! Documents for trying the report: a campaign like the thesis', with synthetic errors.
 
 use crate::{Identified, Report};
 use etalon_base::message::{Message, Place};
@@ -8,7 +8,7 @@ use etalon_documents::ResidualKind;
 use etalon_documents::Termination;
 use etalon_documents::*;
 
-/// An error of pose `pose`, cycle 1, target K, calibration.
+/// Error of pose `pose`, cycle 1, target K, calibration.
 pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vector) -> PointError {
     let (set, target) = (PoseSet::Calibration, "K".to_owned());
     PointError {
@@ -23,10 +23,11 @@ pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vecto
         after_deg: None,
         joints: vec![],
         reliability: None,
+        own_redundancy: None,
     }
 }
 
-/// All that a report is made from.
+/// Documents of a report.
 pub(crate) struct Documents {
     pub campaign: CampaignSummary,
     pub import: ImportDocument,
@@ -56,7 +57,8 @@ impl Documents {
         Identified { parameters: &self.parameters, accuracy: &self.accuracy, errors: &self.errors }
     }
 
-    /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of table 3.4's size.
+    /// A campaign like the thesis': 59 poses on two circles, 5 cycles, errors of the size of table
+    /// 3.4.
     pub fn demo() -> Self {
         let errors = errors();
         let statistics =
@@ -79,9 +81,8 @@ impl Documents {
                 error(ErrorQuantity::Orientation, "deg", 0.1035, 0.0033),
             ],
         };
-        let limit = |name, unit: &str, limit: f64, value: f64| {
-            LimitVerdict::of(name, unit, limit, value, Some(0.0038), DecisionRule::Guarded)
-        };
+        let limit =
+            |name, limit: f64, value: f64| LimitVerdict::of(name, limit, value, Some(0.0038), DecisionRule::Guarded);
         Self {
             tested: Characteristics::default(),
             campaign: CampaignSummary {
@@ -115,11 +116,13 @@ impl Documents {
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
+                placed_apart: Vec::new(),
+                effects: Vec::new(),
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 budget: Vec::new(),
                 limits: vec![
-                    limit(LimitQuantity::PositionMaxMm, "mm", 0.050, 0.0442),
-                    limit(LimitQuantity::OrientationMaxDeg, "deg", 0.010, 0.0056),
+                    limit(LimitQuantity::PositionMaxMm, 0.050, 0.0442),
+                    limit(LimitQuantity::OrientationMaxDeg, 0.010, 0.0056),
                 ],
                 tool: None,
                 map: None,
@@ -151,6 +154,7 @@ fn errors() -> Vec<PointError> {
                 after_deg: Some(draw()),
                 joints: vec![],
                 reliability: None,
+                own_redundancy: None,
             });
         }
     }
@@ -219,6 +223,7 @@ fn frames() -> FramesDocument {
             max_mm: None,
             reference_mm: vec![],
         },
+        not_controlled: vec![],
     }
 }
 
@@ -324,7 +329,7 @@ fn residuals() -> ResidualSummary {
     }
 }
 
-/// Eleven values over a condition number of 46.9.
+/// Eleven values for a condition number of 46.9.
 fn singular_values() -> Vec<SingularValueEntry> {
     let value = |i: i32| 2.345 * 46.9f64.powf(-f64::from(i) / 10.0);
     let parameters = |i: i32| if i == 10 { vec!["beta".to_owned(), "x_o".to_owned()] } else { vec![] };

@@ -1,14 +1,14 @@
-//! A test of repeatability to try the report on: two poses, thirty visits each, synthetic.
+//! Repeatability test for trying the report: two poses with thirty visits each, synthetic.
 
 use etalon_base::noise::Noise;
 use etalon_documents::*;
 
-/// The test alone.
+/// Repeatability test alone.
 pub(crate) fn tested() -> Characteristics {
     Characteristics { poses: Some(iso9283()), ..Characteristics::default() }
 }
 
-/// With everything that commanded poses, sets, reference targets, robots and loads add.
+/// Test with commanded poses, sets, reference targets, robots and loads.
 pub(crate) fn whole() -> Characteristics {
     let mut poses = iso9283();
     let interval = |low_mm, high_mm| Some(Iso9283Interval { low_mm, high_mm });
@@ -46,7 +46,7 @@ pub(crate) fn whole() -> Characteristics {
     let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
     poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
     let limit = |name, limit, value, conformity| {
-        LimitVerdict::of(name, "mm", limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
+        LimitVerdict::of(name, limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
     };
     poses.limits = vec![
         limit(LimitQuantity::AccuracyMaxMm, 0.052, 0.0512, Conformity::Neither),

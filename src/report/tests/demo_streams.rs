@@ -1,4 +1,4 @@
-//! Recorded motions to try the report on: a path with a corner and a weave, synthetic.
+//! Recorded motions for trying the report: a path with a corner and a weave, synthetic.
 
 use etalon_documents::*;
 

@@ -1,4 +1,4 @@
-//! What every kind of report must show, survive and never contain.
+//! Requirements on all kinds of reports: required contents, unusual input, forbidden contents.
 
 #[cfg(test)]
 mod comparison;

@@ -1,4 +1,4 @@
-//! The whole page: what it must show, what it must survive, what it must never contain.
+//! Whole page: required contents, unusual input, forbidden contents.
 
 use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams};
@@ -10,7 +10,7 @@ fn html(report: &Report) -> Result<String> {
     Ok(String::from_utf8(Faces::campaign(report)?.file("html")?).unwrap())
 }
 
-/// The page alone.
+/// Page alone.
 fn page(documents: &Documents) -> String {
     let words = &Words::of(documents.campaign.report.language).unwrap();
     super::super::html::html(&documents.report().contents(words), &documents.campaign.report, words).unwrap()
@@ -40,8 +40,28 @@ fn the_demo_page_has_what_a_reader_needs() {
     {
         assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // eight of the errors, three of the parameters, one of the budget, two of the residuals, one of the singular values
+    // eight figures of errors, three of parameters, one of the budget, two of residuals, one of
+    // singular values
     assert_eq!(page.matches("<svg").count(), 15);
+}
+
+/// A parameter is effective if residuals exceed the instrument's uncertainty, and if most of the
+/// parameter's uncertainty is due to the model.
+#[test]
+fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_table() {
+    let mut documents = Documents::demo();
+    assert!(!page(&documents).contains("Effective rather than physical"));
+    let parameters = &mut documents.parameters;
+    parameters.residuals.uncertainties_from = etalon_documents::UncertaintyFrom::ResidualsByRegion;
+    let of: Vec<(String, f64)> =
+        parameters.identified().map(|p| (p.name.clone(), p.standard_uncertainty.unwrap())).collect();
+    let share = |k: usize| if k == 1 { 0.8 } else { 0.6 };
+    parameters.budget = vec![etalon_documents::BudgetSource {
+        source: etalon_documents::UncertaintySource::Model,
+        standard_uncertainties: of.iter().enumerate().map(|(k, (_, u))| share(k) * u).collect(),
+    }];
+    assert_eq!(parameters.effective(), [of[1].0.as_str()]);
+    assert!(page(&documents).contains(&format!("Effective rather than physical: {}.", of[1].0)));
 }
 
 #[test]
@@ -109,7 +129,7 @@ pub(crate) fn with_text(text: &str) -> Documents {
     d.accuracy.definition = t();
     d.accuracy.sets.iter_mut().flat_map(|s| &mut s.errors).for_each(|e| e.unit = t());
     d.accuracy.limits.iter_mut().for_each(|l| l.unit = t());
-    // one set: the page stays below the size from which the titles of marks are data
+    // a single set keeps the page below the size at which titles of marks become data
     d.errors.iter_mut().for_each(|e| (e.set, e.target) = (PoseSet::Calibration, t()));
     d
 }
@@ -201,7 +221,7 @@ fn a_test_report_has_what_the_standard_asks_for() {
     assert!(page.contains("Not stated: ") && page.contains("2 poses, 30 visits of each"));
 }
 
-/// The calibration report and the test report in a language, both with recorded motions.
+/// Calibration report and test report in a language, both with recorded motions.
 fn in_language(language: Language) -> [String; 2] {
     let mut documents = Documents::demo();
     documents.campaign.report.language = language;
@@ -210,7 +230,7 @@ fn in_language(language: Language) -> [String; 2] {
     [html(&report).unwrap(), html(&Report { identified: None, ..report }).unwrap()]
 }
 
-/// Texts of a section of a page, those left out that are marked as English.
+/// Texts of a section of a page, except for those marked as English.
 fn texts<'a>(page: &'a str, id: &str) -> impl Iterator<Item = &'a str> {
     let section = page.split_once(&format!("<section id=\"{id}\">")).unwrap().1;
     let section = section.split_once("</section>").unwrap().0;
@@ -230,7 +250,7 @@ fn recorded_motions_are_in_the_language_of_the_report() {
                 continue;
             }
             compared += 1;
-            // what reads alike in both languages
+            // texts that are equal in both languages
             let numbers: String = english.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
             let is_alike = words.translates(english) || numbers == words.fill("pose {0}", &[&0]);
             assert!(other != english || is_alike, "{language:?}: {english}");
@@ -249,7 +269,7 @@ fn a_page_speaks_one_language_and_marks_what_is_english() {
         assert!(pages[0].contains(verdict) && pages[0].contains("<bdi lang=\"en\">Error: measured minus predicted."));
         for (page, english) in pages.iter().zip(&english) {
             assert!(page.contains(&format!("<html lang=\"{}\">", language.code())));
-            // one note more: on the texts of the campaign
+            // one additional note, on the texts of the campaign
             let tags = |page: &str| page.matches('<').count() - 2 * page.matches("<bdi lang=\"en\">").count();
             assert_eq!(tags(page), tags(english) + 2);
             let own = |text: &&String| text.len() > 9 && english.contains(&format!(">{text}<"));

@@ -1,4 +1,4 @@
-//! The terminal: the verdict and the tables of the same sections that the files are drawn from.
+//! Terminal: verdict and tables of the same sections as in the files.
 
 use super::demo::Documents;
 use super::page::with_text;
@@ -10,7 +10,7 @@ fn shown(documents: &Documents) -> String {
     Faces::campaign(&documents.report()).unwrap().terminal()
 }
 
-/// An identification, poses, loads and a recorded motion.
+/// Documents with an identification, poses, loads and a recorded motion.
 fn everything() -> Documents {
     let mut documents = Documents::demo();
     documents.tested = demo_iso9283::whole();
@@ -35,7 +35,7 @@ fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     let judged = |row: &&str| ["verdict", "met", "UNDECIDED"].iter().find_map(|word| row.rfind(word));
     let verdicts = table.iter().map(judged);
     assert!(verdicts.clone().all(|at| at.is_some() && at == verdicts.clone().next().unwrap()), "{table:?}");
-    // what the reader needs a file for
+    // contents reserved for files
     for part in ["Provenance", "Warnings and remarks", "definition", "Frames and features", "SHA-256"] {
         assert!(!shown.contains(part), "{part}: {shown}");
     }
@@ -54,7 +54,7 @@ fn the_exit_code_follows_the_verdict_that_is_shown() {
     assert!(judge(Conformity::Conforming).is_met());
     let faces = judge(Conformity::NotConforming);
     assert!(!faces.is_met() && faces.terminal().contains("NOT MET"));
-    // of a test without a campaign every pose must conform
+    // in a test without a campaign every pose must conform
     let mut alone = demo_iso9283::whole();
     assert!(!Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("poses 1, 2 are undecided."));
     alone.poses.as_mut().unwrap().poses.iter_mut().for_each(conform);

@@ -1,4 +1,4 @@
-//! What the workbook must survive.
+//! Workbook with unusual input.
 
 use super::demo::Documents;
 use super::page::with_text;
@@ -17,7 +17,7 @@ fn read(documents: &Documents) -> Xlsx<Cursor<Vec<u8>>> {
     calamine::open_workbook_from_rs(Cursor::new(bytes)).unwrap()
 }
 
-/// A workbook without a formula, whatever its texts look like.
+/// Checks that a workbook contains no formula, whatever its texts look like.
 pub(crate) fn only_texts_and_numbers(bytes: Vec<u8>) -> Xlsx<Cursor<Vec<u8>>> {
     let mut book: Xlsx<_> = calamine::open_workbook_from_rs(Cursor::new(bytes)).unwrap();
     for sheet in book.sheet_names() {

@@ -1,13 +1,13 @@
-//! What quantities and families of a comparison are called, and their changes in words.
+//! Names of quantities and families of a comparison, and their changes in words.
 //!
-//! Documents name them in English; names of parameters and streams stay.
+//! Documents name them in English; names of parameters and streams are kept.
 
 use super::Words;
 use crate::number;
 use etalon_base::message::one_line;
 use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue};
 
-/// A family in words.
+/// Name of a family.
 pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
     match family {
         CompareFamily::Robot => words.say("Parameters of the robot"),
@@ -21,7 +21,7 @@ pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
     }
 }
 
-/// What a picture or a row is of.
+/// Subject of a figure or row.
 pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
     let name = &one_line(&trend.name);
     let named = match trend.family {
@@ -36,14 +36,14 @@ pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
     named.unwrap_or_else(|| name.clone())
 }
 
-/// `position of calibration poses, before`
+/// Name of an error: `position of calibration poses, before`.
 fn error(name: &str, words: &Words) -> Option<String> {
     let (quantity, rest) = name.split_once(" of ")?;
     let (set, when) = rest.rsplit_once(" poses, ")?;
     Some(words.fill("Mean error: {0} of {1} poses, {2}", &[&words.say(quantity), &words.say(set), &words.say(when)]))
 }
 
-/// `AP, pose 3`, `mean x, pose 3` or `RP, homing`
+/// Name of a pose characteristic: `AP, pose 3`, `mean x, pose 3` or `RP, homing`.
 fn of_pose(name: &str, words: &Words) -> Option<String> {
     let (what, place) = name.split_once(", ")?;
     let what = match what.strip_prefix("mean ") {
@@ -57,26 +57,26 @@ fn of_pose(name: &str, words: &Words) -> Option<String> {
     Some(format!("{what}, {place}"))
 }
 
-/// A change ready to print; what is not known is empty.
+/// A change in printable form; unknown values are empty.
 pub(crate) struct Change {
-    /// Which campaign from which.
+    /// Later and earlier campaign.
     pub pair: String,
-    /// The change with its unit, or the ratio.
+    /// Change with its unit, or ratio.
     pub change: String,
-    /// Its interval.
+    /// Interval of the change.
     pub interval: String,
     /// Probability by chance.
     pub p: String,
-    /// The same, corrected for the number of quantities.
+    /// Probability corrected for the number of quantities.
     pub p_family: String,
 }
 
-/// A unit as it follows a number.
+/// Unit after a number.
 pub(crate) fn unit(unit: &str) -> String {
     if unit == "1" { String::new() } else { one_line(unit) }
 }
 
-/// Half the interval: what the digits of a value follow.
+/// Half of the interval, which determines the digits of a value.
 pub(crate) fn half(v: &CompareValue) -> Option<f64> {
     Some(0.5 * (v.high? - v.low?))
 }
@@ -91,12 +91,12 @@ pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
     }
 }
 
-/// Which campaign from which.
+/// Later and earlier campaign in words.
 pub(crate) fn pair(c: &CompareChange, words: &Words) -> String {
     words.fill("{0} from {1}", &[&c.to, &c.from])
 }
 
-/// A change of a quantity.
+/// Printable form of a change.
 pub(crate) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Change {
     let half = c.low.zip(c.high).map(|(low, high)| 0.5 * (high - low));
     let shown = |number: f64| number::with_uncertainty(number, half);

@@ -87,12 +87,9 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
     }
-    let observations = campaign.file.observations.as_ref().and_then(|stated| {
-        let mut tables = CampaignTables { campaign, sources: Vec::new() };
-        let table = problems.keep(tables.observations(stated));
-        sources.append(&mut tables.sources);
-        table
-    });
+    let mut tables = CampaignTables { campaign, sources: Vec::new() };
+    let observations = problems.keep(tables.all_observations(&campaign.file.observations)).flatten();
+    sources.append(&mut tables.sources);
     let (logs, said) = logs(campaign, &mut sources, &mut problems);
     let left_out = problems.keep(excluded::leave_out(campaign, &mut columns, &mut sources)).unwrap_or_default();
     problems.0.extend(columns.measured_twice(campaign));
@@ -127,9 +124,8 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
 fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems) -> (Vec<JointLog>, Vec<Message>) {
     let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
-        let read = campaign
-            .resolve(&stated.file)
-            .and_then(|path| etalon_formats::read_text(&path, stated.encoding, &campaign.place(&stated.file)));
+        let here = campaign.place(&stated.file);
+        let read = campaign.resolve(&stated.file).and_then(|path| stated.text(&path).map_err(|more| more.at(&here)));
         match read.and_then(|(text, bytes)| {
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);
@@ -147,7 +143,30 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
             Err(more) => problems.0.extend(more.0),
         }
     }
-    (logs, said)
+    let mixed = campaign.file.exports.iter().any(|export| !export.joints.is_empty());
+    (if mixed && logs.len() > 1 { vec![together(logs)] } else { logs }, said)
+}
+
+/// One log of the joints of several exports, whose rows keep their numbers in their files.
+fn together(logs: Vec<JointLog>) -> JointLog {
+    let mut all = JointLog::default();
+    for (log, number) in logs.into_iter().zip(1..) {
+        // joints of a file may be in another order
+        let order: Vec<Option<usize>> = match all.joints.is_empty() {
+            true => (0..log.joints.len()).map(Some).collect(),
+            false => all.joints.iter().map(|name| log.joints.iter().position(|other| other == name)).collect(),
+        };
+        if all.rows.is_empty() {
+            all = JointLog { rows: Vec::new(), ..log.clone() };
+        }
+        all.files.push(log.file);
+        all.rows.extend(log.rows.into_iter().map(|row| LogRow {
+            file: Some(number),
+            joints: order.iter().map(|k| k.and_then(|k| row.joints.get(k).copied()).unwrap_or(f64::NAN)).collect(),
+            ..row
+        }));
+    }
+    all
 }
 
 /// The points that an export brings if this is its text, before rules about blunders.

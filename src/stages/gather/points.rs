@@ -1,5 +1,6 @@
 //! Points of all exports, and what a campaign states of them.
 
+use crate::stages::resolution;
 use etalon_base::cell::is_formula;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pattern::matches_pattern;
@@ -21,7 +22,7 @@ impl PointColumns {
     /// Adds what can be read of the text of an export; gives what is wrong with it.
     pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &Arc<str>, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
-        let (rows, mut problems) = export.format.read(file, text, export.unit);
+        let (mut rows, mut problems) = export.format.read(file, text, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
             problems.0.push(Message::error(format!("`{file}` holds no points")).hint(
                 "export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text reads",
@@ -29,6 +30,7 @@ impl PointColumns {
         }
         problems = problems.at(&campaign.place(&export.file));
         self.remarks.extend(super::rounding::coarse(campaign, export, &rows));
+        self.remarks.extend(resolution::of_export(campaign, export, &mut rows));
         problems.0.extend(self.add(campaign, export, rows, source).0);
         problems
     }

@@ -1,5 +1,6 @@
 //! Coordinates that an export rounded away.
 
+use crate::stages::resolution::step;
 use etalon_base::message::Message;
 use etalon_campaign::Campaign;
 use etalon_formats::{Export, Point};
@@ -7,6 +8,13 @@ use std::collections::BTreeSet;
 
 /// Fewest different values of a column: fewer may all be round by chance, or be commanded heights.
 const FEWEST: usize = 8;
+/// Fewest where other columns have more decimals.
+const FEW: usize = 3;
+/// Probability below which values are not round by chance.
+const BY_CHANCE: f64 = 1e-6;
+/// Most decimals that tell how finely a column is written, and the step of one with more.
+const ALL_DECIMALS: i32 = 9;
+const LEAST_STEP: f64 = 1e-10;
 /// Most decimals of a step that is looked for.
 const MOST_DECIMALS: i32 = 4;
 
@@ -24,9 +32,16 @@ pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Op
         let values = || measured.iter().map(move |p| p.xyz_mm[axis] / in_mm);
         let different: BTreeSet<u64> = values().map(f64::to_bits).collect();
         // a constant column is no coordinate that was measured
-        (different.len() > 1).then(|| (name, step(values()).filter(|_| different.len() >= FEWEST)))
+        let all = || step(values(), ALL_DECIMALS).unwrap_or(LEAST_STEP);
+        (different.len() > 1).then(|| (name, different.len(), step(values(), MOST_DECIMALS), all()))
     });
-    let columns: Vec<(&str, Option<f64>)> = columns.collect();
+    let columns: Vec<(&str, usize, Option<f64>, f64)> = columns.collect();
+    // of few values each is a multiple by chance with the ratio of the finest step to its own
+    let finest = columns.iter().map(|column| column.3).fold(f64::INFINITY, f64::min);
+    let by_chance = |count: usize, step: f64| (finest / step).powi(count as i32);
+    let is_shown = |count: usize, step: f64| count >= FEWEST || count >= FEW && by_chance(count, step) < BY_CHANCE;
+    let columns: Vec<(&str, Option<f64>)> =
+        columns.iter().map(|(name, count, step, _)| (*name, step.filter(|step| is_shown(*count, *step)))).collect();
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();
     let is_coarse = |step: f64| step * in_mm / 12f64.sqrt() > instrument_mm;
     let coarse: Vec<(&str, f64)> =
@@ -40,13 +55,4 @@ pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Op
         format!("columns of `{file}` hold multiples of a step that is coarser than the instrument is uncertain: {each}")
     };
     Some(Message::warning(what).at(campaign.place(&export.file)).hint("export them with more decimals"))
-}
-
-/// The largest step, a power of ten not above one, of which all values are multiples.
-fn step(values: impl Iterator<Item = f64> + Clone) -> Option<f64> {
-    let whole = |digits: &i32| {
-        let tens = 10f64.powi(*digits);
-        values.clone().all(|v| (v * tens - (v * tens).round()).abs() < 1e-6)
-    };
-    (0..=MOST_DECIMALS).find(whole).map(|digits| 10f64.powi(-digits))
 }

@@ -73,14 +73,10 @@ pub fn evaluate(
     gathered: &Gathered,
     frames: &FramesDocument,
 ) -> Result<Characteristics> {
-    let settings = settings(campaign);
     let mut poses = match (&data.poses, &campaign.file.poses, &campaign.file.repeatability) {
-        (Some(attained), Some(definition), _) => Some(of_tables(attained, definition, settings)?),
+        (Some(attained), Some(definition), _) => Some(of_tables(attained, definition, settings(campaign))?),
         (None, _, Some(labelled)) => {
-            let drift_set = labelled.drift_set.as_ref().map(|set| *set.get_ref());
-            let settings = PoseTestSettings { drift_set, ..settings };
-            let commanded = data.commanded.as_ref();
-            Some(repeatability::evaluate(campaign, labelled, &gathered.points, commanded, frames, &settings)?)
+            Some(repeatability::evaluate(campaign, labelled, &gathered.points, data.commanded.as_ref(), frames)?)
         }
         _ => None,
     };
@@ -196,7 +192,7 @@ pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
         let value = largest(&worst);
         let expanded = (of.interval)(worst).map(|i| i.high_mm - value);
         let conformity = Conformity::of_all(poses.iter().filter_map(of.conformity));
-        all.push(LimitVerdict::of(name, "mm", limit, value, expanded, rule).with(conformity));
+        all.push(LimitVerdict::of(name, limit, value, expanded, rule).with(conformity));
     }
     Ok(all)
 }

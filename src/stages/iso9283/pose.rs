@@ -28,10 +28,12 @@ pub(crate) struct PreparedTest {
 }
 
 impl PoseTables {
-    /// Those of a command.
-    pub fn read(attained: &Path, commanded: Option<&Path>, reference: Option<&Path>) -> Result<Self> {
-        let read = |path: Option<&Path>| path.map(TableFile::read).transpose();
-        Ok(Self::of(TableFile::read(attained)?, read(commanded)?, read(reference)?))
+    /// Those of a command, attained, commanded and reference, each by the same reader.
+    pub fn read(files: [Option<&Path>; 3], read: &dyn Fn(&Path) -> Result<TableFile>) -> Result<Self> {
+        let [attained, commanded, reference] = files;
+        let none = || Message::error("there is no table of attained poses");
+        let (commanded, reference) = (commanded.map(read).transpose()?, reference.map(read).transpose()?);
+        Ok(Self::of(read(attained.ok_or_else(none)?)?, commanded, reference))
     }
 
     /// Tables that are read already.
@@ -43,7 +45,9 @@ impl PoseTables {
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         let mut problems = Problems::default();
         let mut read = |file: &Spanned<String>, holds: &str| {
-            files.read(file, holds).map_err(|more| problems.0.extend(more.0)).ok()
+            let layout = definition.layout(holds == "attained poses");
+            let table = files.laid_out(file, holds, layout, definition.encoding);
+            table.map_err(|more| problems.0.extend(more.0)).ok()
         };
         let attained = read(&definition.attained, "attained poses");
         let commanded = read(&definition.commanded, "commanded poses");

@@ -1,6 +1,6 @@
 //! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
 
-use crate::stages::iso9283::COVERAGE_FACTOR;
+use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
@@ -25,14 +25,15 @@ pub fn evaluate(
     points: &[Point],
     commanded: Option<&Commanded>,
     frames: &FramesDocument,
-    settings: &PoseTestSettings,
 ) -> Result<Iso9283Document> {
     let [frame] = &frames.world.poses[..] else {
         let message = Message::error("[repeatability] needs a world frame that is measured once");
         return Err(message.at(campaign.world_place()).into());
     };
     let gathered = gather(campaign, definition, points, commanded, &frame.export_T_world)?;
-    let mut document = Iso9283Document::evaluate(&gathered.visits, settings)?;
+    let drift_set = definition.drift_set.as_ref().map(|set| *set.get_ref());
+    let settings = PoseTestSettings { drift_set, ..settings(campaign) };
+    let mut document = Iso9283Document::evaluate(&gathered.visits, &settings)?;
     document.conventions.push(format!(
         "approach: the pose before in the trajectory; the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the world \
          frame ({})",
@@ -44,7 +45,7 @@ pub fn evaluate(
         );
     }
     if let Some(homings) = &gathered.homings {
-        let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings.clone() };
+        let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings };
         let homing = Iso9283Document::evaluate(homings, &settings)?.poses.pop();
         document.messages.extend(homing.as_ref().and_then(too_coarse));
         document.homing = homing;
@@ -81,7 +82,9 @@ pub fn gather(
     let world_T_export = export_T_world.inverse();
     let mut warnings = Vec::new();
     let in_order = visits.map_or_else(Vec::new, |step| {
-        in_order(campaign, definition, step, &world_T_export, &mut warnings, &mut problems)
+        let (visits, missing) = in_order(campaign, definition, step, &world_T_export, &mut problems);
+        warnings.extend(missing);
+        visits
     });
     problems.check()?;
     let homings = homings.flatten().map(|step| {
@@ -181,16 +184,16 @@ fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Prob
     problems
 }
 
-/// The visits of every cycle along the trajectory. Of a pose that a cycle passes several times all visits must be there:
-/// otherwise it is not known which one is missing.
+/// The visits of every cycle along the trajectory. Of a pose that a cycle passes several times all
+/// visits must be there: otherwise it is not known which one is missing. A warning names the poses
+/// and cycles without a visit.
 fn in_order(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
     mut step: PointGroup,
     world_T_export: &Pose,
-    warnings: &mut Vec<Message>,
     problems: &mut Problems,
-) -> Vec<Iso9283Visit> {
+) -> (Vec<Iso9283Visit>, Option<Message>) {
     let trajectory = definition.trajectory.get_ref();
     let place = || campaign.place(&definition.label);
     let cycles: BTreeSet<i64> = step.keys().map(|key| key.0).collect();
@@ -227,11 +230,11 @@ fn in_order(
         }
     }
     problems.0.truncate(20);
-    if !missing.is_empty() {
+    let warning = (!missing.is_empty()).then(|| {
         let shown = missing.iter().take(10).cloned().collect::<Vec<_>>().join(", ");
         let more = if missing.len() > 10 { ", ..." } else { "" };
-        warnings.push(Message::warning(format!("not measured: {shown}{more}")).at(place()));
-    }
+        Message::warning(format!("not measured: {shown}{more}")).at(place())
+    });
     let mut all = Vec::new();
     for &cycle in &cycles {
         for (i, pose) in trajectory.iter().enumerate() {
@@ -243,7 +246,7 @@ fn in_order(
             }
         }
     }
-    all
+    (all, warning)
 }
 
 fn by_pose(in_order: &[Iso9283Visit], warnings: Vec<Message>) -> PoseTest {

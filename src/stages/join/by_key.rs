@@ -15,13 +15,21 @@ type Keys = BTreeMap<Key, Vec<usize>>;
 
 /// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
 pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
-    let number = |key: &str, row: i64, pose: Option<PoseName>, cycle: Option<i64>| match key {
+    let number = |key: &str, [row, file]: [i64; 2], pose: Option<PoseName>, cycle: Option<i64>| match key {
         "row" => Some(row.into()),
+        "file" => Some(file.into()),
         "pose" => pose,
         _ => cycle.map(PoseName::from),
     };
-    let measured = collected(keys, targets, |t: &Target, key| number(key, t.point.row, t.point.pose, t.point.cycle))?;
-    let logged = collected(keys, &log.rows, |row, key| number(key, row.row, row.pose, row.cycle))?;
+    // joints in several exports: a row meets the one of its file
+    let several = keys == ["row"] && !log.files.is_empty();
+    let keys = if several { &["row", "file"] } else { keys };
+    let file = |name: &str| log.files.iter().position(|file| file == name).map_or(0, |i| i as i64 + 1);
+    let measured = collected(keys, targets, |t: &Target, key| {
+        number(key, [t.point.row, file(&t.point.export)], t.point.pose, t.point.cycle)
+    })?;
+    let logged =
+        collected(keys, &log.rows, |row, key| number(key, [row.row, row.file.unwrap_or(0)], row.pose, row.cycle))?;
     let name = &log.name;
     let twice = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, rows)| {
         let at: Vec<String> = rows.iter().map(|&row| log.rows[row].line.to_string()).collect();
@@ -63,7 +71,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     report("key of log", "keys of log", &row, &logged, &measured, "no measured point has this key");
     let met = measured.iter().filter_map(|(key, rows)| Some((rows, &log.rows[*logged.get(key)?.first()?])));
     let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&i| (&targets[i], met)));
-    if keys == ["row"] {
+    if keys[0] == "row" {
         contradictions(log, pairs.clone().map(|(target, met)| (target.point, met)))?;
     }
     Ok(pairs.map(|(target, met)| Row::of(target, met)).collect())

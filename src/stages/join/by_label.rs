@@ -20,8 +20,7 @@ pub(super) fn by_label(
     frames: &FramesDocument,
     log: &JointLog,
     robot: &dyn Robot,
-    remarks: &mut Remarks,
-) -> Result<Vec<Row>> {
+) -> Result<(Vec<Row>, Remarks)> {
     let name = &log.name;
     if robot.targets().len() != 1 {
         let what = format!("a join by label is for robots with one target, this has {}", robot.targets().len());
@@ -49,6 +48,7 @@ pub(super) fn by_label(
             cycle: row.cycle.or(Some(1)),
             target: 0,
             world_mm: world_T_export.apply(mean.at_mm),
+            orientation: None,
             covariance_mm2: mean.covariance_mm2.map(|c| turned(&c, &world_T_export.rotation)),
             time_s: row.time_s,
             assembly: row.assembly,
@@ -57,6 +57,7 @@ pub(super) fn by_label(
         });
     }
     problems.check()?;
+    let mut remarks = Remarks::default();
     let frame_points: BTreeSet<&str> = crate::stages::gather::used_labels(campaign).into_iter().collect();
     let idle = |label: &&str| !used.contains(label) && !frame_points.contains(label);
     let idle: BTreeSet<&str> = measured.keys().copied().filter(idle).collect();
@@ -67,7 +68,7 @@ pub(super) fn by_label(
         let alone = points.iter().filter(|p| idle.contains(&*p.label));
         remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.to_string(), &reason)));
     }
-    Ok(rows)
+    Ok((rows, remarks))
 }
 
 /// The mean of the points of one label, in the coordinates of the exports.

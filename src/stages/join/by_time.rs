@@ -41,7 +41,8 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
             let before = spans.partition_point(|s| s.1 < t.saturating_sub(tolerance_ns));
             spans.partition_point(|s| s.0 <= t.saturating_add(tolerance_ns)).saturating_sub(before)
         };
-        report_several(targets, &times, &within, clocks, name, remarks);
+        let several = times.iter().map(|&t| within(t)).enumerate().filter(|(_, rows)| *rows > 1).collect();
+        report_several(targets, several, clocks, name, remarks);
     }
     report_alone(targets, &met, clocks, name, remarks);
     let used: BTreeSet<usize> =
@@ -111,18 +112,9 @@ fn unmatched(target: &Target, reason: &str) -> Unmatched {
     At::point(target.point).unmatched(at(target.point.time_s.unwrap_or(f64::NAN)), reason)
 }
 
-/// Points that could have met several rows.
-fn report_several(
-    targets: &[Target],
-    times: &[i64],
-    within: &dyn Fn(i64) -> usize,
-    clocks: Clocks,
-    name: &str,
-    remarks: &mut Remarks,
-) {
+/// Points that could have met `several` rows, by their indices, with the number of these rows.
+fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Clocks, name: &str, remarks: &mut Remarks) {
     let tolerance_s = clocks.tolerance_s;
-    let several: Vec<(usize, usize)> =
-        times.iter().map(|&t| within(t)).enumerate().filter(|(_, rows)| *rows > 1).collect();
     if several.is_empty() {
         return;
     }

@@ -55,6 +55,13 @@ struct Remarks {
     unmatched: Vec<Unmatched>,
 }
 
+impl Remarks {
+    fn extend(&mut self, more: Self) {
+        self.messages.extend(more.messages);
+        self.unmatched.extend(more.unmatched);
+    }
+}
+
 /// A target of the robot in the world.
 struct Target<'a> {
     point: &'a Point,
@@ -62,6 +69,8 @@ struct Target<'a> {
     index: usize,
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
+    /// Orientation of the body in the world, as a quaternion.
+    orientation: Option<[f64; 4]>,
 }
 
 /// A target with the joint values at which it was measured.
@@ -71,6 +80,7 @@ struct Row {
     target: usize,
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
+    orientation: Option<[f64; 4]>,
     /// of the export or, where it has none, of the log
     time_s: Option<f64>,
     assembly: Option<f64>,
@@ -88,6 +98,7 @@ impl Row {
             target: target.index,
             world_mm: target.world_mm,
             covariance_mm2: target.covariance_mm2,
+            orientation: target.orientation,
             time_s: target.point.time_s.or(met.time_s),
             assembly: met.assembly,
             joints: met.joints.clone(),
@@ -115,8 +126,13 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
     for log in &imported.logs {
         let log = &*with_directions(log, robot)?;
         let joined = match definition.by {
-            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot, &mut remarks),
-            _ => with_log(campaign, definition, imported, &targets, log, &mut remarks),
+            JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot).map(|(rows, more)| {
+                remarks.extend(more);
+                rows
+            }),
+            JoinBy::Row => equal_counts(campaign, imported, targets.iter().map(|t| t.point), log)
+                .and_then(|()| with_log(campaign, definition, &targets, log, &mut remarks)),
+            _ => with_log(campaign, definition, &targets, log, &mut remarks),
         };
         let joined = joined.map(|rows| leave_out_unknown(rows, log, &mut remarks));
         let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
@@ -130,7 +146,13 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
                     remarks.messages.extend(moved_out);
                     remarks.messages.extend(joined.incomplete());
                 }
-                observations.push((log.name.clone(), Observations::Log(joined)));
+                // poses are rows of a table of observations
+                let observed = if joined.has_orientations() {
+                    Observations::Table(joined.table()?)
+                } else {
+                    Observations::Log(joined)
+                };
+                observations.push((log.name.clone(), observed));
             }
             Err(more) => problems.0.extend(more.at(&campaign.place_of(&["join", "by"])).0),
         }
@@ -143,7 +165,6 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
 fn with_log(
     campaign: &Campaign,
     join: &Join,
-    imported: &Gathered,
     targets: &[Target],
     log: &JointLog,
     remarks: &mut Remarks,
@@ -151,10 +172,7 @@ fn with_log(
     let joined = match join.by {
         JoinBy::PoseAndCycle => by_key(targets, log, &["pose", "cycle"], remarks)?,
         JoinBy::Pose => by_key(targets, log, &["pose"], remarks)?,
-        JoinBy::Row => {
-            equal_counts(campaign, imported, targets.iter().map(|t| t.point), log)?;
-            by_key(targets, log, &["row"], remarks)?
-        }
+        JoinBy::Row => by_key(targets, log, &["row"], remarks)?,
         JoinBy::Time => {
             let offset_s = offset_s(campaign, join, targets, log, remarks)?;
             let tolerance_s = join.tolerance_s.unwrap_or(0.0);
@@ -263,7 +281,15 @@ fn targets_in_world<'a>(
             continue;
         };
         let covariance_mm2 = own_covariance(campaign, point).map(|c| turned(&c, &world_T_export.rotation));
-        targets.push(Target { point, index, world_mm: world_T_export.apply(point.xyz_mm), covariance_mm2 });
+        let turned = |q: &[f64; 4]| world_T_export.then(&Pose::from_quaternion(*q)).quaternion();
+        let orientation = point.orientation.as_deref().map(turned);
+        targets.push(Target {
+            point,
+            index,
+            world_mm: world_T_export.apply(point.xyz_mm),
+            covariance_mm2,
+            orientation,
+        });
     }
     if !lost.is_empty() {
         remarks.messages.push(
@@ -321,9 +347,11 @@ fn equal_counts<'a>(
     for source in
         imported.document.sources.iter().filter(|s| s.kind == SourceKind::Export && exports.contains(s.file.as_str()))
     {
-        if source.rows_read != log.rows.len() {
+        let own = log.files.iter().position(|file| *file == source.file).map(|i| Some(i as i64 + 1));
+        let rows = log.rows.iter().filter(|row| own.is_none_or(|own| row.file == own)).count();
+        if source.rows_read != rows {
             let (file, name) = (&source.file, &log.name);
-            let what = format!("`{file}` has {} rows, log `{name}` has {}", source.rows_read, log.rows.len());
+            let what = format!("`{file}` has {} rows, log `{name}` has {rows}", source.rows_read);
             let message = Message::error(what).expected("equal counts for a join by row");
             let message = message.hint(
                 "one row of the log for each row of the export; else name pose and cycle in both, and join by them",

@@ -29,6 +29,8 @@ pub struct JoinedLog {
     pub measured: Vec<Measured>,
     /// Joint values of each position as the log has them (mm or deg), then directions.
     logged: Vec<Vec<f64>>,
+    /// Orientations of the bodies at each position, in the world, where they were measured.
+    orientations: Vec<Option<[f64; 4]>>,
     /// Columns of these.
     joints: Vec<String>,
     targets: Vec<String>,
@@ -133,6 +135,7 @@ impl JoinedLog {
         let factors = robot.joints().iter().map(|joint| joint.quantity.inward(1.0));
         let factors: Vec<f64> = factors.chain(robot.approached().iter().map(|_| 1.0)).collect();
         let (mut measured, mut logged) = (Vec::with_capacity(rows.len()), Vec::with_capacity(rows.len()));
+        let orientations = rows.iter().map(|row| row.orientation).collect();
         for row in rows {
             let (Some(pose), Some(cycle)) = (row.pose, row.cycle) else {
                 let name = if row.pose.is_none() { "pose" } else { "cycle" };
@@ -154,7 +157,12 @@ impl JoinedLog {
         }
         let has_modes = robot.has_assembly_modes() && log.has(table::ASSEMBLY);
         let targets = robot.targets().to_vec();
-        Ok(Self { measured, logged, joints, targets, dimension: robot.dimension(), has_modes })
+        Ok(Self { measured, logged, orientations, joints, targets, dimension: robot.dimension(), has_modes })
+    }
+
+    /// `true` if an orientation was measured.
+    pub(super) fn has_orientations(&self) -> bool {
+        self.orientations.iter().any(Option::is_some)
     }
 
     fn observations(&self, robot: &dyn Robot, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
@@ -170,7 +178,7 @@ impl JoinedLog {
         positions::grouped(robot, &self.measured, messages, |_| None)
     }
 
-    fn table(&self) -> Result<DataFrame> {
+    pub(super) fn table(&self) -> Result<DataFrame> {
         let rows = || self.measured.iter();
         let real = |name: &str, of: &dyn Fn(&Measured) -> Option<f64>| -> Column {
             Column::new(name.into(), rows().map(of).collect::<Vec<_>>())
@@ -182,6 +190,14 @@ impl JoinedLog {
         ];
         for (axis, name) in table::XYZ[..self.dimension].iter().enumerate() {
             columns.push(real(name, &|m| Some(m.at_mm[axis])));
+        }
+        if self.has_orientations() {
+            let kind = |orientation: &Option<[f64; 4]>| if orientation.is_some() { "pose" } else { "point" };
+            columns.insert(0, Column::new("kind".into(), self.orientations.iter().map(kind).collect::<Vec<_>>()));
+            for (k, name) in table::QUATERNION.into_iter().enumerate() {
+                let values: Vec<Option<f64>> = self.orientations.iter().map(|q| q.map(|q| q[k])).collect();
+                columns.push(Column::new(name.into(), values));
+            }
         }
         if rows().any(|m| m.covariance_mm2.is_some()) {
             let elements = (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(table::COVARIANCES);

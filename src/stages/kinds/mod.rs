@@ -16,8 +16,10 @@ pub use cells::{ByColumn, Cell, Cells, names, stated_schema, text};
 pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
 pub use row::{Row, columns, numbers, target_of};
 
-use crate::stages::orientations::{self, AngleOrder, unstated};
+use crate::stages::conventions;
+use crate::stages::orientations::{self, AngleOrder, Written, unstated};
 use crate::stages::positions;
+use crate::stages::resolution;
 use cells::STATION;
 use etalon_base::message::{Message, Place, Problems, Result, count};
 use etalon_base::pose_name::PoseName;
@@ -182,6 +184,7 @@ pub fn observed(
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
     misspelt(observations)?.check()?;
+    let observations = &*resolution::of_table(observations, messages)?;
     let of_kinds = |name: &str| observations.column(name).is_ok();
     if !partial_rows(robot, observations)?.contains(&true)
         && !of_kinds("kind")
@@ -195,14 +198,14 @@ pub fn observed(
     let rows = Row::read(robot, observations, without)?;
     let mut problems = Problems::default();
     problems.0.extend(unnamed_station(&rows));
-    let mut angles = Vec::new();
+    let mut written = Vec::new();
     for row in &rows {
         let before = settings.conditions.len();
         if let Err(more) = row.add_to(&mut settings, robot) {
             problems.0.extend(more.at(&row.place()).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
-        angles.extend(added.filter_map(|_| row.orientation.angles()));
+        written.extend(added.map(|_| row.orientation));
     }
     problems.check()?;
     let names = robot.parameters();
@@ -226,10 +229,15 @@ pub fn observed(
         }
         false => Vec::new(),
     };
+    let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
     if !angles.is_empty() && without.order.is_none() {
         return Err(unstated(robot, &observations, &settings, &angles).at(header()).into());
     }
-    Ok(Observed { observations, settings })
+    let observed = Observed { observations, settings };
+    match conventions::wrong(robot, &observed.observations, &observed.settings, &written, without.order) {
+        Some(wrong) => Err(wrong.at(header()).into()),
+        None => Ok(observed),
+    }
 }
 
 /// An error about a few rows without a station, which would be the world, beside many that have one.

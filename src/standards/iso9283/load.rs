@@ -1,41 +1,45 @@
-//! Static compliance (ISO 9283:1998 10, unverified against a bought copy): how far a loaded robot gives way, in mm/N, along
-//! the force; forces in steps of 10 % up to the rated load, both ways along each axis, three times.
+//! Static compliance (ISO 9283:1998 10, unverified against a bought copy): displacement of a loaded
+//! robot per force (mm/N), along the force. Forces increase in steps of 10 % up to the rated load,
+//! in both directions along each axis, three times.
 
 use crate::iso9283::statistics::sample::positions;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, dot, minus};
 
-/// A robot pulled along one direction.
+/// Compliance of a robot under forces in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compliance {
-    /// Displacement along the force by force, as a line through the unloaded position fits it.
+    /// Slope of the displacement along the force over the force, for a line through the unloaded
+    /// position.
     pub compliance_mm_n: f64,
-    /// Standard uncertainty of it from the scatter about the line; NaN with fewer than two readings.
+    /// Standard uncertainty of the slope from the scatter about the line; NaN with fewer than two
+    /// readings.
     pub standard_uncertainty_mm_n: f64,
     /// Largest displacement along the force.
     pub largest_mm: f64,
-    /// Largest distance of a reading from the line: backlash and what is not elastic.
+    /// Largest distance of a reading from the line: backlash and inelastic effects.
     pub off_line_mm: f64,
 }
 
 /// One reading under load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loaded {
-    /// Force in the stated direction, positive.
+    /// Force in the stated direction (positive).
     pub force_n: f64,
-    /// Position under it.
+    /// Position under load.
     pub position_mm: Vector,
-    /// Position without load before it.
+    /// Preceding position without load.
     pub unloaded_mm: Vector,
 }
 
-/// Compliance along `direction`, a unit vector; at least one reading with a force.
+/// Evaluates compliance along `direction`, a unit vector; at least one reading with a force is
+/// needed.
 pub fn compliance(readings: &[Loaded], direction: Vector) -> Result<Compliance> {
     let ends: Vec<Vector> = readings.iter().flat_map(|r| [r.position_mm, r.unloaded_mm]).collect();
-    positions(&ends, 2, "static compliance")?;
+    positions(&ends, 2, "static-compliance")?;
     if readings.iter().any(|r| !(r.force_n > 0.0 && r.force_n.is_finite())) {
-        let message = Message::error("static compliance: a force is not positive");
-        return Err(message.expected("the size of the force; its direction gives the sign").into());
+        return Err(error!("force-not-positive").into());
     }
     let given: Vec<f64> = readings.iter().map(|r| dot(minus(r.position_mm, r.unloaded_mm), direction)).collect();
     let squares: f64 = readings.iter().map(|r| r.force_n * r.force_n).sum();
@@ -50,7 +54,7 @@ pub fn compliance(readings: &[Loaded], direction: Vector) -> Result<Compliance> 
     })
 }
 
-/// Directions of forces, and their names.
+/// Names and directions of forces.
 pub const DIRECTIONS: [(&str, Vector); 6] = [
     ("+x", [1.0, 0.0, 0.0]),
     ("-x", [-1.0, 0.0, 0.0]),
@@ -59,19 +63,19 @@ pub const DIRECTIONS: [(&str, Vector); 6] = [
     ("+z", [0.0, 0.0, 1.0]),
     ("-z", [0.0, 0.0, -1.0]),
 ];
-/// Repeats that the standard asks for (unverified).
+/// Number of repeats that the standard requires (unverified).
 pub const CYCLES: usize = 3;
 
-/// The position of a robot that may be loaded.
+/// Position of a robot with or without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadReading {
-    /// The direction of the force, one of [`DIRECTIONS`].
+    /// Direction of the force, an index of [`DIRECTIONS`].
     pub direction: usize,
     /// Number of the cycle.
     pub cycle: i64,
-    /// The force; zero without load.
+    /// Force; zero without load.
     pub force_n: f64,
-    /// The position.
+    /// Position.
     pub position_mm: Vector,
 }
 
@@ -80,9 +84,9 @@ pub struct LoadReading {
 pub struct DirectionalCompliance {
     /// Name of the direction.
     pub direction: &'static str,
-    /// Readings under load.
+    /// Number of readings under load.
     pub readings: usize,
-    /// Repeats.
+    /// Number of repeats.
     pub cycles: usize,
     /// Largest force.
     pub force_n: f64,
@@ -90,8 +94,8 @@ pub struct DirectionalCompliance {
     pub compliance: Compliance,
 }
 
-/// Compliance in every direction that has readings: in each cycle one without force, the position
-/// that the others are compared with, and readings under load.
+/// Evaluates every direction with readings. Each cycle holds one position without force, as the
+/// reference, and readings under load.
 pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> {
     let mut directions = Vec::new();
     for (k, (name, direction)) in DIRECTIONS.iter().enumerate() {
@@ -100,8 +104,7 @@ pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> 
         for r in of.iter().filter(|r| r.force_n > 0.0) {
             let without = of.iter().filter(|o| o.cycle == r.cycle && o.force_n == 0.0).map(|o| o.position_mm);
             let Some(unloaded_mm) = centroid(&without.collect::<Vec<_>>()) else {
-                let what = format!("direction {name}, cycle {}: no row without force", r.cycle);
-                return Err(Message::error(what).hint("record the unloaded position, force 0").into());
+                return Err(error!("unloaded-position-missing", direction = name, cycle = r.cycle).into());
             };
             loaded.push(Loaded { force_n: r.force_n, position_mm: r.position_mm, unloaded_mm });
         }
@@ -120,7 +123,7 @@ pub fn evaluate(readings: &[LoadReading]) -> Result<Vec<DirectionalCompliance>> 
         });
     }
     if directions.is_empty() {
-        return Err(Message::error("no row has a force").into());
+        return Err(error!("force-missing").into());
     }
     Ok(directions)
 }

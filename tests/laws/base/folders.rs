@@ -192,21 +192,17 @@ fn no_output_is_written_over_an_input() {
     let moved = |i: i32| if (40..60).contains(&i) { i - 40 } else { 20 * i32::from(i >= 60) };
     let rows: String = (0..100).map(|i| format!("{},{},0,0\n", f64::from(i) / 20.0, moved(i))).collect();
     write("s.csv", &format!("time_s,x_mm,y_mm,z_mm\n{rows}"));
-    kept("s.csv", &["iso9283", "--stream", "s.csv", "--write-poses", "s.csv"], "over the input `s.csv`");
+    kept("s.csv", &["iso9283", "--stream", "s.csv", "--write-poses", "s.csv"], "error[output-is-input]");
     write("c.csv", "pose,rho1_mm,rho2_mm,rho3_mm\n1,10,20,30\n2,20,10,5\n3,40,40,20\n");
     let plan = ["plan", "--robot", "campaign/robot.toml", "--candidates", "c.csv", "--positions", "2"];
-    kept("c.csv", &[&plan[..], &["--poses", "./c.csv"]].concat(), "over the input `c.csv`");
-    kept(
-        "campaign/robot.toml",
-        &[&plan[..], &["--report", "campaign/robot.toml"]].concat(),
-        "does not end like a report",
-    );
+    kept("c.csv", &[&plan[..], &["--poses", "./c.csv"]].concat(), "error[output-is-input]");
+    kept("campaign/robot.toml", &[&plan[..], &["--report", "campaign/robot.toml"]].concat(), "error[not-a-report]");
     std::fs::copy(scratch.path().join("robot.toml"), scratch.path().join("robot.html")).unwrap();
     let plan = plan.map(|argument| if argument.ends_with("robot.toml") { "campaign/robot.html" } else { argument });
-    kept("campaign/robot.html", &[&plan[..], &["--report", "campaign/robot.html"]].concat(), "over the input");
+    kept("campaign/robot.html", &[&plan[..], &["--report", "campaign/robot.html"]].concat(), "error[output-is-input]");
     write("programme.csv", "mine");
     let plan = ["iso9283", "--plan", "--write", ".", "--workspace-mm", "350,250,430,330"];
-    kept("programme.csv", &plan, "`./programme.csv` is there already");
+    kept("programme.csv", &plan, "error[file-exists]: `./programme.csv`");
     assert_eq!(std::fs::read(scratch.root().join("programme.csv")).unwrap(), b"mine");
     // an output folder that leads, also through a link, to an input's
     #[cfg(unix)]

@@ -8,7 +8,7 @@ use etalon::documents::{ImportDocument, ParameterStatus, VerificationDocument, V
 use etalon::identify::Observation;
 use etalon::robots::Calibrated;
 use etalon::run::pipeline::{self, Outcome};
-use etalon::stages::verification::verify;
+use etalon::stages::verification::{EarlierCalibration, verify};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -75,7 +75,8 @@ fn ten_poses_verify_the_parameters() {
             let mut observations = group.to_vec();
             observations.iter_mut().for_each(|o| o.joints[3] -= by_rad);
             let mut robot = campaign.build_robot().unwrap();
-            verify(robot.as_mut(), &found.parameters, observations, None, BTreeMap::new()).unwrap()
+            let calibration = EarlierCalibration::new(robot.as_mut(), &found.parameters, None).unwrap();
+            verify(calibration, observations, BTreeMap::new()).unwrap()
         };
         groups.map(of).collect::<Vec<_>>()
     };
@@ -97,7 +98,8 @@ fn ten_poses_verify_the_parameters() {
         let mut observations = group.to_vec();
         observations.iter_mut().enumerate().for_each(|(i, o)| change(i, o));
         let mut robot = campaign.build_robot().unwrap();
-        verify(robot.as_mut(), &found.parameters, observations, None, BTreeMap::new())
+        let calibration = EarlierCalibration::new(robot.as_mut(), &found.parameters, None).unwrap();
+        verify(calibration, observations, BTreeMap::new())
     };
     let exchanged = changed(&|_, o| o.targets.swap(0, 1)).unwrap_err();
     assert!(exchanged.to_string().contains("targets `SMR_1` and `SMR_2` are exchanged"), "{exchanged}");

@@ -29,6 +29,26 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     }
 }
 
+/// Errors of no pose.
+fn no_errors() -> AccuracyDocument {
+    AccuracyDocument {
+        given: None,
+        joints: vec![],
+        trends: vec![],
+        schema: "etalon/accuracy/1".to_owned(),
+        definition: String::new(),
+        point: String::new(),
+        sets: Vec::new(),
+        placed_apart: Vec::new(),
+        effects: Vec::new(),
+        validation_distance: None,
+        budget: vec![],
+        limits: Vec::new(),
+        tool: None,
+        map: None,
+    }
+}
+
 /// A campaign of parameters alone: names, values, standard uncertainties; `before` differs from nominal for the last.
 pub(crate) fn identified(
     folder: &str,
@@ -75,20 +95,7 @@ pub(crate) fn identified(
         provenance: Provenance { version: String::new(), inputs: BTreeMap::new(), seed: None },
     };
     of(&mut parameters);
-    let accuracy = AccuracyDocument {
-        given: None,
-        joints: vec![],
-        trends: vec![],
-        schema: "etalon/accuracy/1".to_owned(),
-        definition: String::new(),
-        point: String::new(),
-        sets: Vec::new(),
-        validation_distance: None,
-        budget: vec![],
-        limits: Vec::new(),
-        tool: None,
-        map: None,
-    };
+    let accuracy = no_errors();
     let campaign = CampaignSummary {
         name: folder.to_owned(),
         robot: None,
@@ -152,6 +159,37 @@ fn changes_are_those_computed_by_hand() {
     assert!(all.parameters == 2 && (all.f - 5.3).abs() < 1e-9 && all.degrees_of_freedom.is_none());
     // chi-square with two degrees of freedom: exp(-x/2)
     close(Some(all.p), (-5.3f64).exp());
+}
+
+/// By hand: changes of 12 and 4 with u = 1 each have a Birge ratio of √((144 + 16) / 2) = 8.94, and an interval of 1.96 u
+/// becomes one of 1.96 × 8.94 u, with no probability beside it. Changes below their uncertainties narrow nothing.
+#[test]
+fn intervals_between_series_of_a_misfit_are_enlarged_by_the_birge_ratio() {
+    let mut misfit = |p: &mut ParametersDocument| {
+        p.residuals.uncertainties_from = etalon::documents::UncertaintyFrom::ResidualsByRegion;
+        p.parameters.iter_mut().for_each(|p| p.degrees_of_freedom = Some(1e9));
+    };
+    let u = [0.5f64.sqrt(); 3];
+    let a = identified("a", &[100.0, 200.0, 300.0], &u, &mut misfit);
+    for (values, ratio) in [([112.0, 204.0, 300.0], 80f64.sqrt()), ([100.1, 200.1, 300.0], 1.0)] {
+        let b = identified("b", &values, &u, &mut misfit);
+        let document = compare(&[a.clone(), b]).unwrap();
+        let [between] = document.between_series[..] else { panic!("{:?}", document.between_series) };
+        assert_eq!((between.from, between.to, between.parameters), (1, 2, 2));
+        assert!((between.birge_ratio - ratio).abs() < 1e-9, "{between:?}");
+        for (name, i) in [("p0", 0), ("p1", 1), ("p2", 2)] {
+            let change = trend(&document, name).changes[0];
+            let half = 1.959_964 * ratio;
+            let by = values[i] - 100.0 * (i + 1) as f64;
+            assert!((change.low.unwrap() - (by - half)).abs() < 1e-4, "{change:?}");
+            assert!((change.high.unwrap() - (by + half)).abs() < 1e-4, "{change:?}");
+            assert!(change.p.is_none() && change.significant.is_none());
+        }
+        assert!(document.together.is_empty());
+    }
+    let sound = identified("b", &[112.0, 204.0, 300.0], &u, &mut |_| {});
+    let first = identified("a", &[100.0, 200.0, 300.0], &u, &mut |_| {});
+    assert!(compare(&[first, sound]).unwrap().between_series.is_empty());
 }
 
 /// Correlation hides what together is plain: both change by 1 u, against a correlation of 0.99 in opposite directions.
@@ -307,11 +345,9 @@ fn at_and_rt_are_compared_as_by_hand() {
     close(rt.low, 2.0 / factor);
     close(rt.high, 2.0 * factor);
     close(Some(rt.change), 0.019);
-    let said = &document.messages[0].what;
-    assert!(
-        said.starts_with("called changed: AT, square; RT, square. ") && said.contains("a hint, not a proof"),
-        "{said}"
-    );
+    let names = ["AT, square", "RT, square"];
+    let said = &document.messages[0];
+    assert!(said.is("path-change-uncertain", &[("names", &names)]), "{said}");
     let same = compare(&[a.clone(), Compared { folder: "b".to_owned(), ..a.clone() }]).unwrap();
     assert!(same.messages.is_empty() && same.trends.iter().all(|t| t.changes[0].significant == Some(false)));
 
@@ -321,9 +357,9 @@ fn at_and_rt_are_compared_as_by_hand() {
         compare(&[a.clone(), b])
     };
     let few = of(&|p| p.passes = 4).unwrap();
-    assert!(few.messages[0].what.contains("rest on 4 passes"), "{:?}", few.messages);
+    assert!(few.messages[0].is("stream-few-passes", &[("passes", &4)]), "{:?}", few.messages);
     let open = of(&|p| p.at_interval = None).unwrap();
     assert!(trend(&open, "AT, square").changes[0].significant.is_none());
-    let other = of(&|p| p.length_mm = 900.0).unwrap_err().to_string();
-    assert!(other.contains("nothing in common"), "{other}");
+    let other = of(&|p| p.length_mm = 900.0).unwrap_err();
+    assert!(other.0[0].is("nothing-to-compare", &[]), "{other}");
 }

@@ -1,3 +1,4 @@
-//! Laws of compensation.
+//! Laws of compensation and of controller files.
 
 pub(super) mod compensation;
+pub(super) mod files;

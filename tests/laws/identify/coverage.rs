@@ -53,8 +53,7 @@ fn one(scratch: &Scratch, seed: usize, changes: Changes) -> Found {
     let walk::Observed { mut robot, frames, joined, .. } = walk::observed(&campaign).expect("observed");
     let robot = robot.as_mut();
     let stated = campaign.file.identify.as_ref().expect("[identify]");
-    let identified =
-        identification::identify(&campaign, stated, robot, &joined, &frames, &Default::default()).expect("found");
+    let identified = identification::identify(&campaign, stated, robot, &joined, &frames).expect("found");
     let found = &identified.found;
     truth.parameters.retain(|name, _| robot.index(name).is_some());
     let values = true_values(robot, &truth.parameters).expect("truth");

@@ -126,33 +126,41 @@ fn the_held_radius_is_that_of_what_was_touched() {
 
 #[test]
 fn a_wrong_side_and_a_probe_that_does_not_fit_are_refused_with_a_hint() {
-    let refused = |element: Element, radius_mm: f64, side: Side, held: Option<f64>, expected: &str| {
+    let refused = |element: Element, radius_mm: f64, side: Side, held: Option<f64>, id: &str| {
         let probe = Some(Probe { radius_mm, side });
         let settings = FitSettings { probe, radius_mm: held, ..FitSettings::default() };
-        let message = fit::element(element, &touches(element, 0.0), &settings).unwrap_err().to_string();
-        assert!(message.contains(expected) && message.contains("hint:"), "{element} {side:?}: {message}");
+        let message = fit::element(element, &touches(element, 0.0), &settings).unwrap_err();
+        assert!(message.0[0].is(id, &[]) && message.0[0].hint.is_some(), "{element} {side:?}: {message}");
     };
     let up = Side::Towards([0.0, 0.0, 1.0]);
     for element in Element::ALL {
         let straight = matches!(element, Element::Plane | Element::Line | Element::Line2d);
         let (right, wrong) = if straight { (up, Side::Inside) } else { (Side::Inside, up) };
-        refused(element, 2.0, wrong, None, if straight { "has no inside" } else { "has an inside" });
+        refused(
+            element,
+            2.0,
+            wrong,
+            None,
+            if straight { "probe-side-needs-direction" } else { "probe-side-needs-inside" },
+        );
         for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            refused(element, radius, right, None, "the probe radius is");
+            refused(element, radius, right, None, "probe-radius-not-positive");
         }
         match element {
-            Element::Plane => refused(element, 2.0, Side::Towards([1.0, 2.0, 1e-3]), None, "does not give a side"),
-            Element::Line | Element::Line2d => {
-                refused(element, 2.0, Side::Towards([1.0, 1e-3, 0.0]), None, "does not give a side")
+            Element::Plane => {
+                refused(element, 2.0, Side::Towards([1.0, 2.0, 1e-3]), None, "probe-direction-along-element")
             }
-            _ => refused(element, 1e3, Side::Outside, None, "cannot have touched"),
+            Element::Line | Element::Line2d => {
+                refused(element, 2.0, Side::Towards([1.0, 1e-3, 0.0]), None, "probe-direction-along-element")
+            }
+            _ => refused(element, 1e3, Side::Outside, None, "probe-larger-than-element"),
         }
         if straight {
-            refused(element, 2.0, Side::Towards([0.0; 3]), None, "is none");
-            refused(element, 2.0, Side::Towards([f64::NAN, 0.0, 1.0]), None, "is none");
+            refused(element, 2.0, Side::Towards([0.0; 3]), None, "probe-direction-zero");
+            refused(element, 2.0, Side::Towards([f64::NAN, 0.0, 1.0]), None, "probe-direction-zero");
         }
     }
-    refused(Element::Sphere, 50.0, Side::Inside, Some(40.0), "has its centres at");
+    refused(Element::Sphere, 50.0, Side::Inside, Some(40.0), "held-radius-below-probe");
     let fit = probed(Element::Sphere, &touches(Element::Sphere, PROBE_MM), Side::Outside);
     assert!(fit.compensated(Some(Probe { radius_mm: 1.0, side: Side::Inside })).is_err(), "never twice");
 }

@@ -36,3 +36,18 @@ fn parameters_that_matter_together_are_loaded() {
     let errors = recommend(&Campaign::read(&folder).unwrap(), &mut |_, _| ()).unwrap().held_out;
     assert!(errors.recommended.rms < 1.1 * errors.all.rms && errors.all.rms < 0.1 * errors.none.rms, "{errors:?}");
 }
+
+/// Of every kind of observation: poses that were used and poses that were not have errors of one measure.
+#[test]
+fn every_kind_of_observation_is_judged() {
+    for sample in ["contacts", "draw-wire", "probe-poses", "surfaces", "second-encoders", "turntable", "two-arms"] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample);
+        let answer = recommend(&Campaign::read(&folder).unwrap(), &mut |_, _| ()).unwrap();
+        let accepted: Vec<_> = answer.steps.iter().filter(|s| s.accepted).collect();
+        assert!(accepted.len() > 1, "{sample}: {:?}", answer.steps);
+        for step in accepted {
+            let ratio = step.held_out_rms_mm / step.rms_mm;
+            assert!((0.8..1.5).contains(&ratio), "{sample}: {step:?}");
+        }
+    }
+}

@@ -13,16 +13,16 @@ use etalon::identify::{Observation, Settings, Systematic};
 use etalon::robots::{PlanarPose, Platform, Prexyt, Quantity, Robot, Role};
 use etalon::run::walk;
 use etalon::stages::evaluate::Sets;
-use etalon::stages::identification::Solved;
 use etalon::stages::repeats::stale;
+use etalon::stages::solved::Solved;
 use rayon::prelude::*;
 
 /// A robot, how it is measured, and what a slip looks like on it.
-struct Bench {
-    name: &'static str,
-    robot: Box<dyn Robot>,
-    observations: Vec<Observation>,
-    u_mm: f64,
+pub(super) struct Bench {
+    pub(super) name: &'static str,
+    pub(super) robot: Box<dyn Robot>,
+    pub(super) observations: Vec<Observation>,
+    pub(super) u_mm: f64,
 }
 
 /// Errors and warnings of an identification; errors where it ends without a result.
@@ -139,10 +139,10 @@ fn dextar() -> Bench {
 }
 
 /// A slip, and what its messages must contain: one of these texts.
-struct Slip {
-    what: String,
-    change: Box<dyn Fn(&mut Observation)>,
-    culprits: Vec<String>,
+pub(super) struct Slip {
+    pub(super) what: String,
+    pub(super) change: Box<dyn Fn(&mut Observation)>,
+    pub(super) culprits: Vec<String>,
 }
 
 impl Slip {
@@ -157,7 +157,7 @@ impl Slip {
 }
 
 /// Slips in the joints: signs, pairs, offsets and units.
-fn slips_of_joints(bench: &Bench) -> Vec<Slip> {
+pub(super) fn slips_of_joints(bench: &Bench) -> Vec<Slip> {
     let joints = bench.robot.joints();
     let n = joints.len();
     let free = bench.robot.free_base().is_some();
@@ -195,7 +195,7 @@ fn slips_of_joints(bench: &Bench) -> Vec<Slip> {
 }
 
 /// Slips in the measured points: units, coordinates, handedness.
-fn slips_of_points(bench: &Bench) -> Vec<Slip> {
+pub(super) fn slips_of_points(bench: &Bench) -> Vec<Slip> {
     let scale =
         |what: &str, culprit: &str, factor: f64| Slip::of_points(what, &[culprit], move |p| *p = p.map(|v| v * factor));
     let mut all = vec![
@@ -236,7 +236,7 @@ fn wrong_tables(rows: &[[f64; 4]], targets: &[&str]) -> Vec<(String, Box<dyn Rob
 }
 
 /// Data in which something is wrong in places, and what a warning must contain.
-fn spoilt(bench: &Bench) -> Vec<(String, Vec<Observation>, Vec<String>)> {
+pub(super) fn spoilt(bench: &Bench) -> Vec<(String, Vec<Observation>, Vec<String>)> {
     let mut all = Vec::new();
     let u_mm = bench.u_mm;
     let n = bench.observations.len();

@@ -14,14 +14,14 @@ fn parts(observations: &[Observation], trial: u64) -> Vec<BTreeSet<PoseName>> {
     Noise::new(21, trial).shuffle(&mut names);
     let mut parts: Vec<BTreeSet<PoseName>> =
         (0..5).map(|k| names.iter().copied().skip(k).step_by(5).collect()).collect();
-    parts.extend(halves(observations));
+    parts.extend(halves(observations, &[]));
     parts
 }
 
 fn of_parts(robot: &dyn Robot, observations: &[Observation], stated: Option<f64>, start: &[f64]) -> Vec<Stability> {
     let settings = Settings { standard_uncertainty_mm: stated, ..Settings::default() };
     let found = identify_from(robot, observations, &settings, start).unwrap();
-    let effects = effects(robot, observations);
+    let effects = effects(robot, observations.iter().map(|o| o.joints.as_slice()));
     let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| effects[i].is_some()).collect();
     let parts = parts(observations, start.len() as u64);
     stability(robot, observations, &settings, &found, (&of_robot, &parts)).unwrap()
@@ -54,7 +54,7 @@ fn a_parameter_that_changes_half_way_is_the_least_stable() {
     let name = "column-arm";
     let (robot, found) = sample(name);
     let robot = robot.as_ref();
-    let effects = effects(robot, &found.sets.calibration);
+    let effects = effects(robot, found.sets.calibration.iter().map(|o| o.joints.as_slice()));
     // of what the data hardly determine a step of its uncertainty is as large as its tolerance
     let by_data = |i: usize| effects[i].is_some() && found.found.determined(robot, i).is_some_and(|share| share > 0.9);
     let of_robot: Vec<usize> = found.found.free.iter().copied().filter(|&i| by_data(i)).collect();
@@ -63,7 +63,7 @@ fn a_parameter_that_changes_half_way_is_the_least_stable() {
         let settings = Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() };
         let mut observations = drawn(robot, &found, 900 + trial as u64);
         let plain = identify_from(robot, &observations, &settings, &found.found.values).unwrap();
-        let second = halves(&observations)[1].clone();
+        let second = halves(&observations, &[])[1].clone();
         let mut drifted = found.found.values.clone();
         drifted[i] += 30.0 * plain.standard_uncertainty(i).unwrap();
         for o in observations.iter_mut().filter(|o| second.contains(&o.pose)) {

@@ -6,7 +6,9 @@ use crate::support::scratch::copy_sample;
 use etalon::base::noise::Noise;
 use etalon::base::pose::norm;
 use etalon::campaign::Campaign;
-use etalon::identify::{Identification, Observation, Settings, ToolFrame, ToolPoint, UncertaintyFrom, held, identify};
+use etalon::identify::{
+    Identification, Observation, Settings, ToolFrame, ToolPoint, ToolPrediction, UncertaintyFrom, held, identify,
+};
 use etalon::robots::{PlanarPose, Platform, Prexyt, Robot, Role};
 use etalon::run::pipeline;
 
@@ -78,50 +80,55 @@ fn table_3_2_is_the_error_of_the_true_centre_in_the_base_frame() {
     }
 }
 
-/// Root mean square of actual over predicted errors of `point` at the joint values `at`, of simulated calibrations.
-fn actual_over_predicted(
-    robot: &dyn Robot,
-    truth: &[f64],
-    poses: &[Vec<f64>],
-    at: &[Vec<f64>],
-    settings: &Settings,
-    point: &ToolPoint,
-) -> [f64; 2] {
-    let (mut actual, mut predicted, mut count) = (0.0, 0.0, 0.0);
-    for seed in 0..60 {
-        let mut noise = Noise::new(5, seed);
-        let u_mm = settings.standard_uncertainty_mm.unwrap();
-        let mut see = |(pose, joints): (usize, &Vec<f64>)| {
-            let mut seen = |k: usize| {
-                let mut p = robot.position(truth, joints, k);
-                p[..robot.dimension()].iter_mut().for_each(|v| *v += noise.gaussian(u_mm));
-                Some(p)
+/// Simulated calibrations of a robot whose parameters are the truth.
+struct Calibrations<'a> {
+    robot: &'a dyn Robot,
+    truth: &'a [f64],
+    settings: Settings,
+}
+
+impl Calibrations<'_> {
+    /// Root mean square of the actual errors of `point` at the joint values `at`, and of these over
+    /// the predicted ones, of calibrations at `poses`.
+    fn actual_over_predicted(&self, poses: &[Vec<f64>], at: &[Vec<f64>], point: ToolPoint) -> [f64; 2] {
+        let Self { robot, truth, ref settings } = *self;
+        let (mut actual, mut predicted, mut count) = (0.0, 0.0, 0.0);
+        for seed in 0..60 {
+            let mut noise = Noise::new(5, seed);
+            let u_mm = settings.standard_uncertainty_mm.unwrap();
+            let mut see = |(pose, joints): (usize, &Vec<f64>)| {
+                let mut seen = |k: usize| {
+                    let mut p = robot.position(truth, joints, k);
+                    p[..robot.dimension()].iter_mut().for_each(|v| *v += noise.gaussian(u_mm));
+                    Some(p)
+                };
+                let targets = (0..robot.targets().len()).map(&mut seen).collect();
+                Observation {
+                    pose: (pose as i64).into(),
+                    cycle: 1,
+                    joints: joints.clone(),
+                    targets,
+                    ..Observation::default()
+                }
             };
-            let targets = (0..robot.targets().len()).map(&mut seen).collect();
-            Observation {
-                pose: (pose as i64).into(),
-                cycle: 1,
-                joints: joints.clone(),
-                targets,
-                ..Observation::default()
-            }
-        };
-        let observations: Vec<Observation> = poses.iter().enumerate().map(&mut see).collect();
-        let found: Identification = identify(robot, &observations, settings).unwrap();
-        let held = held(robot, &observations, settings, &found).unwrap();
-        for joints in at {
-            let there = Observation { joints: joints.clone(), ..observations[0].clone() };
-            if found.uncertainty_from == UncertaintyFrom::Instrument {
-                let error = point.error(robot, &there.joints, truth, &found, &held).unwrap().unwrap();
-                actual += norm(error.before_mm).powi(2);
-                predicted += error.parameters_mm.powi(2);
-                predicted += error.held_mm.powi(2);
-                count += 1.0;
+            let observations: Vec<Observation> = poses.iter().enumerate().map(&mut see).collect();
+            let found: Identification = identify(robot, &observations, settings).unwrap();
+            let held = held(robot, &observations, settings, &found).unwrap();
+            let prediction = ToolPrediction { robot, point, before: truth, found: &found, held };
+            for joints in at {
+                let there = Observation { joints: joints.clone(), ..observations[0].clone() };
+                if found.uncertainty_from == UncertaintyFrom::Instrument {
+                    let error = prediction.error(&there.joints).unwrap().unwrap();
+                    actual += norm(error.before_mm).powi(2);
+                    predicted += error.parameters_mm.powi(2);
+                    predicted += error.held_mm.powi(2);
+                    count += 1.0;
+                }
             }
         }
+        assert!(count > 50.0 * at.len() as f64, "{count}");
+        [f64::sqrt(actual / count), f64::sqrt(actual / predicted)]
     }
-    assert!(count > 50.0 * at.len() as f64, "{count}");
-    [f64::sqrt(actual / count), f64::sqrt(actual / predicted)]
 }
 
 #[test]
@@ -139,16 +146,15 @@ fn the_prediction_covers_parameters_that_cancel_in_what_the_balls_measure() {
     let centre = ToolPoint::centre(&robot).unwrap();
     let on_platform = ToolPoint { point_mm: [20.0, -35.0, 0.0], ..centre };
     let on_balls = ToolPoint { frame: ToolFrame::Targets, ..on_platform };
+    let calibrations = Calibrations { robot: &robot, truth: &truth, settings: settings(0.005) };
     for point in [centre, on_platform, on_balls] {
         // small rotations hardly tell d and x_c apart
-        let [actual_mm, ratio] =
-            actual_over_predicted(&robot, &truth, &poses(&[12.0, 3.0, -9.0]), &at, &settings(0.005), &point);
+        let [actual_mm, ratio] = calibrations.actual_over_predicted(&poses(&[12.0, 3.0, -9.0]), &at, point);
         println!("{point:?}: {:.1} µm, {ratio:.3} of the prediction", 1e3 * actual_mm);
         assert!((ratio - 1.0).abs() < 0.25, "{point:?} {ratio}");
         assert!(point == on_balls || actual_mm > 0.05, "{actual_mm}");
         // two orientations do not: one stays at its nominal value, which is as good as its tolerance
-        let [actual_mm, ratio] =
-            actual_over_predicted(&robot, &truth, &poses(&[12.0, -9.0]), &at, &settings(0.005), &point);
+        let [actual_mm, ratio] = calibrations.actual_over_predicted(&poses(&[12.0, -9.0]), &at, point);
         println!("two orientations: {:.1} µm, {ratio:.3} of the prediction", 1e3 * actual_mm);
         assert!(ratio > 0.2 && ratio < 2.0, "{point:?} {ratio}");
         assert!(point == on_balls || actual_mm > 3.0, "{actual_mm}");
@@ -173,7 +179,8 @@ fn the_prediction_holds_for_a_tool_on_the_flange_and_on_the_targets_of_an_arm() 
     for frame in [ToolFrame::Flange, ToolFrame::Targets] {
         let point = ToolPoint { point_mm: [30.0, -10.0, 150.0], frame, standard_uncertainty_mm: 0.0 };
         let settings = Settings { hold: hold.clone(), ..settings(0.02) };
-        let [actual_mm, ratio] = actual_over_predicted(&robot, &truth, &poses, &at, &settings, &point);
+        let calibrations = Calibrations { robot: &robot, truth: &truth, settings };
+        let [actual_mm, ratio] = calibrations.actual_over_predicted(&poses, &at, point);
         println!("{frame:?}: {:.1} µm, {ratio:.3} of the prediction", 1e3 * actual_mm);
         assert!((ratio - 1.0).abs() < 0.15, "{frame:?} {ratio}");
     }

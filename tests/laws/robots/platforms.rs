@@ -202,37 +202,54 @@ struct Campaign {
 const U_MM: f64 = 0.02;
 const U_RAD: f64 = 1e-4;
 
-/// Of `count` poses, with errors of measurement or without; parameters called `nominal` are as drawn.
-fn campaign(model: &Model, kind: &str, count: usize, seed: [u64; 2], errors: f64, nominal: &[String]) -> Campaign {
-    let mut noise = Noise::new(seed[0], seed[1]);
-    let mut robot = model.robot(if kind == "pose" { &["a"] } else { &["a", "b", "c"] });
-    let mounting = if kind == "pose" { Some(Fixture::Mounting("a").add_to(robot.as_mut())) } else { None };
-    let mut truth = model.truth(robot.as_ref(), &mut noise);
-    if let Some(first) = mounting {
-        truth[first..].fill(0.3);
+/// What is measured of a platform: points or poses, at so many random poses.
+#[derive(Clone, Copy)]
+struct Design<'a> {
+    model: &'a Model,
+    kind: &'a str,
+    count: usize,
+}
+
+impl Design<'_> {
+    /// A campaign with errors of measurement or without; parameters called `nominal` are as drawn.
+    fn campaign(self, seed: [u64; 2], errors: f64, nominal: &[String]) -> Campaign {
+        let Self { model, kind, count } = self;
+        let mut noise = Noise::new(seed[0], seed[1]);
+        let mut robot = model.robot(if kind == "pose" { &["a"] } else { &["a", "b", "c"] });
+        let mounting = if kind == "pose" { Some(Fixture::Mounting("a").add_to(robot.as_mut())) } else { None };
+        let mut truth = model.truth(robot.as_ref(), &mut noise);
+        if let Some(first) = mounting {
+            truth[first..].fill(0.3);
+        }
+        for (value, p) in truth.iter_mut().zip(robot.parameters()).filter(|(_, p)| nominal.contains(&p.name)) {
+            *value = p.nominal;
+        }
+        let (mut observations, mut conditions) = (Vec::new(), Vec::new());
+        for i in 0..count {
+            let joints = model.joints(robot.as_ref(), &mut noise);
+            let pose = (i as i64 + 1).into();
+            let mut seen = |k| Some(robot.position(&truth, &joints, k).map(|v| v + errors * noise.gaussian(U_MM)));
+            let targets = (0..robot.targets().len()).map(&mut seen).collect();
+            observations.push(Observation {
+                pose,
+                cycle: 1,
+                joints: joints.clone(),
+                targets,
+                ..Observation::default()
+            });
+            let Some(mounting) = mounting else { continue };
+            let turn = |v: Vector| Rotation3::from_scaled_axis(Vector3::from(v));
+            let flange = robot.free_base().unwrap().flange(&truth, &joints).rotation;
+            let flange = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| flange[i][j]));
+            let body = turn([0; 3].map(|_| errors * noise.gaussian(U_RAD))) * flange * turn([0.3; 3]);
+            let rotation = std::array::from_fn(|i| std::array::from_fn(|j| body[(i, j)]));
+            let kind =
+                Kind::Orientation(Orientation { world_T_body: Pose { rotation, translation_mm: [0.0; 3] }, mounting });
+            conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty: U_RAD });
+        }
+        let settings = Settings { standard_uncertainty_mm: Some(U_MM), conditions, ..Settings::default() };
+        Campaign { robot, truth, observations, settings }
     }
-    for (value, p) in truth.iter_mut().zip(robot.parameters()).filter(|(_, p)| nominal.contains(&p.name)) {
-        *value = p.nominal;
-    }
-    let (mut observations, mut conditions) = (Vec::new(), Vec::new());
-    for i in 0..count {
-        let joints = model.joints(robot.as_ref(), &mut noise);
-        let pose = (i as i64 + 1).into();
-        let mut seen = |k| Some(robot.position(&truth, &joints, k).map(|v| v + errors * noise.gaussian(U_MM)));
-        let targets = (0..robot.targets().len()).map(&mut seen).collect();
-        observations.push(Observation { pose, cycle: 1, joints: joints.clone(), targets, ..Observation::default() });
-        let Some(mounting) = mounting else { continue };
-        let turn = |v: Vector| Rotation3::from_scaled_axis(Vector3::from(v));
-        let flange = robot.free_base().unwrap().flange(&truth, &joints).rotation;
-        let flange = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| flange[i][j]));
-        let body = turn([0; 3].map(|_| errors * noise.gaussian(U_RAD))) * flange * turn([0.3; 3]);
-        let rotation = std::array::from_fn(|i| std::array::from_fn(|j| body[(i, j)]));
-        let kind =
-            Kind::Orientation(Orientation { world_T_body: Pose { rotation, translation_mm: [0.0; 3] }, mounting });
-        conditions.push(Condition { pose, cycle: 1, joints, target: 0, kind, standard_uncertainty: U_RAD });
-    }
-    let settings = Settings { standard_uncertainty_mm: Some(U_MM), conditions, ..Settings::default() };
-    Campaign { robot, truth, observations, settings }
 }
 
 impl Campaign {
@@ -251,12 +268,13 @@ impl Campaign {
 fn platforms_without_noise_give_the_truth() {
     for model in MODELS {
         for kind in ["point", "pose"] {
-            let first = campaign(model, kind, 60, [19, 0], 0.0, &[]);
+            let design = Design { model, kind, count: 60 };
+            let first = design.campaign([19, 0], 0.0, &[]);
             let held = first.held(&first.identify());
             println!("{} by {kind}: held {held:?}", model.name);
             assert_eq!(held.len(), model.gauge, "{} by {kind}: {held:?}", model.name);
             // with these as drawn, the others are determined
-            let campaign = campaign(model, kind, 60, [19, 1], 0.0, &held);
+            let campaign = design.campaign([19, 1], 0.0, &held);
             let found = campaign.identify();
             assert_eq!(campaign.held(&found), held);
             for &i in &found.free {
@@ -280,10 +298,11 @@ fn draws() -> u64 {
 fn intervals_of_platforms_hold() {
     for model in MODELS {
         for kind in ["point", "pose"] {
-            let first = campaign(model, kind, 50, [20, 0], 0.0, &[]);
+            let design = Design { model, kind, count: 50 };
+            let first = design.campaign([20, 0], 0.0, &[]);
             let held = first.held(&first.identify());
             let one = |trial: u64| {
-                let campaign = campaign(model, kind, 50, [20, trial + 1], 1.0, &held);
+                let campaign = design.campaign([20, trial + 1], 1.0, &held);
                 let found = campaign.identify();
                 let chi_square = found.chi_square.unwrap() / found.degrees_of_freedom as f64;
                 let holds = |&&i: &&usize| {

@@ -160,17 +160,19 @@ pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredF
     units.or_length(mm_in_unit);
     let mut messages = Vec::new();
     let nodes = nodes_with_id(root, &mut messages);
-    let mut sets = PointSets::read(&nodes, &units);
+    let sets = PointSets::read(&nodes, &units);
+    let mut document = QifDocument { nodes, units, sets, messages };
     let mut inline = 0;
     let mut features = Vec::new();
     for node in root.all() {
         let name = node.name();
         let kind = name.strip_suffix("FeatureMeasurement").or_else(|| name.strip_suffix("FeatureActual"));
         if let Some(kind) = kind.filter(|k| !k.is_empty()) {
-            features.push(feature(kind, node, &nodes, &mut sets, &units, &mut messages));
+            features.push(document.feature(kind, node));
         }
         inline += usize::from(name == "MeasurePoint");
     }
+    let QifDocument { sets, mut messages, .. } = document;
     for (id, node) in sets.unused() {
         messages.push(node.warning(format!("no feature refers to point set {id}")));
     }
@@ -215,57 +217,63 @@ fn nodes_with_id<'t, 'a>(root: Node<'t, 'a>, messages: &mut Vec<Message>) -> BTr
     nodes
 }
 
-fn feature<'t, 'a>(
-    kind: &str,
-    node: Node<'t, 'a>,
-    nodes: &BTreeMap<&'t str, Node<'t, 'a>>,
-    sets: &mut PointSets<'t, 'a>,
-    units: &Units,
-    messages: &mut Vec<Message>,
-) -> MeasuredFeature {
-    let mut refer = |from: Option<Node<'t, 'a>>, name: &str, kind: &str| -> Option<Node<'t, 'a>> {
-        let reference = from?.child(name).filter(|r| r.attribute("xId").is_none())?;
-        let found = nodes.get(reference.text()).copied().filter(|n| n.name().ends_with(kind));
-        if found.is_none() {
-            let what = format!("`{name}` {} leads to no {kind} of this file", reference.text());
-            messages.push(reference.warning(what));
-        }
-        found
-    };
-    let item = refer(Some(node), "FeatureItemId", "FeatureItem");
-    let nominal = refer(item, "FeatureNominalId", "FeatureNominal");
-    let definition = refer(nominal.or(item), "FeatureDefinitionId", "FeatureDefinition");
-    let name = item.and_then(|i| i.child("FeatureName")).map(|n| n.text().to_owned()).filter(|n| !n.is_empty());
-    let internal = definition.and_then(|d| d.child("InternalExternal")).and_then(|n| match n.text() {
-        "INTERNAL" => Some(true),
-        "EXTERNAL" => Some(false),
-        _ => None,
-    });
-    let read = |nodes: &[Option<Node>], messages: &mut Vec<Message>| {
-        FeatureGeometry::of(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
+/// A document while its features are read.
+struct QifDocument<'t, 'a> {
+    /// Elements with an id.
+    nodes: BTreeMap<&'t str, Node<'t, 'a>>,
+    units: Units,
+    sets: PointSets<'t, 'a>,
+    messages: Vec<Message>,
+}
+
+impl<'t, 'a> QifDocument<'t, 'a> {
+    /// The measured feature of this kind at `node`.
+    fn feature(&mut self, kind: &str, node: Node<'t, 'a>) -> MeasuredFeature {
+        let Self { nodes, units, sets, messages } = self;
+        let mut refer = |from: Option<Node<'t, 'a>>, name: &str, kind: &str| -> Option<Node<'t, 'a>> {
+            let reference = from?.child(name).filter(|r| r.attribute("xId").is_none())?;
+            let found = nodes.get(reference.text()).copied().filter(|n| n.name().ends_with(kind));
+            if found.is_none() {
+                let what = format!("`{name}` {} leads to no {kind} of this file", reference.text());
+                messages.push(reference.warning(what));
+            }
+            found
+        };
+        let item = refer(Some(node), "FeatureItemId", "FeatureItem");
+        let nominal = refer(item, "FeatureNominalId", "FeatureNominal");
+        let definition = refer(nominal.or(item), "FeatureDefinitionId", "FeatureDefinition");
+        let name = item.and_then(|i| i.child("FeatureName")).map(|n| n.text().to_owned()).filter(|n| !n.is_empty());
+        let internal = definition.and_then(|d| d.child("InternalExternal")).and_then(|n| match n.text() {
+            "INTERNAL" => Some(true),
+            "EXTERNAL" => Some(false),
+            _ => None,
+        });
+        let read = |nodes: &[Option<Node>], messages: &mut Vec<Message>| {
+            FeatureGeometry::of(kind, nodes.iter().flatten().copied(), units).unwrap_or_else(|message| {
+                messages.push(message);
+                FeatureGeometry::default()
+            })
+        };
+        let stated = read(&[Some(node)], messages);
+        let nominal = read(&[nominal, definition], messages);
+        let listed = node.child("PointList").map(|list| sets.list(list, units)).transpose();
+        let (points_mm, touch) = listed.map(Option::unwrap_or_default).unwrap_or_else(|mut message| {
+            let label =
+                name.as_deref().map_or_else(|| format!("feature {}", node.id().unwrap_or("")), |n| format!("`{n}`"));
+            message.what = format!("{label} has no usable points: {}", message.what);
             messages.push(message);
-            FeatureGeometry::default()
-        })
-    };
-    let stated = read(&[Some(node)], messages);
-    let nominal = read(&[nominal, definition], messages);
-    let listed = node.child("PointList").map(|list| sets.list(list, units)).transpose();
-    let (points_mm, touch) = listed.map(Option::unwrap_or_default).unwrap_or_else(|mut message| {
-        let label =
-            name.as_deref().map_or_else(|| format!("feature {}", node.id().unwrap_or("")), |n| format!("`{n}`"));
-        message.what = format!("{label} has no usable points: {}", message.what);
-        messages.push(message);
-        Default::default()
-    });
-    MeasuredFeature {
-        id: node.id().unwrap_or_default().to_owned(),
-        kind: kind.to_owned(),
-        name,
-        points_mm,
-        touch,
-        stated,
-        nominal,
-        internal,
-        place: node.place(),
+            Default::default()
+        });
+        MeasuredFeature {
+            id: node.id().unwrap_or_default().to_owned(),
+            kind: kind.to_owned(),
+            name,
+            points_mm,
+            touch,
+            stated,
+            nominal,
+            internal,
+            place: node.place(),
+        }
     }
 }

@@ -18,7 +18,7 @@ pub use coordinate::Coordinate;
 pub use distance::Distance;
 pub use joint::JointValue;
 pub use known::Known;
-pub use orientation::{Orientation, mounted_misfit_rad};
+pub use orientation::{Orientation, mounted_misfit_rad, mounted_misfits_rad};
 pub use seen::Seen;
 pub use surface::{On, Surface};
 
@@ -201,37 +201,32 @@ pub(crate) fn onto(pairs: &[(Vector, Vector)]) -> Option<Pose> {
 }
 
 impl Condition {
-    fn at<'a>(&'a self, arm: Option<&'a dyn FreeBase>, values: &'a [f64], position: Vector) -> At<'a> {
+    /// The condition evaluated at `values`, where the position of the target is `position`.
+    pub(crate) fn at<'a>(&'a self, arm: Option<&'a dyn FreeBase>, values: &'a [f64], position: Vector) -> At<'a> {
         At { arm, values, joints: &self.joints, position, standard_uncertainty: self.standard_uncertainty }
     }
 
-    /// Writes its residuals over their standard uncertainties; `position` is that of the target at `values`.
-    pub(crate) fn residuals(&self, arm: Option<&dyn FreeBase>, values: &[f64], position: Vector, out: &mut [f64]) {
-        self.kind.equation().residuals(&self.at(arm, values, position), out);
+    /// Writes the residuals over their standard uncertainties.
+    pub(crate) fn residuals(&self, at: &At, out: &mut [f64]) {
+        self.kind.equation().residuals(at, out);
         out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
     }
 
     /// What was observed minus what the model with `values` predicts, in the world: mm, of an orientation rad as a rotation vector. Of
     /// a distance it lies along it, of a plane along its normal.
     pub fn error(&self, robot: &dyn Robot, values: &[f64]) -> Vector {
-        let position = robot.position(values, &self.joints, self.target);
+        let at = self.at(robot.free_base(), values, robot.position(values, &self.joints, self.target));
         let mut left = [0.0; 3];
-        self.residuals(robot.free_base(), values, position, &mut left[..self.kind.rows()]);
+        self.residuals(&at, &mut left[..self.kind.rows()]);
         let left = left.map(|r| -r * self.standard_uncertainty);
-        self.kind.equation().in_world(&self.at(robot.free_base(), values, position), left)
+        self.kind.equation().in_world(&at, left)
     }
 
-    /// Writes their derivatives by all parameters, row by row; `moved` has those of the target's position, three rows.
-    pub(crate) fn jacobian(
-        &self,
-        arm: Option<&dyn FreeBase>,
-        values: &[f64],
-        position: Vector,
-        moved: &[f64],
-        out: &mut [f64],
-    ) {
+    /// Writes the derivatives of the residuals by all parameters, row by row; `moved` has the
+    /// derivatives of the target's position, three rows.
+    pub(crate) fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]) {
         out.fill(0.0);
-        self.kind.equation().jacobian(&self.at(arm, values, position), moved, out);
+        self.kind.equation().jacobian(at, moved, out);
         out.iter_mut().for_each(|d| *d /= self.standard_uncertainty);
     }
 }
@@ -338,13 +333,14 @@ mod tests {
             let c = Condition { pose: 1.into(), cycle: 1, joints, target: 0, kind, standard_uncertainty: 0.5 };
             let left = |values: &[f64]| {
                 let mut out = [0.0; 3];
-                let at = robot.position(values, &c.joints, 0);
-                c.residuals(robot.free_base(), values, at, &mut out[..kind.rows()]);
+                let at = c.at(robot.free_base(), values, robot.position(values, &c.joints, 0));
+                c.residuals(&at, &mut out[..kind.rows()]);
                 out
             };
             let (mut moved, mut exact) = (vec![0.0; 3 * n], vec![0.0; kind.rows() * n]);
             robot.jacobian(&values, &c.joints, &mut moved);
-            c.jacobian(robot.free_base(), &values, robot.position(&values, &c.joints, 0), &moved, &mut exact);
+            let at = c.at(robot.free_base(), &values, robot.position(&values, &c.joints, 0));
+            c.jacobian(&at, &moved, &mut exact);
             assert!(exact.iter().any(|d| *d != 0.0), "{kind:?}");
             for j in 0..n {
                 let h = if robot.parameters()[j].quantity == Quantity::Length { 1e-3 } else { 1e-5 };

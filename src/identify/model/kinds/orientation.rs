@@ -1,7 +1,7 @@
 //! Orientation in the world of the body that carries the target.
 
 use super::{At, Condition, Equation, Kind, point};
-use etalon_base::pose::{Pose, Vector, dot, turning_axes};
+use etalon_base::pose::{Pose, Vector, norm, turning_axes};
 use etalon_fit::rotation_onto;
 use etalon_robots::{FreeBase, Robot};
 use nalgebra::{Matrix3, Vector3};
@@ -92,10 +92,16 @@ pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usiz
 /// Root mean square angle that observed orientations are from those of the robot with `values`, with their bodies mounted where they
 /// explain these best, rad; not a number where there are none.
 pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
-    let Some(arm) = robot.free_base() else { return f64::NAN };
+    let misfits = mounted_misfits_rad(robot, conditions, values);
+    (misfits.iter().map(|angle| angle * angle).sum::<f64>() / misfits.len() as f64).sqrt()
+}
+
+/// Angles that observed orientations are from those of the robot with `values`, with their bodies mounted where they explain these best,
+/// rad.
+pub fn mounted_misfits_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> Vec<f64> {
+    let Some(arm) = robot.free_base() else { return Vec::new() };
     let mut values = values.to_vec();
     let all: Vec<usize> = (0..values.len()).collect();
     mount(arm, conditions, &all, &mut values);
-    let squares = conditions.iter().map(|c| dot(c.error(robot, &values), c.error(robot, &values)));
-    (squares.sum::<f64>() / conditions.len() as f64).sqrt()
+    conditions.iter().map(|c| norm(c.error(robot, &values))).collect()
 }

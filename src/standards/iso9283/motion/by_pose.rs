@@ -8,9 +8,9 @@ use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
 use std::collections::BTreeMap;
 
-/// Arrivals of a pose whose course is reported: the standard's cycles.
+/// Number of arrivals per pose whose course is reported: the number of cycles of the standard.
 const SHOWN_ARRIVALS: usize = 3;
-/// Shortest time of a course, and most samples of it.
+/// Minimum duration of a course, and maximum number of its samples.
 const SHOWN_S: f64 = 0.2;
 const SHOWN_SAMPLES: usize = 200;
 
@@ -19,11 +19,11 @@ const SHOWN_SAMPLES: usize = 200;
 pub struct Settling {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Arrivals that settled.
+    /// Number of arrivals that settled.
     pub arrivals: usize,
     /// Mean stabilisation time.
     pub stabilisation_s: f64,
-    /// Largest overshoot; zero where no arrival left the limit band again.
+    /// Largest overshoot; zero if no arrival left the limit band again.
     pub overshoot_mm: f64,
 }
 
@@ -43,7 +43,7 @@ pub fn settling(standing: &[Standing]) -> Vec<Settling> {
     by_pose.into_iter().filter_map(settled).collect()
 }
 
-/// Course of one arrival, from the first entry into the limit band on.
+/// Course of one arrival, from the first entry into the limit band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Course {
     /// Name of the pose.
@@ -56,7 +56,7 @@ pub struct Course {
     pub away_mm: Vec<f64>,
 }
 
-/// Courses of the first arrivals at each pose, until twice the time that they took to settle.
+/// Courses of the first arrivals at each pose, up to twice the settling time.
 pub fn courses(stream: &Stream, standing: &[Standing]) -> Vec<Course> {
     let mut all: Vec<Course> = Vec::new();
     for s in standing {
@@ -82,9 +82,9 @@ pub fn courses(stream: &Stream, standing: &[Standing]) -> Vec<Course> {
 /// Moves from one pose to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moves {
-    /// Pose where they begin.
+    /// Pose at the start.
     pub from: PoseName,
-    /// Pose where they end.
+    /// Pose at the end.
     pub to: PoseName,
     /// Number of moves.
     pub moves: usize,

@@ -22,20 +22,22 @@ use etalon_base::pose_name::PoseName;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What the recording does not state.
+/// Settings that a recording does not contain.
 #[derive(Clone, Debug)]
 pub struct MotionSettings {
-    /// What counts as standing.
+    /// Criterion for standstill.
     pub still: Stillness,
-    /// How near a standstill is to its pose, and an attained path to the commanded one.
+    /// Largest distance of a standstill from its pose, and of an attained path from the commanded
+    /// path.
     pub near_mm: f64,
-    /// Limit band of 7.4 and 7.5; without it there are none.
+    /// Limit band of 7.4 and 7.5, whose characteristics are omitted without it.
     pub band_mm: Option<f64>,
-    /// Commanded poses with their numbers; without them places are numbered as they come.
+    /// Commanded poses with their numbers; without them places are numbered in the order of
+    /// arrival.
     pub poses: Option<Vec<CommandedPose>>,
     /// Commanded path.
     pub path: Option<PathSettings>,
-    /// Where times come from, in words.
+    /// Origin of the times, in words.
     pub time: String,
     /// Seed of the bootstrap intervals.
     pub seed: u64,
@@ -44,22 +46,23 @@ pub struct MotionSettings {
 /// A standstill, and the arrival at it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standing {
-    /// Pose that is visited, and number of this visit from 1; `None` where it is near none.
+    /// Visited pose and number of the visit, from 1; `None` if no pose is near.
     pub visit: Option<(PoseName, i64)>,
-    /// The standstill.
+    /// Standstill.
     pub standstill: Standstill,
     /// Time of the first sample.
     pub from_s: f64,
     /// Time of the last sample.
     pub to_s: f64,
-    /// Mean position of the standstill: x, y and, where there is one, z.
+    /// Mean position of the standstill: x, y and, if spatial, z.
     pub mean_mm: Vec<f64>,
-    /// Mean radius and three standard deviations of the samples of the middle half: noise of
+    /// Mean radius plus three standard deviations of the samples of the middle half: noise of
     /// instrument and hold.
     pub noise_mm: Option<f64>,
-    /// Samples in which the arrival is looked at.
+    /// Samples in which the arrival is evaluated.
     pub watched: Range<usize>,
-    /// Arrival; `None` without a limit band, and where the band is never entered or kept.
+    /// Arrival; `None` without a limit band, and if the position does not enter or stay within the
+    /// band.
     pub arrival: Option<Arrival>,
     /// Overshoot of the arrival.
     pub overshoot_mm: Option<f64>,
@@ -67,7 +70,7 @@ pub struct Standing {
     pub posing: Option<Posing>,
 }
 
-/// Every standstill of a recording, in the order of time.
+/// All standstills of a recording, in the order of time.
 pub fn standing(recording: &Recording, settings: &MotionSettings) -> Result<Vec<Standing>> {
     let stream = &recording.stream;
     let stood = standstills(stream, &settings.still)?;

@@ -1,5 +1,5 @@
-//! Minimum posing time (ISO 9283:1998 9, unverified against a bought copy): from leaving one pose to standing at the next,
-//! stabilisation included.
+//! Minimum posing time (ISO 9283:1998 9, unverified against a bought copy): time from leaving a
+//! pose to standing at the next, including stabilisation.
 
 use crate::iso9283::motion::stabilisation::{Arrival, away_mm};
 use crate::iso9283::motion::standstill::Standstill;
@@ -9,15 +9,16 @@ use etalon_base::pose::{minus, norm};
 /// One move from a standstill to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Posing {
-    /// Distance between the two.
+    /// Distance between the standstills.
     pub distance_mm: f64,
-    /// From the last sample within the limit band of the first to the arrival that settles at the second.
+    /// Time from the last sample within the limit band of the first pose to the arrival that
+    /// settles at the second.
     pub time_s: f64,
 }
 
-/// The move to a standstill whose arrival is known.
+/// Evaluates the move to a standstill whose arrival is known.
 pub fn posing(stream: &Stream, from: &Standstill, to: &Standstill, arrival: &Arrival) -> Posing {
-    // the robot may shake in the band before it leaves: the last time counts
+    // the robot may move within the band before it leaves: the last sample within the band counts
     let start = from.middle().start;
     let back = away_mm(stream, start..arrival.settled, from.mean_mm).rev().position(|d| d <= arrival.band_mm);
     let left = back.map_or(start, |back| arrival.settled - 1 - back);

@@ -1,29 +1,32 @@
-//! Standstills in a recorded motion, and which of the poses each of them visits. The standard measures poses after
-//! stabilisation and does not define how standing differs from moving: both thresholds are the user's, and are reported.
+//! Standstills in a recorded motion, and the poses that they visit. The standard measures poses
+//! after stabilisation, but does not define how a standstill differs from motion. Both thresholds
+//! are therefore set by the user and reported.
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::statistics::sample::{mean_position, spread};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use std::ops::Range;
 
-/// What counts as standing: all positions within `radius_mm` of their mean for at least `duration_s`.
+/// Criterion for standstill: all positions are within `radius_mm` of their mean for at least
+/// `duration_s`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stillness {
     /// Largest distance from the mean.
     pub radius_mm: f64,
-    /// Least time.
+    /// Minimum duration.
     pub duration_s: f64,
 }
 
-/// The robot stands.
+/// A standstill of the robot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standstill {
-    /// Its samples.
+    /// Samples of the standstill.
     pub samples: Range<usize>,
-    /// Mean position of the middle half of them: neither the last of the arrival nor the first of the departure.
+    /// Mean position of the middle half of the samples, which excludes arrival and departure.
     pub mean_mm: Vector,
-    /// Mean of each angle over the same samples.
+    /// Mean of each angle over the middle half of the samples.
     pub angles_rad: Vec<f64>,
 }
 
@@ -48,13 +51,10 @@ fn middle(samples: &Range<usize>) -> Range<usize> {
     samples.start + quarter..samples.end - quarter
 }
 
-/// All standstills, in the order of time; both thresholds must be positive.
+/// All standstills in the order of time; both thresholds must be positive.
 pub fn standstills(stream: &Stream, still: &Stillness) -> Result<Vec<Standstill>> {
     if !(still.radius_mm > 0.0 && still.duration_s > 0.0) {
-        let message = Message::error("a standstill needs a radius and a duration that are positive");
-        return Err(message
-            .hint("larger than the noise of a standing robot, and shorter than the shortest stop")
-            .into());
+        return Err(error!("standstill-thresholds").into());
     }
     let (time_s, points) = (stream.time_s(), stream.positions_mm());
     let mut found: Vec<Range<usize>> = Vec::new();
@@ -69,7 +69,7 @@ pub fn standstills(stream: &Stream, still: &Stillness) -> Result<Vec<Standstill>
         match stands(points, from..last + 1, still.radius_mm) {
             None => from += 1,
             Some(end) => {
-                // a few samples away, at the end of the arrival, part no standstill
+                // a few distant samples at the end of the arrival do not divide a standstill
                 match found.last_mut().filter(|before| {
                     let gap = time_s[from] - time_s[before.end - 1];
                     let apart =
@@ -86,9 +86,10 @@ pub fn standstills(stream: &Stream, still: &Stillness) -> Result<Vec<Standstill>
     Ok(found.into_iter().map(|samples| Standstill::new(stream, samples)).collect())
 }
 
-/// The end of the standstill that begins with these samples, if all of them are within the radius of their mean.
+/// End of the standstill that starts with these samples, if all of them are within the radius of
+/// their mean.
 fn stands(points: &[Vector], window: Range<usize>, radius_mm: f64) -> Option<usize> {
-    // quickly: two within a ball are within its diameter
+    // quick check: two points in a ball are at most a diameter apart
     if norm(minus(points[window.start], points[window.end - 1])) > 2.0 * radius_mm {
         return None;
     }
@@ -105,7 +106,7 @@ fn stands(points: &[Vector], window: Range<usize>, radius_mm: f64) -> Option<usi
     Some(end)
 }
 
-/// Which pose each standstill visits: the nearest of `poses_mm` that is at most `near_mm` away.
+/// Pose that each standstill visits: the nearest of `poses_mm` within `near_mm`.
 pub fn visited(standstills: &[Standstill], poses_mm: &[Vector], near_mm: f64) -> Vec<Option<usize>> {
     let away = |s: &Standstill, i: usize| norm(minus(s.mean_mm, poses_mm[i]));
     let nearest = |s: &Standstill| {
@@ -115,8 +116,8 @@ pub fn visited(standstills: &[Standstill], poses_mm: &[Vector], near_mm: f64) ->
     standstills.iter().map(nearest).collect()
 }
 
-/// Where the robot stood, where nobody states the poses: each place where it stood first, farther than `near_mm` from all
-/// before.
+/// Places of standstills, for unknown poses: every place at its first visit, if it is farther than
+/// `near_mm` from all previous places.
 pub fn places_mm(standstills: &[Standstill], near_mm: f64) -> Vec<Vector> {
     let mut places: Vec<Vector> = Vec::new();
     for s in standstills {

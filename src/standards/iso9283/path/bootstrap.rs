@@ -1,10 +1,12 @@
-//! Intervals of AT and RT (not of the standard) by parametric bootstrap over whole passes: what neighbouring command points
-//! have in common stays with them.
+//! Intervals of AT and RT (not in the standard) by parametric bootstrap over whole passes, which
+//! preserves the correlation of neighbouring command points.
 //!
-//! Both are largest values over the path, and the largest of many values that scatter is too large on average: of ten
-//! passes that scatter alike all along the path RT is 20 to 40 % above the RT of infinitely many. Per-point intervals do
-//! not see this; here tests of as many passes are drawn, their largest values taken likewise, and the relation is turned
-//! round. RT may therefore lie above its own interval. No closed form is known that holds for paths of any kind.
+//! AT and RT are maxima over the path, and the maximum of many scattered values is biased upwards:
+//! for ten passes with uniform scatter along the path, RT is 20 to 40 % above the RT of infinitely
+//! many passes. Intervals for single points ignore this bias. Here, tests with the same number of
+//! passes are drawn, their maxima are evaluated in the same way, and the relation is inverted. RT
+//! may therefore lie above its own interval. No closed form is known that applies to all kinds of
+//! paths.
 
 use crate::iso9283::path::accuracy::PathAccuracy;
 use crate::iso9283::path::commanded::CommandPoint;
@@ -20,31 +22,35 @@ use etalon_base::pose::{Vector, minus, norm};
 use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
-/// Simulated tests, drawn from a stated seed.
+/// Simulated tests from a stated seed.
 #[derive(Clone, Copy, Debug)]
 pub struct PathBootstrap {
-    /// How many.
+    /// Number of draws.
     pub draws: usize,
     /// Seed of the generator.
     pub seed: u64,
 }
 
-/// Stream of the generator: one purpose, one stream.
+/// Stream of the generator; each purpose has a stream of its own.
 const STREAM: u64 = 8283;
-/// At most so many command points, evenly chosen, the worst among them: neighbours say the same.
+/// Maximum number of command points, evenly chosen and including the worst; neighbouring points are
+/// similar.
 const POINTS: usize = 100;
 
-/// Probability beyond either end for AT: with 2.5 %, simulated tests of ten passes hold the truth in 93 % and not in 95 %.
+/// Tail probability for AT at either end; with 2.5 %, the intervals of simulated tests of ten
+/// passes contain the truth in 93 % instead of 95 %.
 const AT_TAIL: f64 = 0.018;
-/// Probability below the lower end for RT: in few passes neighbours look more alike than they are, which hides some of what the
-/// largest of many adds; with 2.5 %, simulated tests lie above the truth in up to 11 %.
+/// Tail probability at the lower end for RT. With few passes, neighbouring points look more similar
+/// than they are, which hides a part of the bias; with 2.5 %, the intervals of simulated tests are
+/// above the truth in up to 11 %.
 const RT_LOW_TAIL: f64 = 0.01;
 
 impl PathBootstrap {
-    /// 95 % interval of AT_p, at least three passes: how much more or less the mean path may deviate, as a whole, before what
-    /// was found is at either end of what is drawn. Its errors are Student's, alike in shape to what the passes scatter.
+    /// 95 % interval of AT_p from at least three passes: the common factors of the mean path's
+    /// deviation at which the observed AT_p is at either end of the draws. The errors follow
+    /// Student's distribution, with the shape of the scatter of the passes.
     pub fn accuracy(&self, passes: &[Pass], points: &[CommandPoint], found: &PathAccuracy) -> Result<Interval> {
-        check(passes, points, 3, "interval of path accuracy")?;
+        check(passes, points, 3, "path-accuracy-interval")?;
         let chosen = chosen(points.len(), found.worst);
         let deviations: Vec<Vector> = chosen.iter().map(|&i| minus(found.means_mm[i], points[i].position_mm)).collect();
         let rests = rests(passes, &chosen);
@@ -56,7 +62,8 @@ impl PathBootstrap {
             combined(&rests, &weights, 1.0 / (n as f64 * chi_square).sqrt())
         };
         let errors: Vec<Vec<Vector>> = (0..self.draws).map(|_| error()).collect();
-        // what share of the draws goes beyond what was found, if the mean path deviates by `factor` times as much
+        // share of the draws beyond the observed value if the mean path deviates by `factor` times
+        // its deviation
         let beyond = |factor: f64| {
             let goes = |e: &&Vec<Vector>| {
                 let mut both = e.iter().zip(&deviations);
@@ -66,7 +73,7 @@ impl PathBootstrap {
         };
         let end = |share: f64| {
             let (mut near, mut far) = (0.0, 1.0);
-            // of no deviation at all no multiple goes anywhere
+            // multiples of a zero deviation never grow
             for _ in 0..60 {
                 if beyond(far) > share {
                     break;
@@ -86,15 +93,17 @@ impl PathBootstrap {
         Ok(Interval { low_mm, high_mm: end(1.0 - AT_TAIL) })
     }
 
-    /// 95 % interval of RT_p, at least three passes. A sample's scatters lie wider apart along the path than the truth's, and
-    /// few passes do not show by how much: for the lower end they are drawn together, for the upper end they stay as found.
+    /// 95 % interval of RT_p from at least three passes. The scatter of a sample varies more along
+    /// the path than the true scatter, and few passes do not show by how much. For the lower end
+    /// the scatters are therefore shrunk towards their mean, for the upper end they are used as
+    /// observed.
     pub fn repeatability(
         &self,
         passes: &[Pass],
         points: &[CommandPoint],
         found: &PathRepeatability,
     ) -> Result<Interval> {
-        check(passes, points, 3, "interval of path repeatability")?;
+        check(passes, points, 3, "path-repeatability-interval")?;
         let chosen = chosen(points.len(), found.worst);
         let rests = rests(passes, &chosen);
         let n = passes.len();
@@ -117,14 +126,14 @@ impl PathBootstrap {
             there.iter().map(|&i| mean_and_three_deviations(&passes, i) / expected[i]).collect()
         };
         let ratios: Vec<Vec<f64>> = (0..self.draws).map(|_| drawn()).collect();
-        // how far apart scatters lie by chance alone, and how far they do
+        // variation of the scatters by chance alone, and observed variation
         let apart = |values: &[f64]| spread(&values.iter().map(|v| v.ln()).collect::<Vec<_>>()).deviation.powi(2);
         let by_chance = mean(ratios.iter().map(|r| apart(r)));
         let all = apart(&there.iter().map(|&i| found.points_mm[chosen[i]]).collect::<Vec<_>>());
         let share = (1.0 - by_chance / all).max(0.0).sqrt();
         let logs: Vec<f64> = there.iter().map(|&i| expected[i].ln()).collect();
         let mean = spread(&logs).mean;
-        // a single point has nothing to be drawn to
+        // a single point cannot be shrunk
         let share = if share.is_finite() { share } else { 1.0 };
         let truth: Vec<f64> = logs.iter().map(|l| (mean + share * (l - mean)).exp()).collect();
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
@@ -140,13 +149,13 @@ impl PathBootstrap {
     }
 }
 
-/// Numbers of the command points that count.
+/// Indices of the evaluated command points.
 fn chosen(count: usize, worst: usize) -> Vec<usize> {
     let stride = count.div_ceil(POINTS).max(1);
     (0..count).filter(|i| i.is_multiple_of(stride) || *i == worst).collect()
 }
 
-/// Each pass minus the mean of all, at the chosen points.
+/// Deviations of each pass from the mean pass, at the chosen points.
 fn rests(passes: &[Pass], chosen: &[usize]) -> Vec<Vec<Vector>> {
     let means: Vec<Vector> = chosen.iter().map(|&i| mean_position(&positions_at(passes, i))).collect();
     let rest =
@@ -154,7 +163,7 @@ fn rests(passes: &[Pass], chosen: &[usize]) -> Vec<Vec<Vector>> {
     passes.iter().map(rest).collect()
 }
 
-/// The sum of all rests, each times its weight, times `scale`.
+/// Weighted sum of all deviations, times `scale`.
 fn combined(rests: &[Vec<Vector>], weights: &[f64], scale: f64) -> Vec<Vector> {
     let mut sum = vec![[0.0; 3]; rests.first().map_or(0, Vec::len)];
     for (rest, weight) in rests.iter().zip(weights) {

@@ -1,59 +1,61 @@
-//! The commanded path: corners joined by straight lines, a curve by as many points as it needs.
+//! Commanded path: a polyline through corners; a curve is given by as many points as it needs.
 
 use crate::iso9283::statistics::sample::followed;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 
 /// A path in space or in the plane, with the angles commanded along it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommandedPath {
     points_mm: Vec<Vector>,
-    /// One list over all points for each angle that exists.
+    /// Values at all points of each commanded angle.
     angles_rad: Vec<Vec<f64>>,
-    /// Length from the first point to each.
+    /// Length from the first point to each point.
     along_mm: Vec<f64>,
 }
 
-/// A point of the commanded path with its normal plane: where passes are compared.
+/// A point of the commanded path with its normal plane, in which passes are compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommandPoint {
-    /// Length of the path up to here.
+    /// Length of the path up to this point.
     pub along_mm: f64,
-    /// The point.
+    /// Position of the point.
     pub position_mm: Vector,
-    /// Unit vector along the path: the normal of the plane.
+    /// Unit tangent of the path, normal to the plane.
     pub tangent: Vector,
-    /// Angles commanded here.
+    /// Commanded angles at the point.
     pub angles_rad: Vec<f64>,
 }
 
 /// A corner between two legs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// The commanded corner.
+    /// Commanded corner.
     pub position_mm: Vector,
-    /// Unit vector of the leg that leads to it.
+    /// Unit vector of the incoming leg.
     pub incoming: Vector,
-    /// Unit vector of the leg that leads away.
+    /// Unit vector of the outgoing leg.
     pub outgoing: Vector,
-    /// Length of the path from the middle of the one leg, up to the corner, and to the middle of the other.
+    /// Lengths of the path up to the middle of the incoming leg, the corner, and the middle of the
+    /// outgoing leg.
     pub along_mm: [f64; 3],
 }
 
 impl CommandedPath {
-    /// Of at least two points, none the same as the one before; angles turn the shorter way round.
+    /// Creates a path from at least two points, each different from the previous one; angles turn
+    /// the shorter way.
     pub fn new(points_mm: Vec<Vector>, angles_rad: &[Vec<f64>]) -> Result<Self> {
-        crate::iso9283::statistics::sample::positions(&points_mm, 2, "commanded path")?;
+        crate::iso9283::statistics::sample::positions(&points_mm, 2, "commanded-path")?;
         let n = points_mm.len();
         if angles_rad.iter().any(|a| a.len() != n || a.iter().any(|v| !v.is_finite())) {
-            return Err(Message::error("commanded path: an angle is missing or is not a finite number").into());
+            return Err(error!("commanded-angle-missing").into());
         }
         let mut along_mm = vec![0.0];
         for (i, pair) in points_mm.windows(2).enumerate() {
             let leg = norm(minus(pair[1], pair[0]));
             if leg == 0.0 {
-                let message = Message::error(format!("commanded path: points {} and {} are the same", i + 1, i + 2));
-                return Err(message.hint("a robot that turns in place drives no path").into());
+                return Err(error!("commanded-point-repeated", first = i + 1, second = i + 2).into());
             }
             along_mm.push(along_mm[i] + leg);
         }
@@ -74,13 +76,15 @@ impl CommandedPath {
         self.angles_rad.iter().map(turned).collect()
     }
 
-    /// The middles of `count` equal parts of the path: never its very ends, which a robot that stops may not reach.
+    /// Midpoints of `count` equal parts of the path; the ends are excluded because a robot that
+    /// stops may not reach them.
     pub fn command_points(&self, count: usize) -> Vec<CommandPoint> {
         (0..count).map(|i| self.at((i as f64 + 0.5) / count as f64 * self.length_mm())).collect()
     }
 
-    /// The same without those within `near_mm` of a corner that turns by more than `least_rad`, and at most a quarter of its leg:
-    /// a robot that rounds it off goes through their planes in another order, or not at all.
+    /// Like [`Self::command_points`], without the points near a corner that turns by more than
+    /// `least_rad`: within `near_mm`, but at most a quarter of the leg. A robot that rounds the
+    /// corner passes their planes in another order, or not at all.
     pub fn command_points_beside(&self, count: usize, least_rad: f64, near_mm: f64) -> Vec<CommandPoint> {
         let corners = self.corners(least_rad);
         let mut points = self.command_points(count);
@@ -106,7 +110,8 @@ impl CommandedPath {
         }
     }
 
-    /// Points where the path turns by more than `least_rad`; the small turns of a curve given by points are none.
+    /// Points at which the path turns by more than `least_rad`; smaller turns belong to curves that
+    /// are given by points.
     pub fn corners(&self, least_rad: f64) -> Vec<Corner> {
         let corner = |i: usize| {
             let (a, e, b) = (self.points_mm[i - 1], self.points_mm[i], self.points_mm[i + 1]);

@@ -1,25 +1,28 @@
-//! Cornering deviations (ISO 9283:1998 8.5, unverified against a bought copy): round-off CR, overshoot CO and the length of
-//! path after which the second leg is kept.
+//! Cornering deviations (ISO 9283:1998 8.5, unverified against a bought copy): round-off CR,
+//! overshoot CO and stabilisation path length.
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::{CommandPoint, Corner};
 use crate::iso9283::path::passes::{Pass, check};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm, unit};
 
-/// How a corner is driven, the worst of all passes.
+/// Cornering deviations, the worst of all passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cornering {
     /// CR: smallest distance of the attained path from the corner.
     pub round_off_mm: f64,
-    /// CO: largest distance from the second leg on its far side, as seen from the first; zero where there is none.
+    /// CO: largest distance from the second leg on the side away from the first leg; zero without
+    /// overshoot.
     pub overshoot_mm: f64,
-    /// Length along the second leg until the attained path stays within the limit of it; `None` without a limit, and where
-    /// it does not do so up to the middle of the leg.
+    /// Length along the second leg from which the attained path stays within the limit; `None`
+    /// without a limit, and if the path leaves it up to the middle of the leg.
     pub stabilisation_mm: Option<f64>,
 }
 
-/// A corner in all passes, at least one; samples count from the middle of the first leg to the middle of the second.
+/// Evaluates a corner for at least one pass; samples from the middle of the first leg to the middle
+/// of the second count.
 pub fn cornering(
     stream: &Stream,
     passes: &[Pass],
@@ -33,15 +36,14 @@ pub fn cornering(
     let first = points.iter().position(within).filter(|&i| points[i].along_mm < at_mm);
     let last = points.iter().rposition(within).filter(|&i| points[i].along_mm > at_mm);
     let (Some(first), Some(last)) = (first, last) else {
-        let message = Message::error("cornering: no command point on the half of a leg beside the corner");
-        return Err(message.hint("state more command points").into());
+        return Err(error!("corner-without-points").into());
     };
-    // towards the far side of the second leg
+    // direction away from the first leg
     let along = dot(corner.incoming, corner.outgoing);
     let far = unit([0, 1, 2].map(|k| corner.incoming[k] - along * corner.outgoing[k])).unwrap_or_default();
     let mut worst = Cornering { round_off_mm: 0.0, overshoot_mm: 0.0, stabilisation_mm: limit_mm.map(|_| 0.0) };
     for pass in passes {
-        // however few samples there are, both planes were gone through
+        // both planes were passed, even if there are few samples between them
         let ends = [first, last].map(|i| [pass.crossings[i].position_mm]);
         let driven = ends[0].iter().chain(&stream.positions_mm()[pass.samples(first, last)]).chain(&ends[1]);
         let relative: Vec<Vector> = driven.map(|p| minus(*p, corner.position_mm)).collect();
@@ -55,20 +57,20 @@ pub fn cornering(
     Ok(worst)
 }
 
-/// Distance of the corner from the straight line between two samples, both relative to it.
+/// Distance of the corner from the segment between two samples, both relative to the corner.
 fn to_segment(from: Vector, to: Vector) -> f64 {
     let way = minus(to, from);
     let share = (-dot(from, way) / dot(way, way)).clamp(0.0, 1.0);
     if share.is_nan() { norm(from) } else { norm([0, 1, 2].map(|k| from[k] + share * way[k])) }
 }
 
-/// Distance from the line through the corner along the second leg.
+/// Distance from the line along the second leg.
 fn off(d: Vector, outgoing: Vector) -> f64 {
     let along = dot(d, outgoing);
     norm([0, 1, 2].map(|k| d[k] - along * outgoing[k]))
 }
 
-/// How far along the second leg the attained path is when it leaves the limit for the last time.
+/// Position along the second leg at which the attained path last leaves the limit.
 fn stable_after_mm(relative: &[Vector], outgoing: Vector, limit_mm: f64) -> Option<f64> {
     let last = relative.iter().rposition(|d| off(*d, outgoing) > limit_mm);
     match last {

@@ -25,38 +25,38 @@ use crate::iso9283::statistics::sample::coordinates;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, minus};
 
-/// A commanded path and how it is compared.
+/// A commanded path, and settings of its evaluation.
 #[derive(Clone, Debug)]
 pub struct PathSettings {
-    /// The path.
+    /// Commanded path.
     pub path: CommandedPath,
     /// Number of command points.
     pub points: usize,
-    /// Commanded velocity, and the central share of the path over which it is compared.
+    /// Commanded velocity.
     pub velocity_mm_s: Option<f64>,
-    /// That share, 0 to 1.
+    /// Central share of the path in which velocities are evaluated (0 to 1).
     pub central: f64,
-    /// The weave about the path.
+    /// Weave about the path.
     pub weave: Option<Weave>,
 }
 
-/// Turns of the commanded path from this angle on are corners.
+/// Smallest turn of the commanded path that counts as a corner.
 pub const CORNER_RAD: f64 = 30.0 * std::f64::consts::PI / 180.0;
-/// Simulated tests behind an interval.
+/// Number of simulated tests for an interval.
 const DRAWS: usize = 1000;
 
 /// Characteristics of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathCharacteristics {
-    /// Passes through all command points.
+    /// Number of passes through all command points.
     pub passes: usize,
-    /// Passes that were begun and not ended.
+    /// Number of unfinished passes.
     pub incomplete: usize,
     /// Length of the commanded path.
     pub length_mm: f64,
     /// `true` if commanded angles change along the path.
     pub reorientation: bool,
-    /// AT; on reorientation (8.4) where commanded angles change along the path.
+    /// AT; by 8.4 if commanded angles change along the path.
     pub accuracy: PathAccuracy,
     /// AT of each angle.
     pub angle_accuracy_rad: Vec<f64>,
@@ -68,42 +68,42 @@ pub struct PathCharacteristics {
     pub angle_repeatability_rad: Vec<f64>,
     /// Interval of RT; absent with fewer than three passes.
     pub rt_interval: Option<Interval>,
-    /// Velocity, where one is commanded.
+    /// Velocity, if commanded.
     pub velocity: Option<PathVelocity>,
     /// Corners of the commanded path.
     pub corners: Vec<PathCorner>,
-    /// The command points.
+    /// Command points.
     pub points: Vec<PathPoint>,
 }
 
 /// A corner of the commanded path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathCorner {
-    /// The commanded corner: x, y and, where there is one, z.
+    /// Commanded corner: x, y and, if spatial, z.
     pub position_mm: Vec<f64>,
-    /// How it is driven.
+    /// Cornering deviations.
     pub driven: Cornering,
 }
 
-/// A command point and what was attained there.
+/// A command point and the attained positions there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathPoint {
-    /// Length of the path up to here.
+    /// Length of the path up to this point.
     pub along_mm: f64,
-    /// Commanded position: x, y and, where there is one, z.
+    /// Commanded position: x, y and, if spatial, z.
     pub commanded_mm: Vec<f64>,
-    /// Mean attained position in its normal plane.
+    /// Mean attained position in the normal plane of the point.
     pub mean_mm: Vec<f64>,
-    /// Distance between the two.
+    /// Distance between mean attained and commanded position.
     pub deviation_mm: f64,
-    /// Mean radius and three standard deviations of the passes; absent with a single pass.
+    /// Mean radius plus three standard deviations of the passes; absent with a single pass.
     pub rt_mm: Option<f64>,
 }
 
-/// Why a motion has no passes to evaluate.
+/// Reason why a motion has no passes to evaluate.
 #[derive(Clone, Debug)]
 pub enum PassError {
-    /// No motion goes through the planes of all command points.
+    /// No motion passes through the planes of all command points.
     NoPass {
         /// Number of the planes.
         planes: usize,
@@ -118,19 +118,19 @@ impl From<Problems> for PassError {
     }
 }
 
-/// Passes of a path, at least one, at its command points.
+/// Passes of a path, at least one, with its command points.
 #[derive(Clone, Debug)]
 pub struct Driven<'a> {
     recording: &'a Recording,
     settings: &'a PathSettings,
     /// Command points.
     pub points: Vec<CommandPoint>,
-    /// Passes that were found.
+    /// Passes of the recording.
     pub passes: Passes,
 }
 
 impl<'a> Driven<'a> {
-    /// Finds the passes, each point within `near_mm` of the path.
+    /// Finds passes within `near_mm` of the path.
     pub fn new(
         recording: &'a Recording,
         settings: &'a PathSettings,
@@ -156,7 +156,7 @@ impl<'a> Driven<'a> {
         self.settings.path.corners(CORNER_RAD).into_iter().find(|c| (from..=to).contains(&c.along_mm[1]))
     }
 
-    /// AT, RT, velocities and corners.
+    /// Evaluates AT, RT, velocities and corners.
     pub fn characteristics(&self, band_mm: Option<f64>, seed: u64) -> Result<PathCharacteristics> {
         let (passes, points, path) = (&self.passes.complete[..], &self.points[..], &self.settings.path);
         let accuracy = match self.reorients() {
@@ -204,7 +204,7 @@ impl<'a> Driven<'a> {
         })
     }
 
-    /// The weave about the path, which is the centre line.
+    /// Evaluates the weave about the path, which is the centre line.
     pub fn weaving(&self, weave: &Weave) -> Result<WeaveCharacteristics> {
         let last = self.points.len() - 1;
         let along = minus(self.points[last].position_mm, self.points[0].position_mm);

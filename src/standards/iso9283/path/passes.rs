@@ -1,29 +1,31 @@
-//! Passes of a commanded path in a recorded motion: the places where each of them goes through the normal planes of the
-//! command points, one after the other.
+//! Passes of a commanded path in a recorded motion: successive crossings of the normal planes of
+//! the command points.
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::path::commanded::CommandPoint;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, norm};
+use etalon_base::{error, phrase};
 use std::ops::Range;
 
-/// Where an attained path goes through the plane of a command point; between two samples along a straight line.
+/// Crossing of an attained path with the plane of a command point, interpolated linearly between
+/// two samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
-    /// When.
+    /// Time of the crossing.
     pub time_s: f64,
-    /// Where.
+    /// Position of the crossing.
     pub position_mm: Vector,
-    /// With which angles.
+    /// Angles at the crossing.
     pub angles_rad: Vec<f64>,
-    /// The first sample beyond the plane.
+    /// First sample beyond the plane.
     sample: usize,
 }
 
-/// One pass: a crossing for each command point.
+/// One pass, with a crossing for each command point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pass {
-    /// In the order of the command points.
+    /// Crossings in the order of the command points.
     pub crossings: Vec<Crossing>,
 }
 
@@ -34,31 +36,32 @@ impl Pass {
     }
 }
 
-/// Passes found.
+/// Passes of a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passes {
-    /// Those that went through all planes in order.
+    /// Passes through all planes in order.
     pub complete: Vec<Pass>,
-    /// How many began and were left, or were not ended.
+    /// Number of abandoned or unfinished passes.
     pub incomplete: usize,
 }
 
-/// Finds passes. A plane counts only within `near_mm` of its command point: less than what is between two parts of the path,
-/// more than the robot deviates. Going back through a plane takes its crossing back, so noise on a slow robot does no harm:
-/// the last crossing counts.
+/// Finds passes. A crossing counts only within `near_mm` of its command point, which must be less
+/// than the distance between two parts of the path, and more than the deviation of the robot.
+/// Crossing a plane backwards cancels its crossing, so that noise of a slow robot is harmless: the
+/// last crossing counts.
 pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<Passes> {
     if points.len() < 2 || near_mm.is_nan() || near_mm <= 0.0 {
-        let message = Message::error("passes of a path need two command points and a distance that is positive");
-        return Err(message.into());
+        return Err(error!("passes-need-points").into());
     }
     let mut found = Passes { complete: Vec::new(), incomplete: 0 };
-    // passes begun, the eldest first: on a closed path the next may begin before one is at its end
+    // passes in progress, the oldest first: on a closed path a pass may start before the previous
+    // one ends
     let mut begun: Vec<Vec<Crossing>> = Vec::new();
     for sample in 1..stream.len() {
         let crossing = |point: usize, forwards: bool| crossing(stream, sample, &points[point], forwards, near_mm);
         begun.extend(crossing(0, true).map(|first| vec![first]));
         for crossings in &mut begun {
-            // one step may go through several planes
+            // one step may cross several planes
             while crossings.len() < points.len()
                 && let Some(next) = crossing(crossings.len(), true)
             {
@@ -68,7 +71,7 @@ pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<
                 crossings.pop();
             }
         }
-        // one that a younger has caught up with was left
+        // a pass that a later pass has caught up with was abandoned
         let mut farthest = 0;
         for i in (0..begun.len()).rev() {
             if begun[i].len() > farthest {
@@ -77,7 +80,7 @@ pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<
                 found.incomplete += usize::from(begun.remove(i).len() > 1);
             }
         }
-        // so the eldest is the farthest
+        // the oldest pass is the farthest
         if farthest == points.len() {
             found.complete.push(Pass { crossings: begun.remove(0) });
         }
@@ -86,7 +89,8 @@ pub fn passes(stream: &Stream, points: &[CommandPoint], near_mm: f64) -> Result<
     Ok(found)
 }
 
-/// The crossing of a plane on the way to a sample, in the direction of the path or against it.
+/// Crossing of a plane between the previous sample and this sample, in the direction of the path or
+/// against it.
 fn crossing(stream: &Stream, sample: usize, point: &CommandPoint, forwards: bool, near_mm: f64) -> Option<Crossing> {
     let (from, to) = (stream.positions_mm()[sample - 1], stream.positions_mm()[sample]);
     let beyond = |p: Vector| dot(minus(p, point.position_mm), point.tangent);
@@ -105,15 +109,14 @@ fn crossing(stream: &Stream, sample: usize, point: &CommandPoint, forwards: bool
     })
 }
 
-/// Refuses fewer than `least` passes, or passes of other command points.
-pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, what: &str) -> Result<()> {
+/// Rejects fewer than `least` passes, and passes of other command points.
+pub(crate) fn check(passes: &[Pass], points: &[CommandPoint], least: usize, characteristic: &str) -> Result<()> {
+    let of = || phrase!("characteristic", name = characteristic);
     if passes.len() < least {
-        let message =
-            Message::error(format!("{what}: {} of the path", etalon_base::message::count(passes.len(), "pass")));
-        return Err(message.expected(format!("at least {least}")).into());
+        return Err(error!("too-few-passes", of = of(), count = passes.len(), least).into());
     }
     if points.is_empty() || passes.iter().any(|pass| pass.crossings.len() != points.len()) {
-        return Err(Message::error(format!("{what}: the passes are of another path")).into());
+        return Err(error!("passes-of-other-path", of = of()).into());
     }
     Ok(())
 }

@@ -1,45 +1,48 @@
-//! Path velocity accuracy AV, repeatability RV and fluctuation FV (ISO 9283:1998 8.6, unverified against a bought copy), over
-//! the central part of the path, where the robot neither speeds up nor slows down.
+//! Path velocity accuracy AV, repeatability RV and fluctuation FV (ISO 9283:1998 8.6, unverified
+//! against a bought copy), in the central part of the path without acceleration.
 
 use crate::iso9283::path::commanded::CommandPoint;
 use crate::iso9283::path::passes::{Pass, check};
 use crate::iso9283::statistics::sample::spread;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{minus, norm};
 
-/// How a commanded velocity is kept.
+/// Path velocity characteristics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathVelocity {
     /// Commanded velocity.
     pub commanded_mm_s: f64,
-    /// Mean over passes of the mean velocity of each.
+    /// Mean velocity: mean over the passes of the mean velocity of each pass.
     pub mean_mm_s: f64,
-    /// AV: mean minus commanded, in per cent of the commanded velocity.
+    /// AV: mean minus commanded velocity (% of the commanded velocity).
     pub av_percent: f64,
-    /// RV: three standard deviations of the passes' means, in per cent of the commanded velocity; NaN with one pass.
+    /// RV: three standard deviations of the mean velocities of the passes (% of the commanded
+    /// velocity); NaN with a single pass.
     pub rv_percent: f64,
-    /// FV: the largest difference between two velocities of one pass. Noise of the instrument is in it.
+    /// FV: largest difference between two velocities within one pass, including the instrument's
+    /// noise.
     pub fv_mm_s: f64,
 }
 
-/// Velocities between neighbouring command points in the central `share` of the path (0 to 1), which holds two at least. Across a
-/// corner, where command points are left out, there is none.
+/// Evaluates velocities between neighbouring command points in the central `share` of the path (0
+/// to 1), which contains at least two points. Intervals across a corner, where command points are
+/// omitted, do not count.
 pub fn path_velocity(
     passes: &[Pass],
     points: &[CommandPoint],
     commanded_mm_s: f64,
     share: f64,
 ) -> Result<PathVelocity> {
-    check(passes, points, 1, "path velocity")?;
+    check(passes, points, 1, "path-velocity")?;
     if !(commanded_mm_s > 0.0 && commanded_mm_s.is_finite()) {
-        return Err(Message::error("path velocity: the commanded velocity must be positive").into());
+        return Err(error!("velocity-not-positive").into());
     }
     let (from, to) = central(points, share);
     let part_mm = (1..points.len()).map(|i| points[i].along_mm - points[i - 1].along_mm).fold(f64::INFINITY, f64::min);
     let neighbours = |i: usize| points[i + 1].along_mm - points[i].along_mm < 1.5 * part_mm;
     if (from..to).filter(|&i| neighbours(i)).count() < 2 {
-        let message = Message::error("path velocity: the central part holds fewer than three command points");
-        return Err(message.hint("state more command points, or a larger central part").into());
+        return Err(error!("velocity-too-few-points").into());
     }
     let velocities = |pass: &Pass| -> Vec<f64> {
         let pairs = (from..to).filter(|&i| neighbours(i)).map(|i| (&pass.crossings[i], &pass.crossings[i + 1]));
@@ -62,8 +65,8 @@ pub fn path_velocity(
 
 /// First and last command point of the central share of the path.
 pub fn central(points: &[CommandPoint], share: f64) -> (usize, usize) {
-    // command points are the middles of equal parts: the first is as far from the start as the last from the end, unless a
-    // leg is shorter than a part
+    // command points are the midpoints of equal parts, so the first is as far from the start as the
+    // last from the end, unless a leg is shorter than a part
     let length = points[0].along_mm + points[points.len() - 1].along_mm;
     let edge = 0.5 * (1.0 - share) * length - 1e-9 * length;
     let inside = |p: &CommandPoint| p.along_mm >= edge && p.along_mm <= length - edge;

@@ -1,50 +1,51 @@
-//! Weaving deviations (ISO 9283:1998 11, unverified against a bought copy): stroke WS and frequency WF of a path that swings
-//! from side to side of its centre line.
+//! Weaving deviations (ISO 9283:1998 11, unverified against a bought copy): stroke WS and frequency
+//! WF of a path that oscillates about its centre line.
 
 use crate::iso9283::motion::stream::Stream;
 use crate::iso9283::statistics::sample::spread;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, dot, minus, unit};
 use std::ops::Range;
 
-/// How a weave is driven.
+/// Weaving deviations of one pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weaving {
-    /// Mean distance from a turn on one side to the next on the other, across the centre line.
+    /// Mean distance between successive turns on opposite sides, across the centre line.
     pub stroke_mm: f64,
-    /// Swings there and back by second.
+    /// Number of full swings per second.
     pub frequency_hz: f64,
-    /// WS: attained minus commanded stroke, in per cent of the commanded one.
+    /// WS: attained minus commanded stroke (% of the commanded stroke).
     pub ws_percent: f64,
-    /// WF: attained minus commanded frequency, in per cent of the commanded one.
+    /// WF: attained minus commanded frequency (% of the commanded frequency).
     pub wf_percent: f64,
-    /// Turns that were counted.
+    /// Number of turns.
     pub turns: usize,
 }
 
-/// A weave, mean of all passes.
+/// Weaving deviations, means of all passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeaveCharacteristics {
-    /// Passes of the centre line.
+    /// Number of passes of the centre line.
     pub passes: usize,
-    /// Turns that were counted in all of them.
+    /// Number of turns in all passes.
     pub turns: usize,
-    /// Commanded stroke, from side to side.
+    /// Commanded stroke from side to side.
     pub commanded_stroke_mm: f64,
     /// Attained stroke.
     pub stroke_mm: f64,
-    /// Commanded frequency: swings there and back by second.
+    /// Commanded frequency: full swings per second.
     pub commanded_frequency_hz: f64,
     /// Attained frequency.
     pub frequency_hz: f64,
-    /// WS, in per cent of the commanded stroke.
+    /// WS (% of the commanded stroke).
     pub ws_percent: f64,
-    /// WF, in per cent of the commanded frequency.
+    /// WF (% of the commanded frequency).
     pub wf_percent: f64,
 }
 
 impl WeaveCharacteristics {
-    /// Means over the passes of the centre line, at least one.
+    /// Means over at least one pass of the centre line.
     pub(crate) fn new(weave: &Weave, passes: &[Weaving]) -> Self {
         let mean = |of: fn(&Weaving) -> f64| passes.iter().map(of).sum::<f64>() / passes.len() as f64;
         Self {
@@ -60,32 +61,32 @@ impl WeaveCharacteristics {
     }
 }
 
-/// What was commanded.
+/// Commanded weave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weave {
-    /// Across the centre line: the way the weave swings.
+    /// Direction of the weave across the centre line.
     pub across: Vector,
     /// Stroke from side to side.
     pub stroke_mm: f64,
-    /// Swings there and back by second.
+    /// Full swings per second.
     pub frequency_hz: f64,
 }
 
-/// Weaving in the samples of a recorded motion about a centre line that runs `along`. A turn counts when the path comes back by a quarter of the commanded stroke:
-/// noise makes no turns. The first and the last turn may be those of a standing robot and do not count; three others are
-/// needed.
+/// Evaluates the weave in samples of a recorded motion about a centre line in the direction
+/// `along`. A turn counts if the path returns by a quarter of the commanded stroke, which noise
+/// does not reach. The first and the last turn may belong to a standing robot and do not count; at
+/// least three others are needed.
 pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &Weave) -> Result<Weaving> {
-    let wrong = |what: &str| Message::error(format!("weaving: {what}"));
     let positive = |v: f64| v > 0.0 && v.is_finite();
-    let along = unit(along).ok_or_else(|| wrong("the centre line has no direction"))?;
+    let along = unit(along).ok_or_else(|| error!("weave-direction"))?;
     let part = dot(weave.across, along);
     let across = unit([0, 1, 2].map(|k| weave.across[k] - part * along[k]));
-    let across = across.ok_or_else(|| wrong("the swing is along the centre line, or has no direction"))?;
+    let across = across.ok_or_else(|| error!("weave-direction"))?;
     if !positive(weave.stroke_mm) || !positive(weave.frequency_hz) {
-        return Err(wrong("commanded stroke and frequency must be positive").into());
+        return Err(error!("weave-command").into());
     }
     if samples.end > stream.len() || samples.is_empty() {
-        return Err(wrong("no samples").into());
+        return Err(error!("weave-without-samples").into());
     }
     let origin = stream.positions_mm()[samples.start];
     let points = &stream.positions_mm()[samples.clone()];
@@ -93,8 +94,7 @@ pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &We
     let turns = turns(&swing, 0.25 * weave.stroke_mm);
     let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
     if inner.len() < 3 {
-        let message = wrong(&format!("{} turns", turns.len()));
-        return Err(message.expected("five or more, a quarter of the commanded stroke apart at least").into());
+        return Err(error!("weave-too-few-turns", turns = turns.len()).into());
     }
     let strokes: Vec<f64> = inner.windows(2).map(|t| (swing[t[1]] - swing[t[0]]).abs()).collect();
     let time_s = |turn: usize| stream.time_s()[samples.start + turn];
@@ -109,7 +109,7 @@ pub fn weaving(stream: &Stream, samples: Range<usize>, along: Vector, weave: &We
     })
 }
 
-/// Where values turn: alternating extremes that are left by more than `dead`.
+/// Indices of turning points: alternating extremes followed by a change of more than `dead`.
 fn turns(values: &[f64], dead: f64) -> Vec<usize> {
     let mut found: Vec<usize> = Vec::new();
     let (mut low, mut high, mut upwards) = (0, 0, None);

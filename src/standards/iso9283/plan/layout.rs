@@ -1,11 +1,12 @@
-//! Where to test: cube, test plane, poses P1 to P5 and paths (ISO 9283:1998 6, unverified against a bought copy but for the
-//! poses), laid into a stated workspace.
+//! Test geometry: cube, test plane, poses P1 to P5 and paths (ISO 9283:1998 6; except for the poses
+//! unverified against a bought copy) in a stated workspace.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm, unit};
 use std::f64::consts::TAU;
 
-/// Diagonal planes of the cube that the standard offers, each by its corners in order.
+/// Diagonal planes of the cube that the standard offers, each with its corners in order.
 pub const PLANES: [(&str, [usize; 4]); 4] = [
     ("C1-C2-C7-C8", [0, 1, 6, 7]),
     ("C2-C3-C8-C5", [1, 2, 7, 4]),
@@ -13,38 +14,40 @@ pub const PLANES: [(&str, [usize; 4]); 4] = [
     ("C4-C1-C6-C7", [3, 0, 5, 6]),
 ];
 
-/// Distance of P2 to P5 from the ends of the diagonals, as a share of the diagonal: (10 ± 2) %.
+/// Distance of P2 to P5 from the ends of the diagonals, relative to the diagonal: (10 ± 2) %.
 const FROM_END: f64 = 0.1;
-/// Diameter of the large circle over the side of the cube, and of the small circle over the large one.
+/// Diameter of the large circle relative to the side of the cube, and of the small circle relative
+/// to the large one.
 const LARGE_CIRCLE: f64 = 0.8;
 const SMALL_CIRCLE: f64 = 0.1;
-/// Steps of the minimum posing time along the diagonal, in mm, as many as fit.
+/// Steps of the minimum posing time along the diagonal (mm); as many as fit are used.
 const STEPS_MM: [f64; 7] = [-10.0, 20.0, -50.0, 100.0, -200.0, 500.0, -1000.0];
 
-/// A test laid out.
+/// Layout of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// Side of the cube, of planar robots the square.
+    /// Side of the cube; for planar robots, of the square.
     pub side_mm: f64,
-    /// Corners C1 to C8: C1 to C4 go round the bottom from the smallest x and y, first along x; C5 to C8 stand above them.
-    /// Of planar robots C1 to C4. The order of the standard's figure is unverified; the coordinates say what is meant.
+    /// Corners C1 to C8. C1 to C4 go round the bottom from the smallest x and y, first along x; C5
+    /// to C8 are above them. Planar robots have C1 to C4. The order in the standard's figure is
+    /// unverified; the coordinates are unambiguous.
     pub corners_mm: Vec<Vector>,
     /// Corners of the test plane in order.
     pub plane: [usize; 4],
-    /// P1 to P5.
+    /// Poses P1 to P5.
     pub poses_mm: [Vector; 5],
 }
 
-/// The largest cube in a box, its edges parallel to the axes; the test plane is one of [`PLANES`]. A box without height is
-/// the workspace of a planar robot: a square, and no choice of plane.
+/// Lays out the largest cube in a box, with edges parallel to the axes; the test plane is one of
+/// [`PLANES`]. A box without height is the workspace of a planar robot, with a square and no choice
+/// of plane.
 pub fn layout(low_mm: Vector, high_mm: Vector, plane: usize) -> Result<Layout> {
     let extent = minus(high_mm, low_mm);
     let planar = extent[2] == 0.0;
     let sides = if planar { &extent[..2] } else { &extent[..] };
     let side_mm = sides.iter().copied().fold(f64::INFINITY, f64::min);
     if !norm(extent).is_finite() || side_mm.is_nan() || side_mm <= 0.0 || plane >= PLANES.len() {
-        let message = Message::error("the workspace is not a box");
-        return Err(message.expected("the smallest x, y, z, then the largest").into());
+        return Err(error!("workspace-not-box").into());
     }
     let half = 0.5 * side_mm;
     let centre = [0, 1, 2].map(|k| 0.5 * (low_mm[k] + high_mm[k]));
@@ -65,12 +68,13 @@ impl Layout {
         vec![self.poses_mm[1], self.poses_mm[3]]
     }
 
-    /// Rectangle E1-E2-E3-E4 and back, for cornering: P2 to P5.
+    /// Closed rectangle E1-E2-E3-E4 for cornering: P2 to P5.
     pub fn rectangle(&self) -> Vec<Vector> {
         [1, 2, 3, 4, 1].map(|k| self.poses_mm[k]).to_vec()
     }
 
-    /// Large and small circle about P1 in the test plane, closed, by `count` equal chords of at least 3.
+    /// Large and small circle about P1 in the test plane, each closed and made of `count` equal
+    /// chords (at least 3).
     pub fn circles(&self, count: usize) -> [Vec<Vector>; 2] {
         let [a, b, _, d] = self.plane.map(|k| self.corners_mm[k]);
         let (u, v) = (unit(minus(b, a)).unwrap_or_default(), unit(minus(d, a)).unwrap_or_default());
@@ -85,8 +89,8 @@ impl Layout {
         })
     }
 
-    /// Poses of the minimum posing time: from P1 on, each a step along the diagonal from the one before; as many as stay
-    /// between P2 and P4.
+    /// Poses of the minimum posing time: from P1, each a step along the diagonal from the previous
+    /// one, as many as stay between P2 and P4.
     pub fn posing(&self) -> Vec<Vector> {
         let [centre, p2, _, p4, _] = self.poses_mm;
         let Some(along) = unit(minus(p4, p2)) else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! A test by ISO 9283 laid into a workspace: what to command, and how often.
+//! Layout of a test by ISO 9283 in a workspace: poses to command and number of cycles.
 
 pub mod layout;
 pub mod programme;
@@ -7,41 +7,42 @@ mod reach;
 pub use reach::{Reach, UnknownReach, Unreached, reach};
 
 use crate::iso9283::plan::layout::{Layout, PLANES, layout};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 
-/// What the user states.
+/// User's request for a test.
 #[derive(Clone, Debug)]
 pub struct TestRequest {
-    /// Smallest and largest corner of the workspace; of planar robots with the same z.
+    /// Smallest and largest corner of the workspace; for planar robots with equal z.
     pub workspace_mm: [Vector; 2],
-    /// Name of the test plane, one of [`PLANES`]; planar robots have no choice.
+    /// Name of the test plane, one of [`PLANES`]; not applicable to planar robots.
     pub plane: Option<String>,
-    /// Commanded angles a, b, c, of planar robots c alone; none where they are empty.
+    /// Commanded angles a, b, c; for planar robots c alone; empty if no angles are commanded.
     pub orientation_deg: Vec<f64>,
-    /// By how much they change along the path with reorientation; none where it is empty.
+    /// Change of the angles along the path with reorientation; empty if there is no such path.
     pub reorientation_deg: Vec<f64>,
 }
 
-/// Test laid into a workspace.
+/// A test laid out in a workspace.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestPlan {
-    /// `true` for planar robots: neither z nor angles a and b.
+    /// `true` for planar robots, which have neither z nor angles a and b.
     pub planar: bool,
     /// Cube, test plane and poses.
     pub layout: Layout,
-    /// Places to visit.
+    /// Lists of places to visit.
     pub places: Vec<CommandedPoses>,
 }
 
-/// Poses, or a path.
+/// A list of poses, or a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommandedPoses {
     /// Name of the list.
     pub name: &'static str,
-    /// Characteristics that it is for.
+    /// Characteristics for which the list is used.
     pub purpose: &'static str,
-    /// The places in order.
+    /// Places in order.
     pub points: Vec<CommandedPose>,
 }
 
@@ -50,19 +51,19 @@ pub struct CommandedPoses {
 pub struct CommandedPose {
     /// Position; z is zero for planar robots.
     pub position_mm: Vector,
-    /// Angles a, b, c, of planar robots c alone; empty where none are stated.
+    /// Angles a, b, c; for planar robots c alone; empty if not stated.
     pub angles_deg: Vec<f64>,
 }
 
-/// Angles of a commanded pose.
+/// Names of the angles of a commanded pose.
 const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
-/// Chords of a circle.
+/// Number of chords of a circle.
 const CHORDS: usize = 72;
 
-/// Why a test cannot be laid out.
+/// Reason why a test cannot be laid out.
 #[derive(Clone, Debug)]
 pub enum PlanError {
-    /// Angles change along the path from an orientation that is not stated.
+    /// Angles change along the path, but the orientation is not stated.
     ReorientationAlone,
     /// The request cannot be met.
     Other(Problems),
@@ -82,8 +83,7 @@ pub fn plan(request: &TestRequest) -> std::result::Result<TestPlan, PlanError> {
     let angles: &[&str] = if planar { &ANGLES[2..] } else { &ANGLES };
     for (option, given) in [("orientation", &request.orientation_deg), ("reorientation", &request.reorientation_deg)] {
         if !(given.is_empty() || given.len() == angles.len()) || given.iter().any(|v| !v.is_finite()) {
-            let message = Message::error(format!("the {option} has {} angles", given.len()));
-            return Err(Problems::from(message.expected(angles.join(", "))).into());
+            return Err(Problems::from(error!("angle-count", option, count = given.len(), angles)).into());
         }
     }
     if request.orientation_deg.is_empty() && !request.reorientation_deg.is_empty() {
@@ -121,11 +121,11 @@ pub fn plan(request: &TestRequest) -> std::result::Result<TestPlan, PlanError> {
 
 fn plane(name: Option<&str>, planar: bool) -> Result<usize> {
     match name {
-        Some(_) if planar => Err(Message::error("a planar robot has one test plane").hint("leave it out").into()),
-        Some(name) => PLANES.iter().position(|(known, _)| *known == name).ok_or_else(|| {
-            let message = Message::error(format!("`{name}` is not a test plane"));
-            message.expected(PLANES.map(|(known, _)| known).join(", ")).into()
-        }),
+        Some(_) if planar => Err(error!("planar-test-plane").into()),
+        Some(name) => PLANES
+            .iter()
+            .position(|(known, _)| *known == name)
+            .ok_or_else(|| error!("test-plane-unknown", name, planes = PLANES.map(|(known, _)| known)).into()),
         None => Ok(0),
     }
 }

@@ -1,26 +1,28 @@
-//! The test's programme: which characteristic with which poses, loads, velocities and cycles (ISO 9283:1998 6 and table 7).
+//! Test programme: poses, loads, velocities and cycles for each characteristic (ISO 9283:1998 6 and
+//! table 7).
 
-/// One line of the programme.
+/// One line of the test programme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
-    /// What is tested.
+    /// Tested characteristic.
     pub characteristic: String,
-    /// Clause.
+    /// Clause of the standard.
     pub clause: String,
     /// Poses of a cycle in order, or the path.
     pub visits: String,
-    /// Per cent of the rated velocity.
+    /// Velocities (% of the rated velocity).
     pub velocities_percent: Vec<u32>,
-    /// Cycles for each velocity.
+    /// Number of cycles for each velocity.
     pub cycles: u32,
-    /// `true` if the line was read in the standard's text; otherwise it is general knowledge.
+    /// `true` if the line was verified against the standard's text, `false` if it is general
+    /// knowledge.
     pub read: bool,
 }
 
-/// Loads in per cent of the rated load: the first is mandatory, the second optional (read).
+/// Loads (% of the rated load): the first is mandatory, the second optional (read).
 pub const LOADS_PERCENT: [u32; 2] = [100, 10];
 
-/// The programme; drift goes on for eight hours, in sets of ten cycles.
+/// Test programme; drift takes eight hours, in sets of ten cycles.
 pub fn programme() -> Vec<Item> {
     let item = |characteristic: &str, clause: &str, visits: &str, cycles: u32, read: bool| Item {
         characteristic: characteristic.to_owned(),

@@ -1,4 +1,4 @@
-//! Whether a robot reaches the places of a test, within what its file states, and with which joint values.
+//! Reachability of the places of a test within the limits of the robot file, with joint values.
 
 use crate::iso9283::plan::{CommandedPose, CommandedPoses, TestPlan};
 use etalon_robots::{PlanarPose, Quantity, Robot};
@@ -7,33 +7,33 @@ use std::f64::consts::{PI, TAU};
 /// Joint values of the places of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach {
-    /// Joint values at each place of each list, and after them the assembly mode, if the robot has
-    /// several; `None` out of reach.
+    /// Joint values at each place of each list, followed by the assembly mode if the robot has
+    /// several; `None` if out of reach.
     pub joints: Vec<Vec<Option<Vec<f64>>>>,
     /// Places out of reach.
     pub unreached: Vec<Unreached>,
-    /// `true` if all joints move between P1 to P5, as the standard asks.
+    /// `true` if all joints move between P1 to P5, as the standard requires.
     pub all_move: bool,
 }
 
-/// Place that the robot does not reach.
+/// A place that the robot does not reach.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unreached {
     /// Name of the list.
     pub places: String,
-    /// Number of the point in it, from 1.
+    /// Number of the point in the list, from 1.
     pub point: usize,
     /// Reason.
     pub reason: String,
 }
 
-/// The model of a robot does not tell what the robot reaches.
+/// Error: the model of the robot does not provide its reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownReach;
 
-/// Joint values of every place, and which places are out of reach and why. Models without an
-/// inverse that holds everywhere are refused. Of several working modes one is kept along a list,
-/// the one that reaches most of it.
+/// Finds joint values of every place, and places that are out of reach with the reasons. Fails for
+/// models whose inverse is not valid everywhere. With several working modes, one is kept along a
+/// list: the one that reaches most of its places.
 pub fn reach(plan: &TestPlan, robot: &dyn Robot) -> Result<Reach, UnknownReach> {
     if robot.platform().is_none() && robot.inverse_all(&robot.nominal(), [0.0; 3]).is_none() {
         return Err(UnknownReach);
@@ -49,7 +49,7 @@ pub fn reach(plan: &TestPlan, robot: &dyn Robot) -> Result<Reach, UnknownReach> 
     Ok(Reach { joints, unreached, all_move })
 }
 
-/// Joint values of every way to a place that is within the limits.
+/// Joint values of all solutions for a place within the limits.
 fn ways(robot: &dyn Robot, point: &CommandedPose) -> Vec<Vec<f64>> {
     let within = |q: &Vec<f64>| robot.limit_violation(&robot.nominal(), q).is_none();
     match robot.platform() {
@@ -58,7 +58,7 @@ fn ways(robot: &dyn Robot, point: &CommandedPose) -> Vec<Vec<f64>> {
     }
 }
 
-/// Joint values that bring a platform to a place, whatever their limits.
+/// Joint values of a platform at a place, whatever their limits.
 fn at_pose(robot: &dyn Robot, point: &CommandedPose) -> Option<Vec<f64>> {
     let (platform, parameters) = (robot.platform()?, robot.nominal());
     let [x, y, _] = point.position_mm;
@@ -73,7 +73,8 @@ fn reason(robot: &dyn Robot, point: &CommandedPose) -> String {
     violation.unwrap_or_else(|| "no working mode reaches it within the limits".to_owned())
 }
 
-/// Joint values along a list without leaving the working mode: of all ways to begin the one that misses least.
+/// Joint values along a list in a single working mode, from the initial solution that misses the
+/// fewest places.
 fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
     let all: Vec<Vec<Vec<f64>>> = places.points.iter().map(|point| ways(robot, point)).collect();
     let starts = all.iter().find(|ways| !ways.is_empty()).cloned().unwrap_or_default();
@@ -81,7 +82,7 @@ fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
         let mut last = start;
         let nearest = |ways: &Vec<Vec<f64>>| {
             let next = ways.iter().min_by(|a, b| apart(robot, a, &last).total_cmp(&apart(robot, b, &last)));
-            // the other mode is another robot: it is reached through a singularity
+            // the other mode is beyond a singularity
             let next = next.filter(|q| same_mode(robot, q, &last)).cloned();
             last = next.clone().unwrap_or_else(|| last.clone());
             next
@@ -92,7 +93,7 @@ fn way(robot: &dyn Robot, places: &CommandedPoses) -> Vec<Option<Vec<f64>>> {
     starts.into_iter().map(follow).min_by_key(missed).unwrap_or_else(|| vec![None; all.len()])
 }
 
-/// The largest difference of a joint, angles the shorter way round.
+/// Largest difference of a joint, with angles the shorter way.
 fn apart(robot: &dyn Robot, a: &[f64], b: &[f64]) -> f64 {
     let of = |(joint, (a, b)): (&etalon_robots::Joint, (&f64, &f64))| match joint.quantity {
         Quantity::Angle => ((a - b) - TAU * ((a - b) / TAU).round()).abs(),
@@ -101,7 +102,8 @@ fn apart(robot: &dyn Robot, a: &[f64], b: &[f64]) -> f64 {
     robot.joints().iter().zip(a.iter().zip(b)).map(of).fold(0.0, f64::max)
 }
 
-/// Whether a robot gets from one to the other without changing its assembly mode or folding over.
+/// `true` if a robot moves from one configuration to the other without changing its assembly mode
+/// or folding over.
 fn same_mode(robot: &dyn Robot, a: &[f64], b: &[f64]) -> bool {
     !robot.has_assembly_modes() || (a.last() == b.last() && apart(robot, a, b) < PI / 2.0)
 }

@@ -4,18 +4,18 @@ use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapp
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 
-/// The mean attained pose against the commanded one.
+/// Mean attained pose compared with the commanded pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseAccuracy {
     /// Barycentre of the attained positions.
     pub mean_mm: Vector,
     /// AP_x, AP_y, AP_z: barycentre minus commanded position.
     pub deviation_mm: Vector,
-    /// AP_p, the length of the deviation.
+    /// AP_p: length of the deviation.
     pub ap_mm: f64,
 }
 
-/// Accuracy of position; at least one attained position.
+/// Evaluates accuracy of position from at least one attained position.
 ///
 /// # Examples
 ///
@@ -30,13 +30,13 @@ pub struct PoseAccuracy {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn pose_accuracy(attained_mm: &[Vector], commanded_mm: Vector) -> Result<PoseAccuracy> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 1, "pose accuracy")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 1, "pose-accuracy")?;
     let mean_mm = mean_position(attained_mm);
     let deviation_mm = minus(mean_mm, commanded_mm);
     Ok(PoseAccuracy { mean_mm, deviation_mm, ap_mm: norm(deviation_mm) })
 }
 
-/// AP_a, AP_b or AP_c in radians, within half a turn; NaN without angles.
+/// AP_a, AP_b or AP_c (rad), within half a turn; NaN without angles.
 pub fn angle_accuracy_rad(attained_rad: &[f64], commanded_rad: f64) -> f64 {
     wrapped(spread(&unwrapped(attained_rad)).mean - commanded_rad)
 }

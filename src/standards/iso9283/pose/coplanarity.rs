@@ -1,26 +1,28 @@
-//! Coplanarity of mean positions (thesis 2.4): a planar robot's barycentres should lie in one plane.
+//! Coplanarity of mean positions (thesis, 2.4): the barycentres of a planar robot should lie in one
+//! plane.
 
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
+use etalon_base::{error, phrase};
 
-/// Mean positions against their least-squares plane.
+/// Mean positions compared with their least-squares plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coplanarity {
     /// Unit normal of the plane.
     pub normal: Vector,
-    /// Distance of each mean position from it, with its sign.
+    /// Signed distance of each mean position from the plane.
     pub deviations_mm: Vec<f64>,
     /// Peak to valley.
     pub flatness_mm: f64,
 }
 
-/// Coplanarity of at least four poses that do not lie on a line.
+/// Evaluates coplanarity of at least four non-collinear poses.
 pub fn coplanarity(poses_mm: &[Vec<Vector>]) -> Result<Coplanarity> {
     if poses_mm.len() < 4 {
-        let message = Message::error(format!("coplanarity: {} poses", poses_mm.len()));
-        return Err(message.expected("at least four: three lie in a plane anyhow").into());
+        let of = phrase!("characteristic", name = "coplanarity");
+        return Err(error!("too-few-of", of, sets = phrase!("poses", count = poses_mm.len()), least = 4).into());
     }
     for points in poses_mm {
         crate::iso9283::statistics::sample::positions(points, 1, "coplanarity")?;
@@ -33,7 +35,8 @@ pub fn coplanarity(poses_mm: &[Vec<Vector>]) -> Result<Coplanarity> {
     Ok(Coplanarity { normal, deviations_mm, flatness_mm: high - low })
 }
 
-/// Distance of each of four mean positions from the plane of the other three (thesis 2.4), in mm, never negative.
+/// Distance (mm, non-negative) of each of four mean positions from the plane of the other three
+/// (thesis, 2.4).
 pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
     for points in poses_mm {
         crate::iso9283::statistics::sample::positions(points, 1, "coplanarity")?;
@@ -44,10 +47,9 @@ pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
         let [a, b, c] = [1, 2, 3].map(|k| means[(i + k) % 4]);
         let (ab, ac) = (minus(b, a), minus(c, a));
         let normal = cross(ab, ac);
-        // three places that a thousandth of their distance takes off a line have a plane
+        // three points define a plane if they deviate from a line by a thousandth of their distance
         if norm(normal) <= 1e-3 * norm(ab) * norm(ac) {
-            let message = Message::error("coplanarity: three of the four mean positions lie on a line");
-            return Err(message.hint("name four poses that span a plane").into());
+            return Err(error!("coplanar-poses-on-line").into());
         }
         *distance_mm = unit(normal).map_or(0.0, |n| dot(minus(means[i], a), n).abs());
     }
@@ -55,7 +57,7 @@ pub fn from_the_others(poses_mm: &[Vec<Vector>; 4]) -> Result<[f64; 4]> {
 }
 
 /// Peak to valley of the mean positions of a test about their plane; `None` for planar robots, and
-/// with fewer than four poses or poses on a line.
+/// with fewer than four poses or collinear poses.
 pub fn flatness(test: &PoseTest) -> Result<Option<f64>> {
     if !test.spatial || test.poses.len() < 4 {
         return Ok(None);

@@ -1,19 +1,21 @@
-//! The attained pose depends on the direction of approach: multi-directional pose accuracy variation vAP (ISO 9283:1998 7.2.3,
-//! unverified against a bought copy) and the same by any pose approached from (not of the standard).
+//! Dependence of the attained pose on the direction of approach: multi-directional pose accuracy
+//! variation vAP (ISO 9283:1998 7.2.3, unverified against a bought copy), and variation by the
+//! preceding pose (not in the standard).
 
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 
-/// Attained positions of one pose, apart by approach.
+/// Variation of one pose over its approaches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variation {
-    /// vAP_p: the largest distance between two barycentres.
+    /// vAP_p: largest distance between two barycentres.
     pub vap_mm: f64,
-    /// The two approaches that are farthest apart.
+    /// Indices of the approaches with the largest distance.
     pub between: (usize, usize),
     /// Barycentre of each approach.
     pub means_mm: Vec<Vector>,
@@ -21,18 +23,18 @@ pub struct Variation {
     pub within: Vec<Option<PoseRepeatability>>,
 }
 
-/// One pose of a test approached in several ways.
+/// A pose of a test that was approached in several ways.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseVariation {
     /// Name of the pose.
     pub pose: PoseName,
     /// vAP_p.
     pub vap_mm: f64,
-    /// The two approaches that are farthest apart.
+    /// Approaches with the largest distance.
     pub between: [String; 2],
     /// vAP of each angle of the test.
     pub angles_rad: Vec<f64>,
-    /// Every approach by itself.
+    /// Characteristics of each approach.
     pub approaches: Vec<Approach>,
 }
 
@@ -41,20 +43,20 @@ pub struct PoseVariation {
 pub struct Approach {
     /// Name of the approach.
     pub name: String,
-    /// Visits.
+    /// Number of visits.
     pub cycles: usize,
     /// Barycentre.
     pub mean_mm: Vector,
-    /// Barycentre minus commanded position; absent where none was commanded.
+    /// Barycentre minus commanded position; absent if no position was commanded.
     pub deviation_mm: Option<Vector>,
     /// RP within this approach; absent with a single visit.
     pub rp_mm: Option<f64>,
-    /// Radius of the smallest sphere (planar robots: circle) that holds the positions; absent with
-    /// a single visit.
+    /// Radius of the smallest sphere (planar robots: circle) that encloses the positions; absent
+    /// with a single visit.
     pub enclosing_radius_mm: Option<f64>,
 }
 
-/// Variation of every pose of a test that was approached in at least two ways.
+/// Variation of all poses of a test that were approached in at least two ways.
 pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
     let of_pose = |p: &TestedPose| -> Result<PoseVariation> {
         let names: Vec<String> = p.approaches().into_keys().map(str::to_owned).collect();
@@ -84,15 +86,17 @@ pub fn variations(test: &PoseTest) -> Result<Vec<PoseVariation>> {
     test.poses.iter().filter(|p| p.approaches().len() > 1).map(of_pose).collect()
 }
 
-/// Variation over approaches, each with at least one position; at least two approaches (the standard has three at right
-/// angles, 30 cycles each).
+/// Variation over at least two approaches, each with at least one position (the standard has three
+/// approaches at right angles with 30 cycles each).
 pub fn variation(approaches_mm: &[Vec<Vector>]) -> Result<Variation> {
     if approaches_mm.len() < 2 {
-        let message = Message::error(format!("variation over approaches: {} of them", approaches_mm.len()));
-        return Err(message.expected("at least two").into());
+        let of = phrase!("characteristic", name = "variation");
+        return Err(
+            error!("too-few-of", of, sets = phrase!("approaches", count = approaches_mm.len()), least = 2).into()
+        );
     }
     for points in approaches_mm {
-        crate::iso9283::statistics::sample::positions(points, 1, "variation over approaches")?;
+        crate::iso9283::statistics::sample::positions(points, 1, "variation")?;
     }
     let means_mm: Vec<Vector> = approaches_mm.iter().map(|points| mean_position(points)).collect();
     let (vap_mm, between) = farthest(means_mm.len(), |h, k| norm(minus(means_mm[h], means_mm[k])));
@@ -103,13 +107,13 @@ pub fn variation(approaches_mm: &[Vec<Vector>]) -> Result<Variation> {
     Ok(Variation { vap_mm, between, within: within.collect::<Result<_>>()?, means_mm })
 }
 
-/// vAP_a, vAP_b or vAP_c in radians.
+/// vAP_a, vAP_b or vAP_c (rad).
 pub fn angle_variation_rad(approaches_rad: &[Vec<f64>]) -> f64 {
     let means: Vec<f64> = approaches_rad.iter().map(|angles| spread(&unwrapped(angles)).mean).collect();
     farthest(means.len(), |h, k| wrapped(means[h] - means[k]).abs()).0
 }
 
-/// The largest of `distance(h, k)` over pairs, and the first pair that has it.
+/// Largest value of `distance(h, k)` over all pairs, and the first pair with that value.
 pub(crate) fn farthest(count: usize, distance: impl Fn(usize, usize) -> f64) -> (f64, (usize, usize)) {
     let pairs = (0..count).flat_map(|h| (h + 1..count).map(move |k| (h, k)));
     pairs.map(|(h, k)| (distance(h, k), (h, k))).fold((0.0, (0, 0)), |a, b| if b.0 > a.0 { b } else { a })

@@ -1,19 +1,21 @@
-//! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified against a bought copy).
+//! Distance accuracy AD and repeatability RD between two poses (ISO 9283:1998 7.3, unverified
+//! against a bought copy).
 
 use crate::iso9283::pose::test::{PosePair, PoseTest};
 use crate::iso9283::statistics::sample::{SampleSpread, coordinates, spread, unwrapped, wrapped};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 
-/// How well a commanded distance is driven.
+/// Accuracy and repeatability of a commanded distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceAccuracy {
     /// Mean attained distance.
     pub mean_mm: f64,
     /// AD_p: mean attained minus commanded distance.
     pub ad_mm: f64,
-    /// AD_x, AD_y, AD_z: the same of the sizes of the coordinate differences.
+    /// AD_x, AD_y, AD_z: mean attained minus commanded absolute coordinate differences.
     pub ad_axis_mm: Vector,
     /// RD_p: three standard deviations of the attained distance.
     pub rd_mm: f64,
@@ -24,9 +26,9 @@ pub struct DistanceAccuracy {
 /// Distance between two poses of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairDistance {
-    /// The two poses.
+    /// Names of the two poses.
     pub poses: [PoseName; 2],
-    /// Cycles that have both.
+    /// Number of cycles with both poses.
     pub cycles: usize,
     /// AD and RD of the position.
     pub position: DistanceAccuracy,
@@ -38,14 +40,14 @@ pub struct PairDistance {
 }
 
 impl PairDistance {
-    /// Coordinates that the robot has, of AD_x to RD_z.
+    /// Selects the coordinates that the robot has from AD_x to RD_z.
     pub fn coordinates(&self, of: Vector) -> Vec<f64> {
         coordinates(of, self.spatial)
     }
 }
 
-/// Distances of every pair of commanded poses, by the cycles that have each of the two once; two
-/// cycles at least.
+/// Distances of all pairs of commanded poses, from the cycles with exactly one visit of each; at
+/// least two cycles are needed.
 pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
     let mut all = Vec::new();
     for (i, p) in test.poses.iter().enumerate() {
@@ -71,13 +73,13 @@ pub fn distances(test: &PoseTest) -> Result<Vec<PairDistance>> {
     Ok(all)
 }
 
-/// Distance between two poses that were visited in the same cycles, in order: at least two.
+/// Evaluates the distance between two poses that were visited in the same cycles, in order; at
+/// least two cycles are needed.
 pub fn distance(first_mm: &[Vector], second_mm: &[Vector], commanded_mm: [Vector; 2]) -> Result<DistanceAccuracy> {
     crate::iso9283::statistics::sample::positions(first_mm, 2, "distance")?;
     crate::iso9283::statistics::sample::positions(second_mm, 2, "distance")?;
     if first_mm.len() != second_mm.len() {
-        let message = Message::error(format!("distance: {} and {} positions", first_mm.len(), second_mm.len()));
-        return Err(message.expected("both poses in the same cycles").into());
+        return Err(error!("distance-counts-differ", first = first_mm.len(), second = second_mm.len()).into());
     }
     let attained: Vec<Vector> = first_mm.iter().zip(second_mm).map(|(p, q)| minus(*p, *q)).collect();
     let commanded = minus(commanded_mm[0], commanded_mm[1]);
@@ -92,7 +94,7 @@ pub fn distance(first_mm: &[Vector], second_mm: &[Vector], commanded_mm: [Vector
     })
 }
 
-/// AD_a and RD_a in radians, of the sizes of the differences of one angle; NaN where cycles are too few.
+/// AD_a and RD_a (rad) of the absolute differences of one angle; NaN with too few cycles.
 pub fn angle_distance_rad(first_rad: &[f64], second_rad: &[f64], commanded_rad: [f64; 2]) -> (f64, f64) {
     let differences: Vec<f64> = first_rad.iter().zip(second_rad).map(|(a, b)| wrapped(a - b)).collect();
     let attained = spread(&unwrapped(&differences).iter().map(|d| d.abs()).collect::<Vec<_>>());

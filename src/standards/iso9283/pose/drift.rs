@@ -1,12 +1,13 @@
-//! Drift of pose characteristics dAP, dRP (ISO 9283:1998 7.6, unverified against a bought copy): sets of cycles from cold
-//! start, each with its own AP and RP.
+//! Drift of pose characteristics dAP, dRP (ISO 9283:1998 7.6, unverified against a bought copy):
+//! sets of cycles from a cold start, each with its AP and RP.
 
 use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use std::collections::BTreeSet;
 
 /// Drift of one pose.
@@ -18,23 +19,23 @@ pub struct Drift {
     pub ap_mm: Vec<f64>,
     /// RP of each set.
     pub rp_mm: Vec<f64>,
-    /// dAP: |AP at the start - AP at the end|.
+    /// dAP: |AP at the start − AP at the end|.
     pub dap_mm: f64,
-    /// dRP: |RP at the start - RP at the end|.
+    /// dRP: |RP at the start − RP at the end|.
     pub drp_mm: f64,
-    /// Number of sets after which AP had settled.
+    /// Number of sets until AP settled.
     pub settled_after: Option<usize>,
 }
 
-/// Sets in a row that must be quiet, and the share of the largest change that counts as quiet.
+/// Number of consecutive quiet sets, and share of the largest change that counts as quiet.
 const QUIET_SETS: usize = 5;
 const QUIET: f64 = 0.1;
 
-/// Drift over at least two sets of at least two positions of one pose.
+/// Evaluates drift over at least two sets of at least two positions of one pose.
 pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Drift> {
     if sets_mm.len() < 2 {
-        let message = Message::error(format!("drift: {} sets of cycles", sets_mm.len()));
-        return Err(message.expected("at least two").into());
+        let of = phrase!("characteristic", name = "drift");
+        return Err(error!("too-few-of", of, sets = phrase!("sets-of-cycles", count = sets_mm.len()), least = 2).into());
     }
     let ap_mm: Vec<f64> =
         sets_mm.iter().map(|set| Ok(pose_accuracy(set, commanded_mm)?.ap_mm)).collect::<Result<_>>()?;
@@ -43,8 +44,8 @@ pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> R
     Ok(Drift { pose, dap_mm: change(&ap_mm), drp_mm: change(&rp_mm), settled_after: settled(&ap_mm), ap_mm, rp_mm })
 }
 
-/// Drift of every commanded pose of a test, in sets of `size` cycles in their order; a last set
-/// that is cut short does not count.
+/// Drift of all commanded poses of a test, in sets of `size` cycles in their order; an incomplete
+/// last set does not count.
 pub fn drifts(test: &PoseTest, size: usize) -> Result<Vec<Drift>> {
     let drifting = |(p, commanded): (&TestedPose, Vector)| -> Result<Drift> {
         let cycles: BTreeSet<i64> = p.attained.iter().map(|v| v.cycle).collect();

@@ -1,26 +1,27 @@
-//! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots, one programme, the same mounting.
+//! Exchangeability E (ISO 9283:1998 7.7, unverified against a bought copy): five robots with the
+//! same programme and mounting.
 
 use crate::iso9283::pose::directions::farthest;
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::mean_position;
-use etalon_base::message::{Message, Result, one_line};
+use etalon_base::error;
+use etalon_base::message::{Result, one_line};
 use etalon_base::pose::{Vector, minus, norm};
 
-/// How far apart the mean poses of robots of one type are.
+/// Differences between the mean poses of robots of one type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exchangeability {
-    /// E: the largest distance between the barycentres of two robots at any pose.
+    /// E: largest distance between the barycentres of two robots at any pose.
     pub e_mm: f64,
-    /// The same of each pose.
+    /// Largest distance at each pose.
     pub poses_mm: Vec<f64>,
 }
 
-/// `attained_mm[robot][pose]`: positions of at least two robots at the same poses.
+/// Evaluates `attained_mm[robot][pose]`: positions of at least two robots at the same poses.
 pub fn exchangeability(attained_mm: &[Vec<Vec<Vector>>]) -> Result<Exchangeability> {
     let poses = attained_mm.first().map_or(0, Vec::len);
     if attained_mm.len() < 2 || poses == 0 || attained_mm.iter().any(|robot| robot.len() != poses) {
-        let message = Message::error("exchangeability: robots do not have the same poses");
-        return Err(message.expected("at least two robots, each at every pose").into());
+        return Err(error!("robots-at-other-poses").into());
     }
     for points in attained_mm.iter().flatten() {
         crate::iso9283::statistics::sample::positions(points, 1, "exchangeability")?;
@@ -41,8 +42,7 @@ pub fn exchanged(test: &PoseTest) -> Result<Option<f64>> {
     }
     let lacks = |robot: &&str| test.poses.iter().find(|p| p.attained.iter().all(|v| v.robot != *robot)).map(|p| p.pose);
     if let Some((robot, pose)) = robots.iter().find_map(|robot| Some((robot, lacks(robot)?))) {
-        let message = Message::error(format!("exchangeability: robot `{}` did not visit pose {pose}", one_line(robot)));
-        return Err(message.expected("every robot at every pose").into());
+        return Err(error!("robot-without-pose", robot = one_line(robot), pose).into());
     }
     let of = |robot: &&str| test.poses.iter().map(|p| p.positions_mm(|v| v.robot == *robot)).collect::<Vec<_>>();
     let attained: Vec<Vec<Vec<Vector>>> = robots.iter().map(of).collect();

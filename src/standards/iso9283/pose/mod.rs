@@ -27,41 +27,42 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use std::collections::btree_map::{BTreeMap, Entry};
 
-/// What the data do not say.
+/// Settings that the data do not contain.
 #[derive(Clone, Debug)]
 pub struct PoseTestSettings {
     /// Expanded uncertainty of a measured coordinate (k = 2).
     pub expanded_uncertainty_mm: Option<f64>,
-    /// Expanded uncertainty of a measured position (k = 2) where it is not that of its coordinates together.
+    /// Expanded uncertainty of a measured position (k = 2), if it does not follow from the
+    /// coordinates.
     pub position_uncertainty_mm: Option<f64>,
-    /// Cycles of one set of a drift test; without it there is none.
+    /// Number of cycles per set of a drift test; `None` without a drift test.
     pub drift_set: Option<usize>,
     /// Order of the rotations a, b, c, in words.
     pub rotation_order: Option<String>,
     /// Seed of the bootstrap.
     pub seed: u64,
-    /// Simulated tests behind an interval, [`DRAWS`]; without any there are no intervals.
+    /// Number of simulated tests for an interval, usually [`DRAWS`]; 0 for no intervals.
     pub draws: usize,
     /// Limit of AP, for conformity.
     pub ap_limit_mm: Option<f64>,
-    /// Limit of RP likewise.
+    /// Limit of RP, for conformity.
     pub rp_limit_mm: Option<f64>,
-    /// How these limits are judged.
+    /// Decision rule for these limits.
     pub decision_rule: DecisionRule,
 }
 
-/// Cycles that the standard asks for (read).
+/// Number of cycles that the standard requires (read).
 pub const CYCLES: usize = 30;
-/// Simulated tests behind an interval.
+/// Number of simulated tests for an interval.
 pub const DRAWS: usize = 2000;
 
-/// AP and RP of one pose with their intervals and verdicts; what its visits do not determine is
+/// AP and RP of one pose, with intervals and verdicts. Values that the visits do not determine are
 /// absent.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PoseCharacteristics {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Visits counted.
+    /// Number of evaluated visits.
     pub cycles: usize,
     /// AP; absent without a commanded position.
     pub accuracy: Option<PoseAccuracy>,
@@ -71,33 +72,33 @@ pub struct PoseCharacteristics {
     pub repeatability: Option<PoseRepeatability>,
     /// RP_a, RP_b, RP_c.
     pub angle_repeatability_rad: [Option<f64>; 3],
-    /// What is known of AP beside its value.
+    /// Assessment of AP.
     pub ap: Assessed,
-    /// What is known of RP.
+    /// Assessment of RP.
     pub rp: Assessed,
-    /// Where the next position lies; absent with too few visits.
+    /// Region of the next position; absent with too few visits.
     pub ellipsoid: Option<Ellipsoid>,
-    /// RP without the instrument's noise; absent where no visit was read twice.
+    /// RP without the instrument's noise; absent if no visit was read twice.
     pub noise_free: Option<NoiseFree>,
-    /// `true` if there is a z.
+    /// `true` if z was measured.
     pub spatial: bool,
 }
 
-/// A characteristic of a pose beside its value.
+/// Assessment of a characteristic of a pose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Assessed {
-    /// Interval by bootstrap, with the instrument's uncertainty where that is stated; absent with
-    /// fewer than three visits.
+    /// Bootstrap interval, including the instrument's uncertainty if stated; absent with fewer than
+    /// three visits.
     pub interval: Option<Interval>,
-    /// Interval in closed form, of the sampling alone.
+    /// Interval in closed form, from the sampling alone.
     pub interval_analytic: Option<Interval>,
-    /// Conformity with the limit, where there is one.
+    /// Conformity with the limit, if any.
     pub conformity: Option<Conformity>,
-    /// The instrument's uncertainty against the characteristic, where it is stated.
+    /// Ratio of the instrument's uncertainty to the characteristic, if stated.
     pub uncertainty: Option<UncertaintyRatio>,
 }
 
-/// AP and RP of every pose of a test of one robot.
+/// AP and RP of all poses in a test of one robot.
 pub fn characteristics(test: &PoseTest, settings: &PoseTestSettings) -> Result<Vec<PoseCharacteristics>> {
     let mut bootstraps = BTreeMap::new();
     test.poses.iter().map(|p| of_pose(test, p, settings, &mut bootstraps)).collect()
@@ -161,8 +162,8 @@ impl PoseCharacteristics {
         Ok(())
     }
 
-    /// `true` if the instrument is good enough for all that it verifies here; `None` where its
-    /// uncertainty is not stated.
+    /// `true` if the instrument is sufficient for AP and RP; `None` if its uncertainty is not
+    /// stated.
     pub fn is_verified(&self) -> Option<bool> {
         let judged = || self.ap.uncertainty.iter().chain(&self.rp.uncertainty);
         judged().next().map(|_| judged().all(|q| q.met))
@@ -170,9 +171,10 @@ impl PoseCharacteristics {
 }
 
 impl Assessed {
-    /// Conformity with the limit, and the instrument against the characteristic.
+    /// Judges conformity with the limit, and the instrument's uncertainty relative to the
+    /// characteristic.
     fn judge(&mut self, value_mm: Option<f64>, limit_mm: Option<f64>, rule: DecisionRule, uncertainty_mm: Option<f64>) {
-        // too few visits prove nothing
+        // too few visits leave the decision open
         let judge = |limit| value_mm.map_or(Conformity::Neither, |mm| rule.judge(mm, self.interval, limit));
         self.conformity = limit_mm.map(judge);
         self.uncertainty = uncertainty_mm.zip(value_mm).map(|(u, mm)| uncertainty_ratio(u, mm));

@@ -1,52 +1,53 @@
-//! RP without the instrument's noise (not of the standard), where every visit was read several times: readings of one visit
-//! differ by the instrument alone, means of visits by the robot and what is left of the instrument.
+//! RP without the instrument's noise (not in the standard), if visits were read several times.
+//! Readings of one visit differ by the instrument's noise alone; means of visits differ by the
+//! robot and the remaining noise.
 
 use crate::iso9283::pose::repeatability::{PoseRepeatability, pose_repeatability};
 use crate::iso9283::pose::test::TestedPose;
 use crate::iso9283::statistics::sample::{covariance, mean_position};
 use crate::iso9283::statistics::scatter::drawn_together;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_math::symmetric_eigen;
 
-/// RP of the robot.
+/// RP of the robot alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseFree {
-    /// RP of the means of the visits: robot and instrument.
+    /// RP of the means of the visits, including the instrument.
     pub found: PoseRepeatability,
-    /// RP of the robot: what was found, times the ratio of the RP of Gaussian scatter without the noise to that with it; zero
-    /// where the noise explains all scatter.
+    /// RP of the robot: measured RP, times the ratio of the RP of Gaussian scatter without and with
+    /// the noise; zero if the noise explains all scatter.
     pub rp_mm: f64,
-    /// Standard deviation of one reading, by coordinate.
+    /// Standard deviation of one reading along each coordinate.
     pub noise_mm: Vector,
 }
 
-/// Of at least three visits, each with readings; at least one visit with two or more.
+/// Evaluates at least three visits, at least one with several readings.
 pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
     for readings in visits_mm {
-        crate::iso9283::statistics::sample::positions(readings, 1, "noise of readings")?;
+        crate::iso9283::statistics::sample::positions(readings, 1, "reading-noise")?;
     }
     let means: Vec<Vector> = visits_mm.iter().map(|readings| mean_position(readings)).collect();
-    crate::iso9283::statistics::sample::positions(&means, 3, "repeatability without noise")?;
+    crate::iso9283::statistics::sample::positions(&means, 3, "rp-without-noise")?;
     let repeated: Vec<&Vec<Vector>> = visits_mm.iter().filter(|readings| readings.len() > 1).collect();
     let degrees: usize = repeated.iter().map(|readings| readings.len() - 1).sum();
     if degrees == 0 {
-        let message = Message::error("repeatability without noise: no visit was read twice");
-        return Err(message.hint("readings of one visit give the instrument's noise").into());
+        return Err(error!("visits-read-once").into());
     }
     let mut noise = [[0.0; 3]; 3];
     for readings in repeated {
         let share = (readings.len() - 1) as f64 / degrees as f64;
         add(&mut noise, &covariance(readings), share);
     }
-    // the mean over visits of what a mean of readings keeps of the noise
+    // mean over the visits of the variance share of noise that remains in a mean of readings
     let kept = visits_mm.iter().map(|readings| 1.0 / readings.len() as f64).sum::<f64>() / visits_mm.len() as f64;
     let with = covariance(&means);
     let mut without = with;
     add(&mut without, &noise, -kept);
     let n = means.len() as f64;
     let trace = |m: &[[f64; 3]; 3]| m[0][0] + m[1][1] + m[2][2];
-    // Satterthwaite: what a difference of variances is worth
+    // Satterthwaite: effective degrees of freedom of a difference of variances
     let parts = trace(&with).powi(2) / (n - 1.0) + (kept * trace(&noise)).powi(2) / degrees as f64;
     let worth = (trace(&without).powi(2) / parts).clamp(2.0, n - 1.0);
     let expected = |m: [[f64; 3]; 3], degrees: f64| {
@@ -62,7 +63,7 @@ pub fn without_noise(visits_mm: &[Vec<Vector>]) -> Result<NoiseFree> {
     })
 }
 
-/// RP without noise of a pose with at least three visits, where any of them was read twice.
+/// RP without noise of a pose with at least three visits, if any visit was read twice.
 pub fn of_pose(pose: &TestedPose) -> Result<Option<NoiseFree>> {
     let read_again = pose.attained.iter().any(|v| v.readings_mm.len() > 1);
     let readings: Vec<Vec<Vector>> = pose.attained.iter().map(|v| v.readings_mm.clone()).collect();
@@ -75,8 +76,9 @@ fn add(to: &mut [[f64; 3]; 3], m: &[[f64; 3]; 3], factor: f64) {
 
 /// Mean + 3 s of the radius of Gaussian scatter with these principal variances.
 ///
-/// E √Q = (1 / 2√π) ∫ t^(-3/2) (1 - φ(t)) dt with φ(t) = Π (1 + 2 v t)^(-1/2), the Laplace transform of Q; with t = e^u the
-/// integrand falls off at both ends and the trapezoidal rule is exact to rounding.
+/// E √Q = (1 / 2√π) ∫ t^(−3/2) (1 − φ(t)) dt, where φ(t) = Π (1 + 2 v t)^(−1/2) is the Laplace
+/// transform of Q. With t = e^u the integrand falls off at both ends, and the trapezoidal rule is
+/// exact to rounding.
 pub fn repeatability_of_scatter(variances: Vector) -> f64 {
     let largest = variances.iter().copied().fold(0.0, f64::max);
     if largest == 0.0 {

@@ -1,32 +1,33 @@
-//! Pose repeatability RP (ISO 9283:1998 7.2.2; thesis eq. 1.1 to 1.8), and the smallest ball that holds all positions.
+//! Pose repeatability RP (ISO 9283:1998 7.2.2; thesis eq. 1.1 to 1.8), and the smallest ball that
+//! encloses all positions.
 
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_fit::{enclosing_circle, enclosing_sphere};
 
-/// How closely the robot comes back to its own mean.
+/// Repeatability of the positions about their mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseRepeatability {
     /// RP_l: mean radius plus three standard deviations of the radius.
     pub rp_mm: f64,
     /// Mean distance from the barycentre.
     pub mean_radius_mm: f64,
-    /// Standard deviation of that distance, with n - 1.
+    /// Standard deviation of the distance from the barycentre, with n − 1.
     pub sd_radius_mm: f64,
     /// RP_x, RP_y, RP_z: three standard deviations of each coordinate.
     pub axis_mm: Vector,
-    /// The same as `rp_mm` of the projections into xy.
+    /// RP of the projections onto the xy plane.
     pub plane_mm: f64,
-    /// The same of each coordinate alone (thesis, table 2.1).
+    /// RP of each coordinate alone (thesis, table 2.1).
     pub along_mm: Vector,
-    /// Radius of the smallest sphere that holds all positions.
+    /// Radius of the smallest sphere that encloses all positions.
     pub enclosing_radius_mm: f64,
-    /// Radius of the smallest circle that holds their projections into xy.
+    /// Radius of the smallest circle that encloses the projections onto the xy plane.
     pub enclosing_circle_radius_mm: f64,
 }
 
-/// Repeatability of position; at least two attained positions.
+/// Evaluates repeatability of position from at least two attained positions.
 ///
 /// # Examples
 ///
@@ -41,7 +42,7 @@ pub struct PoseRepeatability {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn pose_repeatability(attained_mm: &[Vector]) -> Result<PoseRepeatability> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 2, "pose repeatability")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 2, "pose-repeatability")?;
     let radius = spread(&radii_mm(attained_mm, &[0, 1, 2]));
     let closeness = |axes: &[usize]| {
         let radius = spread(&radii_mm(attained_mm, axes));
@@ -60,14 +61,15 @@ pub fn pose_repeatability(attained_mm: &[Vector]) -> Result<PoseRepeatability> {
     })
 }
 
-/// Distances l_j of the attained positions from their barycentre, by these coordinates (thesis eq. 2.10).
+/// Distances l_j of the attained positions from their barycentre, in these coordinates (thesis eq.
+/// 2.10).
 pub(crate) fn radii_mm(attained_mm: &[Vector], axes: &[usize]) -> Vec<f64> {
     let mean = mean_position(attained_mm);
     let along = |d: Vector| [0, 1, 2].map(|k| if axes.contains(&k) { d[k] } else { 0.0 });
     attained_mm.iter().map(|p| norm(along(minus(*p, mean)))).collect()
 }
 
-/// RP_a, RP_b or RP_c in radians: three standard deviations; NaN with fewer than two angles.
+/// RP_a, RP_b or RP_c (rad): three standard deviations; NaN with fewer than two angles.
 pub fn angle_repeatability_rad(attained_rad: &[f64]) -> f64 {
     3.0 * spread(&unwrapped(attained_rad)).deviation
 }

@@ -1,16 +1,18 @@
-//! Orientations as three rotations one after the other (not of the standard, which leaves their order to the robot).
+//! Orientations as three successive rotations (not in the standard, which leaves their order to the
+//! robot).
 
 use etalon_base::pose::{Pose, Vector, cross, dot, norm};
 
-/// Three rotations, multiplied from left to right.
+/// Order of three rotations, multiplied from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RotationOrder {
-    /// About which axis (0, 1, 2 for x, y, z), and by which angle (0, 1, 2 for a, b, c).
+    /// Axis (0, 1, 2 for x, y, z) and angle (0, 1, 2 for a, b, c) of each rotation.
     steps: [(usize, usize); 3],
 }
 
 impl RotationOrder {
-    /// From a text like `Rz(c) Ry(b) Rx(a)`; `None` where it is something else, or an order that reaches not every orientation.
+    /// Parses a text like `Rz(c) Ry(b) Rx(a)`; `None` for other texts, and for orders that do not
+    /// reach every orientation.
     pub fn parse(text: &str) -> Option<Self> {
         let step = |word: &str| {
             let inner = word.strip_prefix('R')?.strip_suffix(')')?;
@@ -24,7 +26,7 @@ impl RotationOrder {
         (turns && each_once).then_some(Self { steps })
     }
 
-    /// The orientation with angles a, b, c in radians.
+    /// Orientation with angles a, b, c (rad).
     pub fn pose(&self, angles_rad: Vector) -> Pose {
         self.steps.iter().fold(Pose::identity(), |pose, (axis, angle)| match axis {
             0 => pose.turn_x(angles_rad[*angle]),
@@ -33,8 +35,8 @@ impl RotationOrder {
         })
     }
 
-    /// Angles a, b, c of an orientation, those on the way from `start_rad` (Newton); `None` where the order does not distinguish two
-    /// angles apart (gimbal lock).
+    /// Angles a, b, c of an orientation by Newton's method from `start_rad`; `None` in gimbal lock,
+    /// where two angles cannot be separated.
     pub fn angles_rad(&self, wanted: &Pose, start_rad: Vector) -> Option<Vector> {
         let mut angles = start_rad;
         for _ in 0..50 {
@@ -42,7 +44,7 @@ impl RotationOrder {
             if norm(rest) < 1e-14 {
                 break;
             }
-            // the axes as the turned body sees them
+            // axes in the frame of the rotated body
             let mut after = Pose::identity();
             let mut axes = [[0.0; 3]; 3];
             for (axis, angle) in self.steps.iter().rev() {
@@ -95,7 +97,7 @@ mod tests {
         }
     }
 
-    /// Angles of a pose are the pose's again, from a start that is several degrees away, for every order.
+    /// Recovers the angles of a pose from a start several degrees away, for every order.
     #[test]
     fn angles_come_back_in_every_order() {
         let mut noise = Noise::new(3, 0);
@@ -106,7 +108,7 @@ mod tests {
                     let Some(order) = RotationOrder::parse(&format!("R{i}(c) R{j}(a) R{k}(b)")) else { continue };
                     orders += 1;
                     for _ in 0..50 {
-                        // the middle angle stays away from where the order is singular
+                        // the middle angle stays away from the singularity
                         let middle = if i == k { 1.2 } else { 0.0 };
                         let angles = [middle + noise.uniform(0.9), noise.uniform(3.0), noise.uniform(3.0)];
                         let start = angles.map(|a| a + noise.uniform(0.1));

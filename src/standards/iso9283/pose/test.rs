@@ -1,4 +1,4 @@
-//! Attained and commanded poses of a test (ISO 9283:1998 7.2), and how they are grouped.
+//! Attained and commanded poses of a test (ISO 9283:1998 7.2), and their grouping.
 
 use crate::iso9283::statistics::sample::wrapped;
 use etalon_base::message::Message;
@@ -6,7 +6,7 @@ use etalon_base::pose::{Vector, centroid};
 use etalon_base::pose_name::PoseName;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A pose as it was attained once, in the order of recording.
+/// A pose as attained once, in the order of recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttainedPose {
     /// Number of the cycle.
@@ -15,15 +15,15 @@ pub struct AttainedPose {
     pub position_mm: Vector,
     /// Attained angles, in the order of [`PoseTest::angles`].
     pub angles_rad: Vec<f64>,
-    /// How it was approached: the value in the column `approach`, or the pose visited before; `None` for the first row.
+    /// Approach: value in the column `approach`, or the previous pose; `None` for the first row.
     pub approach: Option<String>,
-    /// The value in the column `robot`.
+    /// Value in the column `robot`.
     pub robot: String,
-    /// Readings whose mean the position is; one where it was read once.
+    /// Readings whose mean is the position; a single one if it was read once.
     pub readings_mm: Vec<Vector>,
 }
 
-/// A pose as it is commanded.
+/// A commanded pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommandedPose {
     /// Name of the pose.
@@ -32,12 +32,12 @@ pub struct CommandedPose {
     pub position_mm: Vector,
 }
 
-/// A pose of the test with all that was attained of it.
+/// A pose of the test with all its attained poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestedPose {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Commanded position; without it there is neither accuracy nor distance.
+    /// Commanded position; without it accuracy and distance are not determined.
     pub commanded_mm: Option<Vector>,
     /// Commanded angles.
     pub commanded_rad: Vec<f64>,
@@ -48,18 +48,18 @@ pub struct TestedPose {
 /// A test of poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseTest {
-    /// Its poses that were measured, in their order.
+    /// Measured poses, in order.
     pub poses: Vec<TestedPose>,
-    /// Whether there is a z.
+    /// `true` if z was measured.
     pub spatial: bool,
-    /// Which angles there are: of 0, 1, 2 for a, b, c.
+    /// Measured angles: 0, 1, 2 for a, b, c.
     pub angles: Vec<usize>,
-    /// What is odd, but no error.
+    /// Warnings about unusual data.
     pub warnings: Vec<Message>,
 }
 
 impl AttainedPose {
-    /// Takes one more reading of the same visit into its means.
+    /// Adds another reading of the same visit to the means.
     pub fn read_again(&mut self, reading: &Self) {
         self.readings_mm.push(reading.position_mm);
         let n = self.readings_mm.len() as f64;
@@ -71,17 +71,17 @@ impl AttainedPose {
 }
 
 impl TestedPose {
-    /// Attained positions that `wanted` takes.
+    /// Attained positions selected by `wanted`.
     pub fn positions_mm(&self, wanted: impl Fn(&AttainedPose) -> bool) -> Vec<Vector> {
         self.attained.iter().filter(|v| wanted(v)).map(|v| v.position_mm).collect()
     }
 
-    /// Attained angles number `k` that `wanted` takes.
+    /// Attained angles number `k` selected by `wanted`.
     pub fn angles_rad(&self, k: usize, wanted: impl Fn(&AttainedPose) -> bool) -> Vec<f64> {
         self.attained.iter().filter(|v| wanted(v)).filter_map(|v| v.angles_rad.get(k).copied()).collect()
     }
 
-    /// Numbers of attained poses by approach, in alphabetical order.
+    /// Number of attained poses for each approach, in alphabetical order.
     pub fn approaches(&self) -> BTreeMap<&str, usize> {
         let mut counts = BTreeMap::new();
         for name in self.attained.iter().filter_map(|v| v.approach.as_deref()) {
@@ -91,22 +91,22 @@ impl TestedPose {
     }
 }
 
-/// What an approach is called by the pose before.
+/// Name of the approach from a pose.
 pub fn from_pose(pose: PoseName) -> String {
     format!("from pose {pose}")
 }
 
-/// A pair of poses that were attained in the same cycle.
+/// Two poses that were attained in the same cycle.
 #[derive(Clone, Copy, Debug)]
 pub struct PosePair<'a> {
-    /// Of the first pose.
+    /// First pose.
     pub from: &'a AttainedPose,
-    /// Of the second.
+    /// Second pose.
     pub to: &'a AttainedPose,
 }
 
 impl TestedPose {
-    /// Pairs with another pose, of the cycles that have each of the two once.
+    /// Pairs with another pose, from the cycles with exactly one visit of each.
     pub fn pairs<'a>(&'a self, other: &'a Self) -> Vec<PosePair<'a>> {
         let once = |p: &'a Self| {
             let mut by_cycle: BTreeMap<(&str, i64), Vec<&AttainedPose>> = BTreeMap::new();
@@ -125,7 +125,7 @@ impl PoseTest {
         self.poses.iter().flat_map(|p| &p.attained).map(|v| v.robot.as_str()).collect()
     }
 
-    /// The test of the robot that comes first by name.
+    /// Test of the first robot by name.
     pub fn of_first_robot(&self) -> Self {
         let mut first = self.clone();
         let Some(robot) = self.robots().first().map(|r| (*r).to_owned()) else { return first };

@@ -1,6 +1,8 @@
-//! Intervals of AP and RP by parametric bootstrap: tests of as many cycles are drawn with the scatter that was found.
+//! Intervals of AP and RP by parametric bootstrap: tests with the same number of cycles are drawn
+//! with the observed scatter.
 //!
-//! The draws come from a stated seed and are shared by all poses of a test, so that the same data give the same interval.
+//! The draws come from a stated seed and are shared by all poses of a test, so that equal data give
+//! equal intervals.
 
 use crate::iso9283::pose::accuracy::PoseAccuracy;
 use crate::iso9283::pose::repeatability::PoseRepeatability;
@@ -15,19 +17,20 @@ use etalon_base::pose::{Vector, minus};
 #[derive(Clone, Debug)]
 pub struct Bootstrap {
     cycles: usize,
-    /// Squared coordinates of all draws, about the true mean.
+    /// Squared coordinates of all draws about the true mean.
     squares: Vec<Vector>,
-    /// The same about the mean of their test, `cycles` of them a test.
+    /// Squared coordinates about the mean of their test, `cycles` per test.
     centred: Vec<Vector>,
-    /// Mean over standard deviation of each test, by coordinate: how far a mean is off, in units of the scatter found.
+    /// Mean over standard deviation of each test along each coordinate: error of a mean in units of
+    /// the observed scatter.
     students: Vec<Vector>,
 }
 
-/// Stream of the generator: one purpose, one stream.
+/// Stream of the generator; each purpose has a stream of its own.
 const STREAM: u64 = 9283;
 
 impl Bootstrap {
-    /// `draws` simulated tests of `cycles` cycles, at least 3, from `seed`.
+    /// Draws `draws` simulated tests of `cycles` cycles (at least 3) from `seed`.
     pub fn new(cycles: usize, draws: usize, seed: u64) -> Result<Self> {
         crate::iso9283::statistics::sample::positions(&vec![[0.0; 3]; cycles], 3, "bootstrap")?;
         let mut noise = Noise::new(seed, STREAM);
@@ -44,7 +47,8 @@ impl Bootstrap {
         Ok(all)
     }
 
-    /// 95 % interval of RP: the ratio of drawn to true RP hardly depends on the scatter, and is turned round.
+    /// 95 % interval of RP. The ratio of drawn to true RP hardly depends on the scatter, and is
+    /// inverted.
     pub fn repeatability(&self, attained_mm: &[Vector], found: &PoseRepeatability) -> Result<Interval> {
         crate::iso9283::statistics::sample::positions(attained_mm, self.cycles, "bootstrap")?;
         let variances = Scatter::new(attained_mm).drawn_together;
@@ -58,8 +62,8 @@ impl Bootstrap {
         Ok(Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
     }
 
-    /// 95 % interval of AP: the accuracies at which what was found would lie at either end of what is drawn. Zero is in it
-    /// where chance alone brings the mean as far.
+    /// 95 % interval of AP: accuracies for which the observed AP is at either end of the draws. The
+    /// interval contains zero if chance alone explains the deviation of the mean.
     pub fn accuracy(&self, attained_mm: &[Vector], found: &PoseAccuracy) -> Result<Interval> {
         crate::iso9283::statistics::sample::positions(attained_mm, self.cycles, "bootstrap")?;
         let scatter = Scatter::new(attained_mm);
@@ -67,14 +71,14 @@ impl Bootstrap {
         let sigma = scatter.found.map(f64::sqrt);
         let errors: Vec<Vector> = self.students.iter().map(|t| [0, 1, 2].map(|k| t[k] * sigma[k])).collect();
         let found_squared = found.ap_mm * found.ap_mm;
-        // what share of the draws goes beyond what was found, if the truth is there
+        // share of the draws beyond the observed value for this true position
         let beyond = |truth: Vector| {
             let beyond = |e: &&Vector| square([truth[0] + e[0], truth[1] + e[1], truth[2] + e[2]]) > found_squared;
             errors.iter().filter(beyond).count() as f64 / errors.len() as f64
         };
         let end = |share: f64| {
             let (mut near, mut far) = (FARTHEST, -FARTHEST);
-            // to a millionth: draws resolve less
+            // to one millionth; the draws resolve less
             for _ in 0..26 {
                 let middle = 0.5 * (near + far);
                 if beyond(scatter.plausible(mean, middle)) > share { far = middle } else { near = middle }
@@ -82,7 +86,7 @@ impl Bootstrap {
             square(scatter.plausible(mean, 0.5 * (near + far))).sqrt()
         };
         let (low_mm, high_mm) = (end(TAIL), end(1.0 - TAIL));
-        // what is left at the end of the search is rounding
+        // the remainder at the end of the search is rounding
         Ok(Interval { low_mm: if low_mm < 1e-9 * found.ap_mm { 0.0 } else { low_mm }, high_mm })
     }
 }
@@ -103,7 +107,7 @@ fn square(d: Vector) -> f64 {
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
 }
 
-/// The nearest order statistic; NaN without any.
+/// Nearest order statistic; NaN without values.
 pub(crate) fn quantile(values: &mut [f64], share: f64) -> f64 {
     let rank = (share * (values.len() as f64 - 1.0)).round() as usize;
     if rank < values.len() { *values.select_nth_unstable_by(rank, f64::total_cmp).1 } else { f64::NAN }

@@ -1,4 +1,5 @@
-//! Intervals of AP and RP in closed form, for Gaussian scatter: 30 cycles leave RP uncertain by a quarter of itself.
+//! Intervals of AP and RP in closed form for Gaussian scatter: after 30 cycles the uncertainty of
+//! RP is a quarter of its value.
 
 use crate::iso9283::pose::accuracy::PoseAccuracy;
 use crate::iso9283::pose::repeatability::PoseRepeatability;
@@ -7,7 +8,7 @@ use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
-/// Two-sided interval of 95 %.
+/// Two-sided 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// Lower end.
@@ -17,9 +18,9 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Interval of AP with the instrument's expanded uncertainty (k = 2) of a coordinate beside the
-    /// sampling's: both halves as the root of the sum of squares (GUM 5.1.2). A mean of many
-    /// readings is wrong by what all of them have in common.
+    /// Adds the instrument's expanded uncertainty (k = 2) of a coordinate to an interval of AP:
+    /// each half is the root of the sum of squares (GUM 5.1.2). Errors common to all readings
+    /// remain in their mean.
     pub fn with_instrument(self, ap_mm: f64, expanded_mm: f64) -> Self {
         Self {
             low_mm: (ap_mm - (ap_mm - self.low_mm).hypot(expanded_mm)).max(0.0),
@@ -27,26 +28,27 @@ impl Interval {
         }
     }
 
-    /// Interval of the robot's RP where readings scatter with the instrument's expanded uncertainty
-    /// (k = 2) of a coordinate: the noise only adds, so that the upper end stays, and the lower one
-    /// is what is left if all of the uncertainty is noise (mean + 3 s of the radius of Gaussian
-    /// noise: 3.615 standard deviations in space, 3.219 in the plane; Maxwell and Rayleigh
-    /// distribution).
+    /// Interval of the robot's RP if the instrument's expanded uncertainty (k = 2) of a coordinate
+    /// may be noise. Noise can only increase RP: the upper end is unchanged, and the lower end is
+    /// the RP that remains if all of the uncertainty is noise. (Mean + 3 s of the radius of
+    /// Gaussian noise: 3.615 standard deviations in space, 3.219 in the plane; Maxwell and Rayleigh
+    /// distribution.)
     pub fn without_noise(self, expanded_mm: f64, spatial: bool) -> Self {
         let noise_mm = if spatial { 3.615 } else { 3.219 } * expanded_mm / 2.0;
         Self { low_mm: (self.low_mm.powi(2) - noise_mm.powi(2)).max(0.0).sqrt(), ..self }
     }
 }
 
-/// Probability outside at either end of an interval of 95 %.
+/// Probability beyond either end of a 95 % interval.
 pub(crate) const TAIL: f64 = 0.025;
 
-/// 95 % interval of AP: the nearest and the farthest barycentre that Student's t leaves plausible, less what the scatter
-/// across the deviation adds on average. At least three positions.
+/// 95 % interval of AP from at least three positions: the nearest and the farthest plausible
+/// barycentre by Student's t, minus the mean contribution of the scatter across the deviation.
 ///
-/// Where AP is within four standard uncertainties of nothing the direction is chance, and the lower end is zero.
+/// If AP is within four standard uncertainties of zero, its direction is random and the lower end
+/// is zero.
 pub fn accuracy_interval(attained_mm: &[Vector], accuracy: &PoseAccuracy) -> Result<Interval> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 3, "interval of AP")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 3, "ap-interval")?;
     let n = attained_mm.len() as f64;
     let scatter = Scatter::new(attained_mm);
     let mean = scatter.along(accuracy.deviation_mm);
@@ -71,18 +73,18 @@ pub fn accuracy_interval(attained_mm: &[Vector], accuracy: &PoseAccuracy) -> Res
     Ok(Interval { low_mm: if chance { 0.0 } else { less(end(1.0)) }, high_mm: less(end(-1.0)) })
 }
 
-/// Length in units of the scatter; where there is none a barycentre does not move.
+/// Length in units of the scatter; directions without scatter do not count.
 fn units(d: Vector, variances: Vector) -> f64 {
     (0..3).filter(|&k| variances[k] > 0.0).map(|k| d[k].powi(2) / variances[k]).sum::<f64>().sqrt()
 }
 
-/// 95 % interval of RP: chi-square with the degrees of freedom that give mean + 3 s its relative variance. At least three
-/// positions.
+/// 95 % interval of RP from at least three positions: chi-square with the degrees of freedom that
+/// match the relative variance of mean + 3 s.
 pub fn repeatability_interval(attained_mm: &[Vector], repeatability: &PoseRepeatability) -> Result<Interval> {
-    crate::iso9283::statistics::sample::positions(attained_mm, 3, "interval of RP")?;
+    crate::iso9283::statistics::sample::positions(attained_mm, 3, "rp-interval")?;
     let n = attained_mm.len() as f64;
     let degrees = (n - 1.0) * worth(Scatter::new(attained_mm).drawn_together);
-    // radii about the sample's own mean are short by √(1 - 1/n)
+    // radii about the sample mean are too small by the factor √(1 − 1/n)
     let rp_mm = repeatability.rp_mm * (n / (n - 1.0)).sqrt();
     let end = |probability: f64| match ChiSquared::new(degrees) {
         Ok(chi) => rp_mm * (degrees / chi.inverse_cdf(probability)).sqrt(),
@@ -91,10 +93,12 @@ pub fn repeatability_interval(attained_mm: &[Vector], repeatability: &PoseRepeat
     Ok(Interval { low_mm: end(1.0 - TAIL), high_mm: end(TAIL) })
 }
 
-/// Degrees of freedom that one cycle is worth: 1 / 2v, where v / n is the relative variance of mean + 3 s of the radius.
+/// Degrees of freedom per cycle: 1 / 2v, where v / n is the relative variance of mean + 3 s of the
+/// radius.
 ///
-/// Exact by the delta method where 1, 2 or 3 variances are equal and the others zero (moments of half-normal, Rayleigh and
-/// Maxwell distribution); a parabola between, lowered where variances differ. Within 5 % of the delta method throughout.
+/// Exact by the delta method if 1, 2 or 3 variances are equal and the others zero (moments of
+/// half-normal, Rayleigh and Maxwell distribution); interpolated by a parabola, and reduced for
+/// unequal variances. Within 5 % of the delta method throughout.
 fn worth(variances: Vector) -> f64 {
     const WORTH: [f64; 3] = [0.895, 1.519, 2.002];
     const UNEQUAL: f64 = 2.2;

@@ -1,17 +1,26 @@
-//! Means and standard deviations that are exact where all values are equal, and angles without jumps.
+//! Means and standard deviations that are exact for equal values, and angles without jumps.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 use std::f64::consts::TAU;
 
-/// Refuses fewer than `least` positions, or one that is not finite.
-pub(crate) fn positions(points: &[Vector], least: usize, what: &str) -> Result<()> {
+/// Rejects fewer than `least` positions, and non-finite positions.
+pub(crate) fn positions(points: &[Vector], least: usize, characteristic: &str) -> Result<()> {
     if points.len() < least {
-        let message = Message::error(format!("{what}: {} attained positions", points.len()));
-        return Err(message.expected(format!("at least {least}")).into());
+        return Err(error!(
+            "too-few-positions",
+            of = phrase!("characteristic", name = characteristic),
+            count = points.len(),
+            least
+        )
+        .into());
     }
     match points.iter().position(|&p| !norm(p).is_finite()) {
-        Some(i) => Err(Message::error(format!("{what}: position {} is not finite", i + 1)).into()),
+        Some(i) => {
+            let of = phrase!("characteristic", name = characteristic);
+            Err(error!("position-not-finite", of, number = i + 1).into())
+        }
         None => Ok(()),
     }
 }
@@ -21,11 +30,11 @@ pub(crate) fn positions(points: &[Vector], least: usize, what: &str) -> Result<(
 pub struct SampleSpread {
     /// Mean; NaN without values.
     pub mean: f64,
-    /// Standard deviation with n - 1; NaN with fewer than two values.
+    /// Standard deviation with n − 1; NaN with fewer than two values.
     pub deviation: f64,
 }
 
-/// Mean and standard deviation, computed about the first value.
+/// Mean and standard deviation, computed relative to the first value.
 pub fn spread(values: &[f64]) -> SampleSpread {
     let n = values.len() as f64;
     let first = values.first().copied().unwrap_or(f64::NAN);
@@ -35,17 +44,17 @@ pub fn spread(values: &[f64]) -> SampleSpread {
     SampleSpread { mean, deviation }
 }
 
-/// Coordinates that exist: x, y and, in space, z.
+/// Existing coordinates: x, y and, in space, z.
 pub(crate) fn coordinates(p: Vector, spatial: bool) -> Vec<f64> {
     p[..if spatial { 3 } else { 2 }].to_vec()
 }
 
-/// Mean position, computed about the first; NaN without positions.
+/// Mean position, computed relative to the first position; NaN without positions.
 pub(crate) fn mean_position(points: &[Vector]) -> Vector {
     [0, 1, 2].map(|k| spread(&points.iter().map(|p| p[k]).collect::<Vec<_>>()).mean)
 }
 
-/// Covariance of positions with n - 1, in mm².
+/// Covariance of positions with n − 1 (mm²).
 pub(crate) fn covariance(points: &[Vector]) -> [[f64; 3]; 3] {
     let mean = mean_position(points);
     let mut sum = [[0.0; 3]; 3];
@@ -58,18 +67,18 @@ pub(crate) fn covariance(points: &[Vector]) -> [[f64; 3]; 3] {
     sum.map(|row| row.map(|s| s / (points.len() as f64 - 1.0)))
 }
 
-/// An angle or a difference of angles in -π to π.
+/// Wraps an angle or a difference of angles to −π to π.
 pub fn wrapped(angle_rad: f64) -> f64 {
     angle_rad - TAU * (angle_rad / TAU).round()
 }
 
-/// Angles of one pose without jumps of 2π: each within half a turn of the first.
+/// Angles of one pose without jumps of 2π: each is within half a turn of the first.
 pub fn unwrapped(angles_rad: &[f64]) -> Vec<f64> {
     let first = angles_rad.first().copied().unwrap_or_default();
     angles_rad.iter().map(|a| first + wrapped(a - first)).collect()
 }
 
-/// Angles along a motion without jumps of 2π: each within half a turn of the one before.
+/// Angles along a motion without jumps of 2π: each is within half a turn of the previous one.
 pub(crate) fn followed(angles_rad: &[f64]) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::with_capacity(angles_rad.len());
     for &angle in angles_rad {

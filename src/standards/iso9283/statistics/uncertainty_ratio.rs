@@ -1,19 +1,19 @@
-//! The instrument against what it verifies: its uncertainty may be at most a quarter of the characteristic (ISO 9283:1998 6,
-//! unverified against a bought copy).
+//! Ratio of the instrument's uncertainty to the verified characteristic, which may be at most a
+//! quarter (ISO 9283:1998 6, unverified against a bought copy).
 
 /// Verdict of the 25 % rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UncertaintyRatio {
     /// Expanded uncertainty of a position over the characteristic.
     pub ratio: f64,
-    /// Whether the ratio is at most 0.25.
+    /// `true` if the ratio is at most 0.25.
     pub met: bool,
 }
 
-/// Largest share of the characteristic that the uncertainty may have.
+/// Largest permissible ratio.
 const SHARE: f64 = 0.25;
 
-/// The rule for one characteristic, both in mm; a characteristic of zero is never verified.
+/// Applies the rule to one characteristic (both in mm); a characteristic of zero is never verified.
 pub fn uncertainty_ratio(expanded_uncertainty_mm: f64, characteristic_mm: f64) -> UncertaintyRatio {
     let ratio = expanded_uncertainty_mm / characteristic_mm.abs();
     UncertaintyRatio { ratio, met: ratio <= SHARE }

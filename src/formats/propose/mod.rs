@@ -1,18 +1,26 @@
 //! What a text could be: a proposal with its reasons, doubts and questions, to paste into a campaign.
 
-use super::exports::delimited::point_rows;
+mod coordinates;
+mod headings;
+mod lines;
+mod meaning;
+mod own;
+mod structure;
+mod table;
+
 use super::exports::qif::is_xml;
-use super::exports::{Recognised, head, recognise};
-use super::guess::{Guess, guesses, is_joint, looks_like_a_log, names, roles};
+use super::exports::{Format, Recognised, head, recognise};
+use super::guess::{Guess, guesses, names};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
-use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, Encoding, Header, Unit, quoted};
-use crate::table::QUATERNION;
+use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use etalon_base::message::{Message, Place, Result, count, printable};
-use etalon_documents::{FormatsDocument, Reading};
-use std::fmt::Write;
+use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
+use lines::Proposal;
+use meaning::Interpretation;
 use std::path::Path;
+use table::Table;
 
 /// What holds no points, and by what it is recognised.
 const NO_POINTS: [fn(&str) -> Option<Recognised>; 3] = [
@@ -45,8 +53,8 @@ const SURE: f64 = 0.5;
 const JOINTS: &str =
     "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
-/// Problems of a trial that are repeated as doubts.
-const SHOWN: usize = 3;
+/// Columns that are explained in the comments of a proposal.
+const SHOWN_COLUMNS: usize = 60;
 
 /// Proposes readings of a file, the first also as lines for campaign.toml.
 ///
@@ -63,6 +71,10 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
         return of_workbook(&name, &bytes).map_err(|m| m.at(Place::file(name.as_str())).into());
     }
     let (text, encoding) = decoded(bytes).map_err(|m| m.at(Place::file(name.as_str())))?;
+    if let Some(what) = structure::structured(&text).filter(|_| known(&text).is_none()) {
+        let message = refused(format!("this is {what}")).expected("a table of text, or a workbook");
+        return Err(message.hint("write its numbers as CSV, one row each, with names of the columns above").into());
+    }
     if let (None, what) = known(&text).map_or((Some(""), ""), |(format, found)| (format, found.what)) {
         return Err(refused(format!("this is {what}")).expected("measured points, or a log").into());
     }
@@ -123,35 +135,53 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
 
 /// The same of a file, or of a sheet whose cells are separated by tabs.
 fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
-    let mut document = FormatsDocument {
-        schema: "etalon/formats/1".to_owned(),
-        file: file.to_owned(),
-        format: None,
-        readings: Vec::new(),
-        reasons: Vec::new(),
-        doubts: Vec::new(),
-        questions: Vec::new(),
-        toml: String::new(),
-    };
+    let mut document =
+        FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     if let Some((Some(format), Recognised { what, unit, .. })) = known(text).filter(|_| sheet.is_none()) {
         document.format = Some(format.to_owned());
+        document.kind = "export".to_owned();
         document.reasons.push(format!("it is {what}"));
-        let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), unit_line(unit));
+        let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{}", quoted(file), lines::unit_line(unit));
         if unit.is_none() {
             document.questions.push("the unit of lengths".to_owned());
         }
+        let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
+        document.rows = read.map_or(0, |(format, unit)| format.read(file, &text.into(), unit).0.len());
+        let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
+        let lines = match columns.is_empty() || columns.contains(&ColumnRole::Label) {
+            true => lines,
+            false => {
+                lines
+                    + "target = \"?\"               # which target the rows are of\npose = \"row\"               # if the number of the row is the number of the pose\n"
+            }
+        };
         document.toml = with_remarks(&document, &lines);
         return document;
     }
     let log = LogKind::recognise(text).filter(|_| sheet.is_none());
     let guesses = guesses(text, sheet);
-    document.readings = guesses.iter().map(reading).collect();
+    let tables: Vec<(Table, Interpretation)> = guesses
+        .iter()
+        .map(|guess| {
+            let table = Table::of(text, guess);
+            let found = Interpretation::of(&table);
+            (table, found)
+        })
+        .collect();
+    document.readings = guesses.iter().zip(&tables).map(|(guess, (_, found))| reading(guess, found)).collect();
+    let best = guesses.first().zip(tables.first());
+    if let Some((_, (table, found))) = best {
+        document.columns = columns(table, found);
+        document.rows = table.rows;
+    }
+    let proposal = best.map(|(guess, (table, found))| Proposal { file, text, best: guess, table, found });
     if let Some((kind, found)) = log.filter(|(_, found)| found.score >= SURE) {
         document.format = Some(kind.about().name.to_owned());
+        document.kind = "log".to_owned();
         document.reasons.push(format!("it is {}", found.what));
         document.questions.push("which joint each column is, and its unit where it is not known".to_owned());
-        let lines = match guesses.first().filter(|_| !kind.has_channels()) {
-            Some(best) => log_lines(file, best, Some(kind)),
+        let lines = match proposal.filter(|_| !kind.has_channels()) {
+            Some(proposal) => proposal.log(Some(kind)),
             None => format!(
                 "[log]\nfile = {}\nformat = {:?}\ncolumns = {{ q1_UNIT = \"NAME\" }}\n{JOINTS}",
                 quoted(file),
@@ -161,21 +191,15 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
         document.toml = with_remarks(&document, &lines);
         return document;
     }
-    let Some(best) = guesses.first() else {
+    let (Some((best, (table, found))), Some(proposal)) = (best, proposal) else {
         document.toml = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
         return document;
     };
-    document.reasons = reasons(best);
+    document.reasons = reasons(best, table);
     document.doubts = doubts(&guesses);
-    let mixed = joints_beside_points(best);
-    let lines = match looks_like_a_log(best).filter(|_| mixed.is_none()) {
-        Some(why) => {
-            document.reasons.push(format!("a log: {why}"));
-            document.questions.push("which joint each column is, and its unit".to_owned());
-            log_lines(file, best, None)
-        }
-        None => rows_of_points(file, text, best, mixed, &mut document),
-    };
+    document.doubts.extend(found.doubts.iter().cloned());
+    document.questions.extend(found.questions.iter().cloned());
+    let lines = proposal.lines(&mut document);
     if let Some((kind, found)) = log {
         document.questions.push(format!(
             "whether it is {} (`[log]` with `format = {:?}`)",
@@ -187,47 +211,32 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     document
 }
 
-/// Lines of rows of points, of joints and points, or of joints and orientations.
-fn rows_of_points(
-    file: &str,
-    text: &str,
-    best: &Guess,
-    mixed: Option<Vec<&str>>,
-    document: &mut FormatsDocument,
-) -> String {
-    let unit = stated_unit(best);
-    document.doubts.extend(not_read(best));
-    document.doubts.extend(tried(file, text, best, unit));
-    if unit.is_none() {
-        document.questions.push("the unit of lengths".to_owned());
-    }
-    document.questions.push("whether the columns are x, y, z in this order, or angles and distances".to_owned());
-    if let Some(joints) = &mixed {
-        document.reasons.push(format!("the header names joints beside the points: {}", joints.join(", ")));
-        document.questions.push("which joint each column is, and its unit".to_owned());
-    }
-    match (&mixed, orientation(best)) {
-        (Some(joints), Some(turned)) => {
-            document.reasons.push(format!("the header names orientations: {}", turned.join(", ")));
-            observation_lines(file, best, joints, &turned)
-        }
-        _ => export_lines(file, best) + &mixed.map_or_else(String::new, |joints| joint_lines(&joints)),
-    }
-}
-
-fn reading(guess: &Guess) -> Reading {
+fn reading(guess: &Guess, found: &Interpretation) -> Reading {
     Reading {
-        delimiter: guess.dialect.delimiter.map_or("", |d| d.name()).to_owned(),
+        delimiter: guess.dialect.delimiter.map(|d| d.name().to_owned()),
+        sheet: guess.dialect.sheet.clone(),
         decimal: guess.dialect.decimal.name().to_owned(),
         thousands: guess.dialect.thousands.map(|t| t.name().to_owned()),
         header: guess.header,
-        columns: roles(guess).into_iter().map(|role| role.name().to_owned()).collect(),
+        columns: lines::roles(found, 0).into_iter().map(|role| role.name().to_owned()).collect(),
         share: guess.share(),
     }
 }
 
+/// What each column is taken for.
+fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
+    let column = |(i, taken): (usize, &meaning::Taken)| FormatsColumn {
+        number: i + 1,
+        heading: table.columns[i].name.clone(),
+        unit: table.columns[i].heading.unit.map(str::to_owned),
+        taken_for: taken.meaning.words(),
+        why: taken.why.clone(),
+    };
+    found.taken.iter().enumerate().map(column).collect()
+}
+
 /// Why the first reading is the first.
-fn reasons(best: &Guess) -> Vec<String> {
+fn reasons(best: &Guess, table: &Table) -> Vec<String> {
     let columns = match best.dialect.delimiter {
         Some(delimiter) => format!("have {} fields separated by `{}`", best.numeric.len(), delimiter.name()),
         None => format!("have numbers, in {}", count(best.numeric.iter().filter(|n| **n).count(), "column")),
@@ -244,6 +253,10 @@ fn reasons(best: &Guess) -> Vec<String> {
     if let Some(row) = &best.names {
         let names = if names(best).is_some() { "names the columns" } else { "is the last before the data" };
         reasons.push(format!("line {} {names}", row.line));
+    }
+    if table.sampled {
+        let rows = count(table.rows, "row");
+        reasons.push(format!("the values of the first {rows} were looked at; the file has more"));
     }
     if let Some(comment) = &best.dialect.comment {
         reasons.push(format!("lines that start with `{comment}` are comments"));
@@ -284,220 +297,6 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
     doubts
 }
 
-/// The unit that the header gives the first coordinate.
-fn stated_unit(best: &Guess) -> Option<Unit> {
-    let names = names(best)?;
-    let x = roles(best).iter().position(|role| *role == ColumnRole::X)?;
-    Unit::of_heading(names.get(x)?)
-}
-
-/// Columns of numbers that nothing names and that are not read.
-fn not_read(best: &Guess) -> Vec<String> {
-    let skipped =
-        |(i, role): (usize, &ColumnRole)| (*role == ColumnRole::Skip && best.numeric[i]).then(|| (i + 1).to_string());
-    let columns: Vec<String> = match names(best) {
-        Some(_) => Vec::new(),
-        None => roles(best).iter().enumerate().filter_map(skipped).collect(),
-    };
-    let what = format!("numbers that are not read: column {}", columns.join(", "));
-    (!columns.is_empty()).then_some(what).into_iter().collect()
-}
-
-/// What reading the whole file this way runs into.
-fn tried(file: &str, text: &str, best: &Guess, unit: Option<Unit>) -> Vec<String> {
-    let (points, problems) = point_rows(file, &text.into(), &dialect(best), unit.unwrap_or(Unit::Millimetre));
-    let mut doubts: Vec<String> = problems
-        .0
-        .iter()
-        .take(SHOWN)
-        .map(|m| {
-            let line = m.place.as_ref().and_then(|p| p.line).map(|line| format!("line {line}: ")).unwrap_or_default();
-            format!("{line}{}", m.what)
-        })
-        .collect();
-    if problems.0.len() > SHOWN {
-        doubts.push(format!("and {} more like that", count(problems.0.len() - SHOWN, "problem")));
-    }
-    let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
-    let refused = points.iter().find(|p| p.refused.is_some());
-    doubts.extend(
-        origin
-            .map(|p| format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)),
-    );
-    doubts.extend(refused.map(|p| format!("line {}: {}", p.line, p.refused.as_deref().unwrap_or(""))));
-    doubts
-}
-
-/// The dialect as it would be stated.
-fn dialect(best: &Guess) -> Dialect {
-    Dialect { columns: Columns::InOrder(roles(best)), ..best.dialect.clone() }
-}
-
-fn unit_line(unit: Option<&str>) -> String {
-    match unit {
-        Some(unit) => format!("unit = {unit:?}                # the file states it\n"),
-        None => {
-            "unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n"
-                .to_owned()
-        }
-    }
-}
-
-fn export_lines(file: &str, best: &Guess) -> String {
-    let mut out = format!(
-        "[[export]]\nfile = {}\nformat = {}\n{}",
-        quoted(file),
-        dialect(best),
-        unit_line(stated_unit(best).map(Unit::name))
-    );
-    let kinds = CoordinateType::Cartesian.name();
-    let _ = writeln!(out, "# are the columns x, y, z in this order, and {kinds}?");
-    let roles = roles(best);
-    if roles.contains(&ColumnRole::Label) {
-        out.push_str("label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n");
-    } else if !roles.contains(&ColumnRole::Target) {
-        out.push_str("target = \"?\"               # which target the rows are of\n");
-    }
-    // what a column or the label states is not stated twice
-    if ![ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS].iter().any(|role| roles.contains(role)) {
-        out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
-    }
-    out
-}
-
-/// The names of joints in the header of rows of points, in a text of which a campaign can read both.
-fn joints_beside_points<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
-    let roles = roles(best);
-    let points = names(best).is_some() && roles.contains(&ColumnRole::X) && roles.contains(&ColumnRole::Y);
-    let readable = best.dialect.delimiter.is_some() && best.header == 1 && best.dialect.comment.is_none();
-    let joints: Vec<(&str, &ColumnRole)> =
-        names(best)?.into_iter().zip(&roles).filter(|(name, _)| is_joint(name)).collect();
-    // a header that names no points has their places by position
-    let beside = joints.len() >= 2 && joints.iter().all(|(_, role)| **role == ColumnRole::Skip);
-    (points && readable && beside).then(|| joints.into_iter().map(|(name, _)| name).collect())
-}
-
-/// The columns of measured orientations: a quaternion, or three that are angles or a rotation vector.
-fn orientation<'g>(best: &'g Guess) -> Option<Vec<&'g str>> {
-    let header = names(best)?;
-    let plain = |name: &str| name.split(['_', '[', '(', ' ']).next().unwrap_or("").to_lowercase();
-    let all = |wanted: &[&str]| -> Option<Vec<&'g str>> {
-        wanted.iter().map(|name| header.iter().copied().find(|heading| plain(heading) == **name)).collect()
-    };
-    let forms: [&[&str]; 6] = [
-        &QUATERNION,
-        &["rx", "ry", "rz"],
-        &["a", "b", "c"],
-        &["w", "p", "r"],
-        &["roll", "pitch", "yaw"],
-        &["yaw", "pitch", "roll"],
-    ];
-    forms.into_iter().find_map(all)
-}
-
-/// Lines of a table of observations: joint values, positions and orientations row by row.
-fn observation_lines(file: &str, best: &Guess, joints: &[&str], turned: &[&str]) -> String {
-    let header = names(best).unwrap_or_default();
-    let unit = stated_unit(best).map_or("UNIT", Unit::name);
-    let role = |role: ColumnRole| roles(best).iter().position(|r| *r == role).map(|i| header[i]);
-    let mut columns: Vec<String> = Vec::new();
-    let mut column = |name: String, heading: &str| columns.push(format!("{name} = {}", quoted(heading)));
-    if let Some(pose) = role(ColumnRole::Pose) {
-        column("pose".to_owned(), pose);
-    }
-    for (i, joint) in joints.iter().enumerate() {
-        column(format!("q{}_{}", i + 1, unit_of_name(joint).unwrap_or("UNIT")), joint);
-    }
-    for (name, of) in ["x", "y", "z"].into_iter().zip([ColumnRole::X, ColumnRole::Y, ColumnRole::Z]) {
-        if let Some(heading) = role(of) {
-            column(format!("{name}_{unit}"), heading);
-        }
-    }
-    match turned.len() {
-        4 => QUATERNION.into_iter().zip(turned).for_each(|(name, heading)| column(name.to_owned(), heading)),
-        _ => ["a_UNIT", "b_UNIT", "c_UNIT"]
-            .into_iter()
-            .zip(turned)
-            .for_each(|(name, heading)| column(name.to_owned(), heading)),
-    }
-    let mut out = format!(
-        "[observations]\nfile = {}\ndelimiter = {:?}\ndecimal = {:?}\ncolumns = {{ {} }}\n{JOINTS}",
-        quoted(file),
-        best.dialect.delimiter.map_or("", |d| d.name()),
-        best.dialect.decimal.name(),
-        columns.join(", ")
-    );
-    if turned.len() == 3 {
-        out.push_str(
-            "orientation = \"?\"          # order of the three angles: \"zyx\", \"fixed xyz\" ..; without it the error names the orders that fit. Of a\n\
-             # rotation vector name the columns rx_UNIT, ry_UNIT, rz_UNIT instead\n",
-        );
-    }
-    if role(ColumnRole::Target).is_none() {
-        out.push_str("target = \"probe\"           # the body that was measured\n");
-    }
-    if role(ColumnRole::Pose).is_none() {
-        out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
-    }
-    out
-}
-
-/// The unit that the name of a column ends in.
-fn unit_of_name(name: &str) -> Option<&'static str> {
-    ["deg", "rad", "mm", "m"].into_iter().find(|unit| name.trim().to_lowercase().ends_with(&format!("_{unit}")))
-}
-
-fn joint_lines(joints: &[&str]) -> String {
-    let column =
-        |(i, name): (usize, &&str)| format!("q{}_{} = {}", i + 1, unit_of_name(name).unwrap_or("UNIT"), quoted(name));
-    let columns: Vec<String> = joints.iter().enumerate().map(column).collect();
-    format!("joints = {{ {} }}\n{JOINTS}", columns.join(", "))
-}
-
-/// Lines of a log, in a format of which more is known or none.
-fn log_lines(file: &str, best: &Guess, kind: Option<LogKind>) -> String {
-    let names = names(best);
-    let decimal = best.dialect.decimal.name();
-    let delimiter = best.dialect.delimiter.map_or("", |d| d.name());
-    let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
-    let mut out = format!(
-        "[log]\nfile = {}\n{format}delimiter = {delimiter:?}\ndecimal = {decimal:?}\nheader = {}\n",
-        quoted(file),
-        names.is_some()
-    );
-    let unit_of = |name: &str| kind.and_then(|kind| kind.unit_of(name));
-    let mut number = 0;
-    let mut joint = |unit: Option<&str>| {
-        number += 1;
-        format!("q{number}_{}", unit.unwrap_or("UNIT"))
-    };
-    let mut clock = None;
-    let columns: Vec<String> = match &names {
-        Some(names) => names
-            .iter()
-            .filter_map(|name| match name.trim().to_lowercase().as_str() {
-                key @ ("pose" | "cycle" | "time_s") => Some(format!("{key} = {}", quoted(name))),
-                "run" | "repeat" => Some(format!("cycle = {}", quoted(name))),
-                _ if is_joint(name) => {
-                    Some(format!("{} = {}", joint(unit_of(name).or(unit_of_name(name))), quoted(name)))
-                }
-                _ => {
-                    let unit = unit_of(name).filter(|unit| ["s", "ms", "ns"].contains(unit) && clock.is_none())?;
-                    clock = Some(unit);
-                    Some(format!("time_{unit} = {}", quoted(name)))
-                }
-            })
-            .collect(),
-        None => (1..=best.numeric.len()).map(|column| format!("{} = {column}", joint(None))).collect(),
-    };
-    let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
-    out.push_str(JOINTS);
-    if best.header > 1 && best.dialect.header != Header::Rows(1) {
-        out.push_str("# a log has one row of names at most: take the other rows before the data out of the file\n");
-    }
-    out
-}
-
 /// The lines under comments with the reasons, what speaks against them, and what is asked.
 fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
     let mut out = String::new();
@@ -506,6 +305,14 @@ fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
     document.reasons.iter().for_each(|reason| remark(format!("because {reason}")));
     document.doubts.iter().for_each(|doubt| remark(format!("DOUBT: {doubt}")));
     document.questions.iter().for_each(|question| remark(format!("QUESTION: {question}")));
+    for column in document.columns.iter().take(SHOWN_COLUMNS) {
+        let why = if column.why.is_empty() { String::new() } else { format!(": {}", column.why) };
+        let heading = column.heading.as_ref().map(|heading| format!(" `{heading}`")).unwrap_or_default();
+        remark(format!("column {}{heading} is {}{why}", column.number, column.taken_for));
+    }
+    if document.columns.len() > SHOWN_COLUMNS {
+        remark(format!("and {} more, which --json lists", count(document.columns.len() - SHOWN_COLUMNS, "column")));
+    }
     out + lines
 }
 

@@ -1,0 +1,425 @@
+//! The catalogue of messages: one text for each id and language (Fluent), and an explanation above
+//! the English text.
+//!
+//! Ids and arguments are written by [`error!`](crate::error), [`warning!`](crate::warning) and
+//! [`phrase!`](crate::phrase); `tests/catalogue.rs` compares every call with the texts.
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::types::{FluentNumber, FluentNumberOptions};
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::LazyLock;
+use unic_langid::LanguageIdentifier;
+
+macro_rules! files {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, [
+            include_str!(concat!("messages/en/", $name, ".ftl")),
+            include_str!(concat!("messages/fr/", $name, ".ftl")),
+            include_str!(concat!("messages/de/", $name, ".ftl")),
+        ])),*]
+    };
+}
+
+/// Languages of the catalogue (ISO 639-1).
+pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
+
+/// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
+pub const FILES: [(&str, [&str; 3]); 9] =
+    files!["base", "campaign", "cli", "compare", "controllers", "documents", "fit", "simulate", "standards"];
+
+/// Named arguments of a text.
+pub type Arguments = BTreeMap<String, Argument>;
+
+/// Value of an argument. Units and decimals are part of the text.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum Argument {
+    /// A whole number.
+    Whole(i64),
+    /// A finite number.
+    Number(f64),
+    /// A name or another text that is the same in all languages.
+    Text(String),
+    /// Values that the text separates by commas.
+    List(Vec<Argument>),
+    /// Another text of the catalogue.
+    Phrase(Phrase),
+}
+
+// a non-finite number is a text
+impl Eq for Argument {}
+
+/// Text of the catalogue with its arguments.
+///
+/// # Examples
+///
+/// ```
+/// use etalon_base::phrase;
+///
+/// let approaches = phrase!("approaches", count = 2);
+/// assert_eq!(approaches.to_string(), "2 approaches");
+/// assert_eq!(approaches.text("de"), "2 Anfahrrichtungen");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Phrase {
+    /// Id in the catalogue.
+    pub id: Cow<'static, str>,
+    /// Arguments of the text.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub arguments: Arguments,
+}
+
+/// A value that can be an argument.
+pub trait IntoArgument {
+    /// The value as an argument.
+    fn argument(&self) -> Argument;
+}
+
+/// [`Phrase`](crate::catalogue::Phrase) of an id of the catalogue; arguments as of
+/// [`error!`](crate::error).
+#[macro_export]
+macro_rules! phrase {
+    (@value $name:ident) => { $name };
+    (@value $name:ident $value:expr) => { $value };
+    ($id:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::catalogue::Phrase::new($id)$(.with(stringify!($name), &$crate::phrase!(@value $name $($value)?)))*
+    };
+}
+
+impl Phrase {
+    /// Text without arguments. [`phrase!`](crate::phrase) is the usual way.
+    pub fn new(id: &'static str) -> Self {
+        Self { id: Cow::Borrowed(id), arguments: Arguments::new() }
+    }
+
+    /// Adds an argument.
+    pub fn with(mut self, name: &str, value: &(impl IntoArgument + ?Sized)) -> Self {
+        self.arguments.insert(name.to_owned(), value.argument());
+        self
+    }
+
+    /// Text in a language (ISO 639-1); English if the catalogue lacks the language, the id if it
+    /// lacks the text.
+    pub fn text(&self, language: &str) -> String {
+        render(&self.id, None, &self.arguments, language).unwrap_or_else(|| self.id.clone().into_owned())
+    }
+}
+
+impl fmt::Display for Phrase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text("en"))
+    }
+}
+
+impl Argument {
+    /// Text in a language, as it stands in lists.
+    fn text(&self, language: &str) -> String {
+        match self {
+            Self::Whole(value) => value.to_string(),
+            Self::Number(value) => marked(value.to_string(), language),
+            Self::Text(text) => text.clone(),
+            Self::List(all) => all.iter().map(|one| one.text(language)).collect::<Vec<_>>().join(", "),
+            Self::Phrase(phrase) => phrase.text(language),
+        }
+    }
+
+    fn value(&self, language: &str) -> FluentValue<'static> {
+        match self {
+            Self::Whole(value) => FluentValue::from(*value),
+            Self::Number(value) => FluentValue::from(*value),
+            _ => FluentValue::from(self.text(language)),
+        }
+    }
+}
+
+impl PartialEq<&str> for Argument {
+    fn eq(&self, other: &&str) -> bool {
+        matches!(self, Self::Text(text) if text == other)
+    }
+}
+
+impl PartialEq<i64> for Argument {
+    fn eq(&self, other: &i64) -> bool {
+        matches!(self, Self::Whole(value) if value == other)
+    }
+}
+
+impl PartialEq<f64> for Argument {
+    fn eq(&self, other: &f64) -> bool {
+        matches!(self, Self::Number(value) if value == other)
+    }
+}
+
+impl<T: IntoArgument + ?Sized> IntoArgument for &T {
+    fn argument(&self) -> Argument {
+        (**self).argument()
+    }
+}
+
+impl IntoArgument for str {
+    fn argument(&self) -> Argument {
+        Argument::Text(self.to_owned())
+    }
+}
+
+impl IntoArgument for String {
+    fn argument(&self) -> Argument {
+        Argument::Text(self.clone())
+    }
+}
+
+impl IntoArgument for char {
+    fn argument(&self) -> Argument {
+        Argument::Text(self.to_string())
+    }
+}
+
+impl IntoArgument for f64 {
+    fn argument(&self) -> Argument {
+        if self.is_finite() { Argument::Number(*self) } else { Argument::Text(self.to_string()) }
+    }
+}
+
+impl IntoArgument for Phrase {
+    fn argument(&self) -> Argument {
+        Argument::Phrase(self.clone())
+    }
+}
+
+impl IntoArgument for Argument {
+    fn argument(&self) -> Argument {
+        self.clone()
+    }
+}
+
+impl<T: IntoArgument> IntoArgument for [T] {
+    fn argument(&self) -> Argument {
+        Argument::List(self.iter().map(T::argument).collect())
+    }
+}
+
+impl<T: IntoArgument> IntoArgument for Vec<T> {
+    fn argument(&self) -> Argument {
+        self[..].argument()
+    }
+}
+
+impl<T: IntoArgument, const N: usize> IntoArgument for [T; N] {
+    fn argument(&self) -> Argument {
+        self[..].argument()
+    }
+}
+
+macro_rules! whole {
+    ($($type:ty),*) => {
+        $(impl IntoArgument for $type {
+            fn argument(&self) -> Argument {
+                i64::try_from(*self).map_or_else(|_| Argument::Text(self.to_string()), Argument::Whole)
+            }
+        })*
+    };
+}
+
+whole!(u8, u16, u32, u64, usize, i32, i64, i128);
+
+type Bundle = FluentBundle<FluentResource>;
+
+static BUNDLES: LazyLock<[Bundle; 3]> = LazyLock::new(|| [0, 1, 2].map(bundle));
+
+fn bundle(language: usize) -> Bundle {
+    let identifier: LanguageIdentifier = LANGUAGES[language].parse().unwrap_or_default();
+    let mut bundle = FluentBundle::new_concurrent(vec![identifier]);
+    bundle.set_use_isolating(false);
+    bundle.set_formatter(Some(if language == 0 { point } else { comma }));
+    let _ = bundle.add_function("FIXED", fixed);
+    let _ = bundle.add_function("SCIENTIFIC", move |positional, _| scientific(positional, LANGUAGES[language]));
+    for (_, texts) in FILES {
+        let resource = FluentResource::try_new(texts[language].to_owned()).unwrap_or_else(|(resource, _)| resource);
+        let _ = bundle.add_resource(resource);
+    }
+    bundle
+}
+
+/// `FIXED($value, 3)`: a number with this many decimals.
+fn fixed<'a>(positional: &[FluentValue<'a>], _named: &FluentArgs) -> FluentValue<'a> {
+    match positional {
+        [FluentValue::Number(value), FluentValue::Number(decimals)] => {
+            let options =
+                FluentNumberOptions { minimum_fraction_digits: Some(decimals.value as usize), ..value.options.clone() };
+            FluentNumber::new(value.value, options).into()
+        }
+        [value, ..] => value.clone(),
+        [] => FluentValue::Error,
+    }
+}
+
+/// `SCIENTIFIC($value, 1)`: a number with an exponent and this many decimals.
+fn scientific<'a>(positional: &[FluentValue<'a>], language: &str) -> FluentValue<'a> {
+    match positional {
+        [FluentValue::Number(value), FluentValue::Number(decimals)] => {
+            let decimals = decimals.value as usize;
+            marked(format!("{:.decimals$e}", value.value), language).into()
+        }
+        [value, ..] => value.clone(),
+        [] => FluentValue::Error,
+    }
+}
+
+fn point<M>(value: &FluentValue, _: &M) -> Option<String> {
+    number(value, "en")
+}
+
+fn comma<M>(value: &FluentValue, _: &M) -> Option<String> {
+    number(value, "de")
+}
+
+fn number(value: &FluentValue, language: &str) -> Option<String> {
+    let FluentValue::Number(number) = value else { return None };
+    let text = match number.options.minimum_fraction_digits {
+        Some(decimals) => format!("{:.decimals$}", number.value),
+        None => number.value.to_string(),
+    };
+    Some(marked(text, language))
+}
+
+/// A decimal number with the decimal mark of a language.
+fn marked(text: String, language: &str) -> String {
+    if language == "en" { text } else { text.replace('.', ",") }
+}
+
+/// Text of an id, or of an attribute of it.
+pub(crate) fn render(id: &str, attribute: Option<&str>, arguments: &Arguments, language: &str) -> Option<String> {
+    let index = LANGUAGES.iter().position(|known| *known == language).unwrap_or_default();
+    let bundle = &BUNDLES[index];
+    let message = bundle.get_message(id)?;
+    let pattern = match attribute {
+        Some(name) => message.get_attribute(name)?.value(),
+        None => message.value()?,
+    };
+    let mut values = FluentArgs::with_capacity(arguments.len());
+    for (name, argument) in arguments {
+        values.set(name.as_str(), argument.value(LANGUAGES[index]));
+    }
+    Some(bundle.format_pattern(pattern, Some(&values), &mut Vec::new()).into_owned())
+}
+
+/// One text of the catalogue in English, and its explanation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Entry {
+    /// Id of the message.
+    pub id: &'static str,
+    /// Name of the crate that reports the message.
+    pub file: &'static str,
+    /// Meaning of the message; empty for a phrase, which is part of other texts.
+    pub meaning: String,
+    /// Consequence of the message.
+    pub reason: String,
+    /// Action to take.
+    pub action: String,
+    /// Input that causes the message.
+    pub example: String,
+}
+
+impl Entry {
+    /// `true` if the entry is a message of its own, not a part of other texts.
+    pub fn is_message(&self) -> bool {
+        !self.meaning.is_empty()
+    }
+
+    /// English text of the entry, or of an attribute, with `{name}` for each argument.
+    pub fn pattern(&self, attribute: Option<&str>) -> Option<String> {
+        let source = FILES.iter().find(|(file, _)| *file == self.file).map_or("", |(_, texts)| texts[0]);
+        let named = source.split('$').skip(1).map(|rest| {
+            let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+            (rest[..end].to_owned(), Argument::Text(format!("{{{}}}", &rest[..end])))
+        });
+        render(self.id, attribute, &named.collect(), "en")
+    }
+}
+
+/// All texts of the catalogue, file by file.
+pub fn entries() -> Vec<Entry> {
+    FILES.iter().flat_map(|(file, texts)| entries_of(file, texts[0])).collect()
+}
+
+fn entries_of(file: &'static str, text: &'static str) -> Vec<Entry> {
+    let (mut all, mut entry, mut last) = (Vec::new(), Entry::default(), None);
+    for line in text.lines() {
+        let id = line
+            .split_once(" =")
+            .map(|(id, _)| id)
+            .filter(|id| line.starts_with(char::is_alphabetic) && !id.contains(' '));
+        if let Some(id) = id {
+            all.push(Entry { id, file, ..std::mem::take(&mut entry) });
+        } else if let Some(comment) = line.strip_prefix("# ") {
+            let labelled = comment.split_once(": ").and_then(|(label, rest)| Some((part(label)?, rest)));
+            let (part, rest) = labelled.map_or((last, comment), |(part, rest)| (Some(part), rest));
+            last = part;
+            let Some(part) = part else { continue };
+            let text = part(&mut entry);
+            if !text.is_empty() {
+                text.push(' ');
+            }
+            text.push_str(rest);
+        } else if line.is_empty() {
+            (entry, last) = (Entry::default(), None);
+        }
+    }
+    all
+}
+
+type Part = fn(&mut Entry) -> &mut String;
+
+/// Part of an explanation by its label.
+fn part(label: &str) -> Option<Part> {
+    match label {
+        "Means" => Some(|entry| &mut entry.meaning),
+        "Matters" => Some(|entry| &mut entry.reason),
+        "Do" => Some(|entry| &mut entry.action),
+        "Example" => Some(|entry| &mut entry.example),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_has_the_decimals_of_the_text_and_the_mark_of_the_language() {
+        let steep = crate::phrase!("deviation-steep", change = 2.5, from = 0.0, to = 10.25);
+        assert_eq!(steep.to_string(), "the deviation changes by 2.5 from 0 to 10.25");
+        assert!(steep.text("de").contains("10,25"));
+        let length = |value: f64| crate::phrase!("quaternion-length", target = "p1.5", length = value);
+        assert!(length(0.5).to_string().contains("p1.5") && length(0.5).to_string().contains("0.5000"));
+        assert!(length(0.5).text("fr").contains("p1.5") && length(0.5).text("fr").contains("0,5000"));
+        assert!(length(f64::NAN).to_string().contains("NaN"));
+    }
+
+    #[test]
+    fn an_unknown_id_or_language_does_no_harm() {
+        assert_eq!(Phrase::new("no-such-id").text("de"), "no-such-id");
+        assert_eq!(crate::phrase!("approaches", count = 1).text("it"), "1 approach");
+    }
+
+    #[test]
+    fn arguments_read_back_as_they_were_written() {
+        let inner = crate::phrase!("approaches", count = 3);
+        let phrase =
+            Phrase::new("x").with("a", &1).with("b", &1.0).with("c", "1").with("d", &["p", "q"]).with("e", &inner);
+        let text = toml::to_string(&phrase).unwrap();
+        assert_eq!(toml::from_str::<Phrase>(&text).unwrap(), phrase, "{text}");
+    }
+
+    #[test]
+    fn an_explanation_is_read_by_its_labels() {
+        let text = "# Means: one\n# more\n# Example: `a: b`\nan-id = text\n    .hint = h\n\nother = x\n";
+        let all = entries_of("base", text);
+        assert_eq!((all[0].id, all[0].meaning.as_str(), all[0].example.as_str()), ("an-id", "one more", "`a: b`"));
+        assert!(all[0].is_message() && !all[1].is_message() && all.len() == 2);
+    }
+}

@@ -1,0 +1,55 @@
+### Meldungen von base; Erklärungen in en/base.ftl.
+
+also-in-lines = { $message }; ebenso in den Zeilen { $second }, { $third } und { $more ->
+        [one] 1 weiteren Zeile
+       *[other] { $more } weiteren Zeilen
+    }
+
+did-you-mean = meinten Sie `{ $name }`?
+
+meant-in-unit = in `{ $name }` umrechnen: 1 { $from } = { $factor } { $to }
+
+known-names = einen dieser Namen verwenden: { $names }
+
+known-names-first = einen dieser Namen verwenden: { $names }, ...
+
+pose-name-empty = der Name der Pose ist leer
+    .expected = eine ganze Zahl oder ein Name wie `home` oder `A-3`
+
+pose-name-too-long = der Name der Pose hat { $characters } Zeichen
+    .expected = höchstens { $most } Zeichen: eine ganze Zahl oder ein Name wie `home` oder `A-3`
+
+pose-name-unprintable = eine Tabelle kann den Namen `{ $name }` nicht enthalten
+    .expected = eine ganze Zahl oder ein Name wie `home` oder `A-3`
+
+pose-name-two-spellings = `{ $first }` und `{ $second }` unterscheiden sich nur in Großbuchstaben, Leerzeichen, `_`, `-` oder Nullen
+    .hint = den Namen einer Pose in allen Zeilen und Dateien gleich schreiben
+
+counts-too-large = zu viele { $of }: { $counts }
+    .expected = höchstens { $most }
+
+cannot-read-file = `{ $file }` kann nicht gelesen werden: { $reason }
+
+file-too-large = `{ $file }` kann nicht gelesen werden: größer als { $most_mib } MiB
+
+not-utf8 = `{ $file }` ist nicht UTF-8 (Byte { $byte })
+    .hint = die Datei als UTF-8 speichern
+
+cannot-write-file = `{ $file }` kann nicht geschrieben werden: { $reason }
+
+file-exists = `{ $file }` ist schon vorhanden
+    .hint = einen neuen Ordner angeben
+
+lock-foreign = `{ $file }` kann nicht geschrieben werden: `{ $lock }` ist keine Sperrdatei von etalon
+    .expected = eine gewöhnliche Datei mit einem Namen
+    .hint = sie entfernen: etalon braucht diesen Namen, während es schreibt
+
+locked = Prozess { $process } schreibt `{ $file }`
+    .hint = warten, bis er beendet ist
+
+output-is-input = `{ $output }` würde die Eingabe `{ $input }` überschreiben
+    .hint = eine andere Ausgabedatei angeben
+
+cannot-write-folder = der Ordner `{ $folder }` kann nicht geschrieben werden: { $reason }
+
+cannot-encode = { $format } kann nicht geschrieben werden: { $reason }

@@ -1,0 +1,250 @@
+### Meldungen von campaign; Erklärungen in en/campaign.ftl.
+
+recording-unit = eine Aufzeichnung mit `format` braucht `unit`, und nur dann
+    .hint = beide angeben; ohne beide ist es eine Tabelle time_s,x_mm,y_mm,z_mm, deren Kopf die Einheiten angibt
+
+campaign-missing = es gibt keine Kampagne `{ $file }`
+    .hint = `etalon init ORDNER` schreibt eine zum Anfangen
+
+joints-need-delimited-text = `joints` werden aus getrenntem Text mit höchstens einer Namenszeile gelesen
+    .hint = `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` angeben; bei anderen Dateien die Gelenke in einem [log] nennen
+
+joints-differ = zwei Exporte von `{ $file }` geben verschiedene `joints` an
+    .hint = in beiden dieselben Spalten angeben
+
+joints-twice = die Gelenke sind zweimal angegeben: in `joints` von `{ $file }` und in [log]
+    .hint = eine Angabe weglassen
+
+joints-joined-by-row = ein Export mit `joints` wird zeilenweise verknüpft
+    .hint = `by = "row"` in [join] angeben oder [join] weglassen
+
+environment-missing = die Umgebung hat kein `{ $name }`
+    .hint = { $name } auf den Ordner setzen, der `{ $file }` enthält
+
+path-outside = `{ $file }` verlässt den Ordner der Kampagne
+    .expected = ein Pfad im Ordner der Kampagne oder einer, der mit `$NAME/` beginnt
+
+no-target = ein räumlicher Roboter braucht mindestens eine Zielmarke
+    .hint = sie in `targets` von [join], als `target` der Exporte oder in einer Spalte `target` der Tabelle nennen
+
+target-called-base = keine Zielmarke kann `base` heißen: ihre Parameter wären die der Roboterbasis
+    .hint = der Zielmarke in Bezeichnung oder Spalten einen anderen Namen geben
+
+key-not-positive = `{ $key }` muss positiv sein
+    .hint = den Wert berichtigen
+
+joint-key-missing = der Schlüssel `{ $key }` fehlt in `joint`
+
+direction-in-base = eine Richtung in der Basis, zum Beispiel { $example }
+
+keys-state-the-same = { $keys } geben dasselbe an: eine davon weglassen
+
+leg-count = ein Hexapod hat sechs Beine, die Datei gibt { $count } an
+    .hint = je Bein ein [[leg]] mit base_mm und platform_mm ergänzen
+
+hexapod-singular = der Hexapod ist in seiner Grundstellung singulär: sechs Beinlängen halten ihn dort nicht
+    .hint = `base_mm` und `platform_mm` prüfen oder eine andere Grundstellung angeben
+
+no-joints = ein serieller Arm braucht seine Gelenke
+    .hint = je Gelenk von der Basis aus ein [[joint]] mit alpha_deg, a_mm, theta_deg, d_mm ergänzen
+
+gravity-without-direction = `gravity` hat keine Richtung
+    .expected = eine Richtung in der Basis, zum Beispiel [0, 0, -1]
+
+not-denavit-hartenberg = `{ $key }` ist kein Denavit-Hartenberg-Parameter
+    .hint = er gehört zu `convention = "poe"`
+
+not-screw-axis = eine Schraubachse hat weder Denavit-Hartenberg-Parameter noch `parallel`
+    .hint = `direction` und `point_mm` angeben
+
+joint-axis-without-direction = die Gelenkachse hat keine Richtung
+    .expected = eine Richtung in der Basis, zum Beispiel [0, 0, 1]
+
+flange-missing = Schraubachsen brauchen die Pose des Flansches bei Gelenkwerten null: der Schlüssel `{ $key }` fehlt
+
+flange-of-table = `{ $key }` hat für Denavit-Hartenberg-Parameter keine Bedeutung
+    .hint = er gehört zu `convention = "poe"`
+
+range-of-other-motion = `{ $key }` ist kein Schlüssel eines { $motion ->
+        [slides] Schubgelenks
+       *[turns] Drehgelenks
+    }
+    .hint = `{ $own }` angeben
+
+range-exchanged = `{ $key }` ist kein Bereich: { $lower } bis { $upper }
+    .expected = die kleinere Grenze, dann die größere
+
+joint-reference-wrong = { $fault ->
+        [unknown-number] es gibt kein Gelenk { $joint }
+        [unknown-name] es gibt kein Gelenk `{ $joint }`
+        [slides] Gelenk { $joint } ist ein Schubgelenk: es dreht nicht
+        [twice] Gelenk { $joint } steht zweimal da
+        [itself] Gelenk { $joint } ist mit sich selbst gekoppelt: das ist seine Verstärkung
+       *[pair] das Paar { $joint } steht zweimal da
+    }
+    .expected = Gelenke von 1 bis { $count }, jedes einmal
+    .hint = die Gelenke sind { $joints }
+
+urdf-joint-kind = Gelenk `{ $joint }` ist { $kind }, das kein Gelenk einer Kette ist
+    .expected = fixed, revolute, continuous oder prismatic
+
+urdf-axis-without-direction = die Achse von Gelenk `{ $joint }` hat keine Richtung
+    .expected = <axis xyz="0 0 1"/> oder eine andere Richtung
+
+urdf-origin-far = der Ursprung von Gelenk `{ $joint }` ist { FIXED($away_m, 0) } m von seinem Vorgänger entfernt
+    .hint = Längen einer URDF sind Meter: die dieser Datei durch 1000 teilen
+
+urdf-two-parents = Glied `{ $link }` hat zwei Vorgänger: `{ $first }` und `{ $second }`
+    .hint = eine URDF ist ein Baum: Schleifen durch `mimic` schließen
+
+urdf-loop = die Gelenke ab `{ $link }` bilden eine Schleife
+    .hint = eine URDF ist ein Baum: Schleifen durch `mimic` schließen
+
+urdf-link-unknown = `{ $file }` hat kein Glied `{ $link }`
+
+urdf-no-path = keine Gelenke führen von `{ $from }` zu `{ $to }`
+    .hint = `base_link` und `tool_link` prüfen: kein Gelenk trägt `{ $root }`
+
+urdf-mimic-unknown = Gelenk `{ $joint }` folgt `{ $mimics }`, das die Datei nicht hat
+
+urdf-mimics-itself = Gelenk `{ $joint }` folgt sich selbst
+    .hint = in <mimic> ein anderes Gelenk nennen
+
+urdf-nothing-moves = zwischen `{ $from }` und `{ $to }` bewegt sich kein Gelenk
+    .hint = `base_link` und `tool_link` prüfen
+
+urdf-no-moving-joint = kein Gelenk der Datei bewegt sich
+    .hint = die URDF eines Roboters angeben
+
+bending-on-moving-base = `bending` braucht eine feste Richtung der Schwerkraft, und Gelenke bewegen `{ $link }`
+    .hint = es entfernen oder als `base_link` ein unbewegtes Glied nehmen
+
+bending-without-mass = hinter Gelenk `{ $joint }` ist keine Masse angegeben: nichts biegt es
+    .hint = seinen Gliedern <inertial> hinzufügen
+
+parameter-name-doubled = zwei Parameter hießen `{ $name }`
+    .hint = die Zielmarke umbenennen: keine kann den Namen eines Gelenks tragen
+
+key-of-other-model = `{ $key }` hat für dieses Modell keine Bedeutung
+    .hint = er gehört zu `model = "{ $model }"`
+
+nominal-unknown = [nominal] nennt `{ $parameter }`, das kein Parameter dieses Roboters ist
+
+nominal-length-not-positive = die Länge `{ $parameter }` muss positiv sein
+    .hint = die Länge der Zeichnung angeben
+
+nominal-missing = [nominal] gibt { $parameters } nicht an
+    .hint = die Geometrie Ihrer Maschine nach Zeichnung in mm angeben: sie wird nie geraten
+
+tolerance-not-positive = die Toleranz `{ $parameter }` muss positiv sein
+    .hint = die Toleranz der Zeichnung angeben
+
+tolerance-unknown = `tolerance` nennt `{ $parameter }`, das kein Parameter dieses Roboters ist
+
+selection-empty = `{ $stated }` nennt keine Posen
+    .expected = Namen und Bereiche wie "1-8, 12, home", eine Liste davon, "all", "rest" oder "index mod 10 < 7"
+
+not-a-measured-value = `{ $value }` ist kein Messwert
+    .expected = eine endliche Zahl
+
+value-of-other-kind = { $element ->
+        [yes] ein Element von `{ $key }`
+       *[no] `{ $key }`
+    } ist { $found }
+
+kind-of-value = { $kind ->
+        [text] ein Text
+        [date] ein Datum ohne Anführungszeichen
+        [list] eine Liste von { $length }
+       *[table] eine Tabelle
+    }
+
+unknown-variant = unbekannte Variante `{ $text }`
+
+key-missing = der Schlüssel `{ $key }` fehlt{ $has_section ->
+        [yes] {" "}in `{ $section }`
+       *[no] {""}
+    }
+
+state-unit = die Längeneinheit der Datei angeben: "mm", "m", "um" oder "inch"; sie wird nie geraten
+
+state-instrument = [instrument] gibt name, expanded_uncertainty_um und coverage_factor an: aus dem Kalibrierschein übernehmen
+
+state-file = die Datei im Ordner der Kampagne angeben
+
+copy-keys = `etalon init ORDNER` schreibt eine Kampagne mit allen Schlüsseln zum Kopieren
+
+toml-invalid = { $reason }
+
+table-key-twice = diese Tabelle hat den Schlüssel zweimal{ $more ->
+        [0] {""}
+        [one] , und 1 Schlüssel danach
+       *[other] , und { $more } Schlüssel danach
+    }
+    .hint = eine von mehreren Tabellen beginnt mit ihrem Kopf in doppelten Klammern, wie `[[joint]]`: fehlt einer davor?
+
+unknown-key = { $count ->
+        [one] unbekannter Schlüssel { $keys }
+       *[other] unbekannte Schlüssel { $keys }
+    }
+
+key-belongs-at-top = `{ $key }` gehört an den Anfang, vor den ersten Abschnitt
+
+table-head-missing = fehlt der Kopf ihrer Tabelle, wie `[section]` oder `[[joint]]`?
+
+key-remedy = { $key ->
+        [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle:
+        [observations] statt Exporten und Protokoll angeben
+       *[base_turn_y_deg] ihn löschen: base_rx, base_ry und base_rz sind ein Drehvektor, und keine Orientierung der Basis ist singulär
+    }
+
+urdf-xacro = die Datei enthält xacro-Makros, die nicht ersetzt werden
+
+expand-xacro = sie ersetzen lassen: xacro { $name }.urdf.xacro > { $name }.urdf
+
+urdf-no-robot = die Datei ist keine URDF
+    .expected = das Element <robot>
+
+urdf-joint-twice = es gibt zwei Gelenke `{ $joint }`
+    .hint = eines umbenennen
+
+urdf-joint-link-unknown = Gelenk `{ $joint }` nennt das Glied `{ $link }`, das die Datei nicht hat
+
+urdf-joint-without-link = Gelenk `{ $joint }` hat kein <{ $child } link="..."/>
+    .hint = das Element ergänzen
+
+urdf-limits-exchanged = die Grenzen von Gelenk `{ $joint }` sind vertauscht: { $lower } bis { $upper }
+    .hint = sie tauschen
+
+urdf-angles-beyond-turn = Winkel von `rpy` übersteigen eine volle Umdrehung
+    .hint = Winkel einer URDF sind Radiant: 90 deg sind 1.5707963267948966
+
+urdf-attribute-missing = <{ $element }> hat kein `{ $attribute }`
+    .hint = das Attribut ergänzen
+
+urdf-not-number = `{ $attribute }`: `{ $word }` ist keine Zahl
+    .hint = den Wert berichtigen
+
+urdf-number-count = `{ $attribute }` hat { $count ->
+        [one] 1 Zahl
+       *[other] { $count } Zahlen
+    }
+    .expected = { $expected_count ->
+            [one] eine Zahl
+           *[other] { $expected_count } Zahlen
+        }
+
+key-open = `{ $key }` ist offen{ $more ->
+        [0] {""}
+       *[other] ; { $more } weitere zu ergänzen
+    }
+    .hint = die Zeile ergänzen{ $remark ->
+        [none] {""}
+       *[other] : { $remark }
+    }
+
+joint-unit-open = die Einheit der Gelenke ist offen{ $more ->
+        [0] {""}
+       *[other] ; { $more } weitere zu ergänzen
+    }
+    .hint = deg, rad, mm oder m für UNIT einsetzen

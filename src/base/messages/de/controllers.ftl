@@ -1,0 +1,152 @@
+### Meldungen von controllers; Erklärungen in en/controllers.ftl.
+
+kind-hexapod = ein Hexapod (`hexapod`)
+
+kind-five-bar = ein Fünfgelenkroboter (`five_bar`)
+
+kind-six-axis-arm = ein serieller Arm mit sechs Drehgelenken
+
+kind-delta = ein Deltaroboter (`delta`, `delta_linear`)
+
+kind-delta-towers = ein Deltaroboter mit Linearachsen (`delta_linear`)
+
+kind-urdf = ein Roboter, den eine URDF-Datei beschreibt (`urdf`)
+
+kind-planar-or-serial = ein ebener Roboter oder ein serieller Arm
+
+format-for-other-robots = das Format `{ $format }` kann keinen Roboter mit `model = "{ $model }"` beschreiben
+    .expected = { $kind }
+    .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
+
+format-too-many-joints = der Roboter hat { $joints } Gelenke, das Format `{ $format }` hat { $most }
+
+urdf-malformed = `{ $file }` ist kein wohlgeformtes XML
+    .hint = die Datei berichtigen
+
+formulas-missing = für die Kinematik von `{ $model }` gibt es keine Formeln
+    .hint = ein Format verwenden, das Parameter enthält: `json`, `csv`, `c-header`
+
+formula-constant-not-finite = eine Konstante der Kinematik ist nicht endlich
+    .hint = die identifizierten Parameter prüfen
+
+error-above-nominal = Positionsfehler an den { $set ->
+        [validation] Validierungsposen
+       *[other] Kalibrierposen
+    }{ $left_out_count ->
+        [0] {""}
+       *[other] {" "}ohne { $left_out }
+    }: { FIXED($written_mm, $decimals) } mm (Effektivwert); mit nominalen Parametern: { FIXED($nominal_mm, $decimals) } mm
+
+file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason }
+    .hint = ein Format verwenden, das diese Parameter enthält; `etalon export --force` schreibt die Datei
+
+covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json hat keine Kovarianz davon
+    .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne sie neu
+
+parameters-not-converged = die Parameter sind für eine Steuerung nicht geeignet: { $termination }
+    .hint = vor dem Export neu identifizieren
+
+covariance-not-finite = die Kovarianz enthält eine nicht endliche Zahl
+    .hint = die Identifikation erneut ausführen
+
+parameter-not-finite = Parameter `{ $parameter }` hat eine nicht endliche Zahl
+    .expected = endlicher Wert, Nennwert und endliche Unsicherheit
+
+parameter-twice = es gibt zwei Parameter `{ $parameter }`
+    .hint = die Identifikation erneut ausführen
+
+parameter-names-collide = die Parameter `{ $first }` und `{ $second }` heißen beide `{ $name }` in { $language }
+    .hint = einen umbenennen oder ein anderes Format verwenden
+
+parameter-missing = die Parameter enthalten kein `{ $parameter }`
+    .hint = die robot.toml angeben, mit der sie identifiziert wurden
+
+robot-missing = dieses Format braucht das Robotermodell
+    .hint = die robot.toml angeben: `--robot FILE`
+
+robot-parameter-missing = der Roboter hat keinen Parameter `{ $parameter }`
+    .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
+
+deviation-steep = die Abweichung ändert sich von { $from } bis { $to } um { $change }
+    .expected = höchstens 5 % des Abstands
+    .hint = Positionen und Abweichungen in derselben Einheit angeben, mm oder deg
+
+axis-table-too-long = { $positions } Positionen sind zu viele für { $controller }
+    .expected = höchstens { $most }
+
+axis-table-too-short = eine SINUMERIK-Tabelle hat { $positions ->
+        [one] 1 Position
+       *[other] { $positions } Positionen
+    }
+    .expected = mindestens zwei Positionen
+
+axis-positions-uneven = die Positionen haben keinen konstanten Abstand
+    .hint = in gleichen Abständen messen oder eine andere Tabelle verwenden
+
+plane-steps-differ = das Raster hat entlang seiner Achsen verschiedene Abstände
+    .expected = { $step_mm } mm entlang beider
+
+galil-value-too-large = `{ $parameter }` ist zu groß für eine Variable einer Galil-Steuerung
+    .hint = ein Format mit Gleitkommazahlen verwenden
+
+galil-constant-too-large = { $name } = { FIXED($value, 6) } ist zu groß für die inverse Kinematik auf einer Galil-Steuerung
+    .expected = höchstens { $most }
+
+galil-rounding = `{ $parameter }` verliert { SCIENTIFIC($rounding, 1) } { $unit } auf einer Galil-Steuerung; die Standardunsicherheit ist { SCIENTIFIC($uncertainty, 1) } { $unit }
+    .hint = ein Format mit Gleitkommazahlen verwenden
+
+galil-axes = { $joints } Gelenke sind zu viele für eine Galil-Steuerung
+    .expected = höchstens acht
+
+galil-counts-out-of-range = Ziel { $target }: { $counts } Impulse außerhalb des Bereichs
+    .expected = höchstens { $most } Impulse
+
+certificate-date-missing = ein Kalibrierschein braucht das Datum der Messungen
+    .expected = `date = "YYYY-MM-DD"` in campaign.toml
+    .hint = das Datum angeben und die Kampagne erneut ausführen
+
+targets-not-finite = ein Wert des Plans ist nicht endlich
+    .hint = den Plan prüfen: kein Ziel wird geschrieben
+
+targets-format-unknown = `{ $file }` nennt kein Format von Zielen
+    .expected = ein Name, der auf `.json` oder `.h` endet
+    .hint = für CSV `--poses` verwenden
+
+axes-coincide = zwei Achsen des Arms fallen zusammen
+    .hint = die robot.toml prüfen
+
+platform-out-of-reach = die Plattform erreicht die Mitte nicht
+    .hint = die identifizierten Längen prüfen
+
+tower-order = die Türme stehen nicht im Abstand von 120 deg, von oben gegen den Uhrzeigersinn
+    .hint = sie gegen den Uhrzeigersinn nummerieren: `{ $format }` hat sie in dieser Reihenfolge
+
+program-not-readable = Programme dieser Sprache können nicht gelesen werden
+    .hint = die Ziele als Tabelle angeben
+
+move-incomplete = `{ $command }` gibt nicht { $coordinates } an
+    .hint = alle Koordinaten angeben
+
+x-and-y = X und Y
+
+position-of-every-axis = eine Position jeder Achse
+
+pose-of-six = alle von X, Y, Z, A, B und C
+
+working-mode-changes = das Programm wechselt den Arbeitsmodus
+    .hint = die Ziele jedes Arbeitsmodus als eigenes Programm angeben
+
+movement-not-compensated = `{ $command }` wird nicht kompensiert
+    .expected = geradlinige Bewegungen zu absoluten Koordinaten
+
+subroutine-not-compensated = Variablen und Unterprogramme werden nicht kompensiert
+    .hint = die Ziele als Zahlen schreiben
+
+coordinate-not-number = auf `{ $letter }` folgt keine Zahl
+    .hint = die Koordinate als Zahl schreiben
+
+coordinate-unknown = `{ $letter }` hat noch keinen Wert
+    .hint = ihn im ersten Satz mit Bewegung angeben
+
+quaternion-length = die Quaternion von { $target } hat die Länge { FIXED($length, 4) }
+    .expected = Länge 1

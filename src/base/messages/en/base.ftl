@@ -1,0 +1,116 @@
+### Messages of base. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+also-in-lines = { $message }; also in lines { $second }, { $third } and { $more ->
+        [one] 1 more row
+       *[other] { $more } more rows
+    }
+
+did-you-mean = did you mean `{ $name }`?
+
+meant-in-unit = convert to `{ $name }`: 1 { $from } is { $factor } { $to }
+
+known-names = use one of: { $names }
+
+known-names-first = use one of: { $names }, ...
+
+# Means: A pose has an empty name.
+# Matters: Poses are matched by their names between exports, logs and plans.
+# Do: Give the pose a number or a name.
+# Example: an empty cell in the column `pose`
+pose-name-empty = the name of the pose is empty
+    .expected = a whole number, or a name like `home` or `A-3`
+
+# Means: The name of a pose has more characters than a table can show.
+# Matters: A name of this length is usually a wrong column, for example a comment.
+# Do: Read the name from another column, or shorten it.
+# Example: a comment of 300 characters in the column `pose`
+pose-name-too-long = the name of the pose has { $characters } characters
+    .expected = at most { $most } characters: a whole number, or a name like `home` or `A-3`
+
+# Means: The name of a pose holds a control character or begins like a formula of a spreadsheet.
+# Matters: Tables with this name would be read wrongly, or executed by a spreadsheet.
+# Do: Rename the pose.
+# Example: `=1+1` in the column `pose`
+pose-name-unprintable = a table cannot hold the name `{ $name }`
+    .expected = a whole number, or a name like `home` or `A-3`
+
+# Means: Two names of poses differ only in capital letters, blanks, `_`, `-` or leading zeros.
+# Matters: They are probably one pose. Two poses with half of the readings each falsify
+# repeatability.
+# Do: Write the name of a pose the same in all rows and files.
+# Example: `P1` in one row, `p 01` in another
+pose-name-two-spellings = `{ $first }` and `{ $second }` differ only in capital letters, blanks, `_`, `-` or zeros
+    .hint = write the name of a pose the same in all rows and files
+
+# Means: The product of stated counts is larger than the program computes.
+# Matters: The computation would take hours or exhaust the memory.
+# Do: Reduce one of the counts.
+# Example: 1000000 cycles of 1000 poses
+counts-too-large = too many { $of }: { $counts }
+    .expected = at most { $most }
+
+# Means: The operating system refused to read a file.
+# Matters: Without the file the command cannot run.
+# Do: Check the path, the permissions and whether another program holds the file.
+# Example: `file = "exports/poses.txt"` where the file is missing
+cannot-read-file = cannot read `{ $file }`: { $reason }
+
+# Means: A file is larger than the program reads.
+# Matters: A larger file is usually not the intended one, and would exhaust the memory.
+# Do: Export the measurements without point clouds, or split the file.
+# Example: a log of 5 GiB
+file-too-large = cannot read `{ $file }`: it is larger than { $most_mib } MiB
+
+# Means: A text file has bytes that are not UTF-8.
+# Matters: Names with accents would be read wrongly.
+# Do: Save the file as UTF-8.
+# Example: `campaign.toml` saved in Windows-1252 with an umlaut
+not-utf8 = `{ $file }` is not UTF-8 (byte { $byte })
+    .hint = save the file as UTF-8
+
+# Means: The operating system refused to write a file.
+# Matters: The result is not stored.
+# Do: Check the folder, the permissions and the free space of the disk.
+# Example: `--output /no-such-folder/file`
+cannot-write-file = cannot write `{ $file }`: { $reason }
+
+# Means: A file that the command would write exists.
+# Matters: The command never replaces files that it did not write itself.
+# Do: Name a new folder or remove the file.
+# Example: `etalon init` twice with the same folder
+file-exists = `{ $file }` exists already
+    .hint = name a new folder
+
+# Means: The name of the lock file is taken by a folder, a link or a device.
+# Matters: Without its lock two processes could write the same result.
+# Do: Remove what has the name of the lock.
+# Example: a symbolic link `out.lock` beside the output folder `out`
+lock-foreign = cannot write `{ $file }`: `{ $lock }` is not a lock of etalon
+    .expected = a regular file with one name
+    .hint = remove it: etalon needs this name while it writes
+
+# Means: Another process is writing the same file.
+# Matters: Two processes would mix their results.
+# Do: Wait until the other process has ended.
+# Example: two runs of one campaign at the same time
+locked = process { $process } is writing `{ $file }`
+    .hint = wait until it has ended
+
+# Means: An output file is one of the files that the command reads.
+# Matters: The measurements would be lost.
+# Do: Name another output file.
+# Example: `etalon plan --poses poses.csv --output poses.csv`
+output-is-input = `{ $output }` would overwrite the input `{ $input }`
+    .hint = name another output file
+
+# Means: The operating system refused to write the output folder.
+# Matters: The earlier folder stays as it was; the new result is not stored.
+# Do: Check the permissions and the free space, and close programs that hold files of the folder.
+# Example: an output folder that is read-only
+cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
+
+# Means: A document cannot be written in its format.
+# Matters: No file is written.
+# Do: Report the error: the input should not be able to cause it.
+# Example: a value that JSON cannot hold
+cannot-encode = cannot write { $format }: { $reason }

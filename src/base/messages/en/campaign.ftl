@@ -1,0 +1,511 @@
+### Messages of campaign. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: A recording states `format` without `unit`, or `unit` without `format`.
+# Matters: Exports of a format carry no unit; a plain table states units in its header.
+# Do: State both, or neither.
+# Example: `format = "polyworks"` without `unit`
+recording-unit = a recording with a `format` needs its `unit`, and only then one
+    .hint = state both; without both it is a table time_s,x_mm,y_mm,z_mm, whose header states the units
+
+# Means: The folder has no campaign.toml, or the file does not exist.
+# Matters: A command on a campaign starts from this file.
+# Do: Check the path, or write a campaign with `etalon init`.
+# Example: `etalon run nowhere`
+campaign-missing = there is no campaign `{ $file }`
+    .hint = `etalon init FOLDER` writes one to start from
+
+# Means: `joints` of an export is stated for a file that is not delimited text with one row of names
+# at most.
+# Matters: Joint columns are found by their names in the header.
+# Do: State the delimiter and the header, or name the joints in a [log].
+# Example: `joints` for `format = "polyworks"`
+joints-need-delimited-text = `joints` can be read from delimited text with at most one row of names
+    .hint = state `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}`; for other files name the joints in a [log]
+
+# Means: Two exports of one file state different columns as `joints`.
+# Matters: The joints of a row are the joints of all its points.
+# Do: State the same columns in both exports.
+# Example: `joints` with `J2` in one and `J3` in the other [[export]] of a file
+joints-differ = two exports of `{ $file }` state different `joints`
+    .hint = state the same columns in both
+
+# Means: Joint values are stated in an export and in [log].
+# Matters: It is undefined which values count.
+# Do: Leave one of them out.
+# Example: `joints` of an export beside a [log]
+joints-twice = the joints are stated twice: in `joints` of `{ $file }` and in [log]
+    .hint = leave one of them out
+
+# Means: An export with `joints` is joined otherwise than by rows.
+# Matters: Its points and joints are in the same row.
+# Do: State `by = "row"` in [join], or omit [join].
+# Example: `by = "time"` beside `joints` of an export
+joints-joined-by-row = an export with `joints` is joined by its rows
+    .hint = state `by = "row"` in [join], or omit [join]
+
+# Means: A path begins with `$NAME/`, and the environment has no such variable.
+# Matters: The file cannot be found.
+# Do: Set the variable to the folder that holds the file.
+# Example: `file = "$DATA/poses.txt"` without `DATA`
+environment-missing = the environment has no `{ $name }`
+    .hint = set { $name } to the folder that holds `{ $file }`
+
+# Means: A path leaves the folder of the campaign.
+# Matters: A campaign must be complete in its folder, so that it can be archived and run elsewhere.
+# Do: Copy the file into the folder, or use a path that starts with `$NAME/`.
+# Example: `file = "../poses.txt"`
+path-outside = `{ $file }` leaves the folder of the campaign
+    .expected = a path inside the campaign's folder, or one that starts with `$NAME/`
+
+# Means: The campaign names no target, and the robot is one in space.
+# Matters: Measured points are points of targets on the robot.
+# Do: Name the targets in `targets` of [join], as `target` of the exports, or in a column `target`.
+# Example: a serial arm without `targets`
+no-target = a robot in space needs at least one target
+    .hint = name them in `targets` of [join], as `target` of the exports, or in a column `target` of the table
+
+# Means: A target is called `base`.
+# Matters: Its parameters would have the names of those of the robot's base.
+# Do: Give the target another name.
+# Example: a label `base_1_1` read as `{target}_{pose}_{cycle}`
+target-called-base = no target can be called `base`: its parameters would be those of the robot's base
+    .hint = give the target another name in label or columns
+
+# Means: A value of robot.toml is zero or negative, and must be positive.
+# Matters: No such robot exists.
+# Do: Correct the value.
+# Example: `gear_ratio = 0`
+key-not-positive = `{ $key }` must be positive
+    .hint = correct the value
+
+# Means: A joint of robot.toml lacks a key.
+# Matters: The kinematics are incomplete.
+# Do: State the key.
+# Example: a [[joint]] without `a_mm`
+joint-key-missing = the key `{ $key }` is missing in `joint`
+
+direction-in-base = a direction in the base, for example { $example }
+
+# Means: Two keys state the same quantity in different units or forms.
+# Matters: It is undefined which of them counts.
+# Do: Leave one of them out.
+# Example: `a_mm = 300` and `a_m = 0.3`
+keys-state-the-same = { $keys } state the same: leave one of them out
+
+# Means: A hexapod has another number of legs than six.
+# Matters: Its kinematics are those of six legs.
+# Do: State one [[leg]] for each leg.
+# Example: five [[leg]]
+leg-count = a hexapod has six legs, the file states { $count }
+    .hint = add one [[leg]] with base_mm and platform_mm for each leg
+
+# Means: At its home pose the platform can move while all legs keep their lengths.
+# Matters: Leg lengths do not determine the pose there.
+# Do: Check `base_mm` and `platform_mm`, or state another home pose.
+# Example: six parallel legs
+hexapod-singular = the hexapod is singular at its home pose: six leg lengths do not hold it there
+    .hint = check `base_mm` and `platform_mm`, or state another home pose
+
+# Means: robot.toml of a serial arm has no joints.
+# Matters: There is nothing to identify.
+# Do: Add one [[joint]] for each joint, from the base.
+# Example: `model = "serial"` alone
+no-joints = a serial arm needs its joints
+    .hint = add one [[joint]] with alpha_deg, a_mm, theta_deg, d_mm for each joint, from the base
+
+# Means: `gravity` is zero or not finite.
+# Matters: Bending depends on the direction of gravity.
+# Do: State the direction in the base.
+# Example: `gravity = [0, 0, 0]`
+gravity-without-direction = `gravity` has no direction
+    .expected = a direction in the base, for example [0, 0, -1]
+
+# Means: A key of screw axes is stated for Denavit-Hartenberg parameters.
+# Matters: It has no effect.
+# Do: State `convention = "poe"`, or remove the key.
+# Example: `point_mm` in a [[joint]] with `a_mm`
+not-denavit-hartenberg = `{ $key }` is not a Denavit-Hartenberg parameter
+    .hint = it belongs to `convention = "poe"`
+
+# Means: Denavit-Hartenberg parameters or `parallel` are stated for a screw axis.
+# Matters: They have no effect.
+# Do: State `direction` and `point_mm`.
+# Example: `a_mm` with `convention = "poe"`
+not-screw-axis = a screw axis has neither Denavit-Hartenberg parameters nor `parallel`
+    .hint = state `direction` and `point_mm`
+
+# Means: The axis of a joint is zero or not finite.
+# Matters: The joint has no motion.
+# Do: State the direction of the axis in the base.
+# Example: `direction = [0, 0, 0]`
+joint-axis-without-direction = the axis of the joint has no direction
+    .expected = a direction in the base, for example [0, 0, 1]
+
+# Means: Screw axes are stated without the pose of the flange.
+# Matters: The pose of the flange at zero joints is part of a product of exponentials.
+# Do: State the pose of the flange.
+# Example: `convention = "poe"` without `flange_mm`
+flange-missing = screw axes need the pose of the flange at zero joints: the key `{ $key }` is missing
+
+# Means: The pose of a flange is stated for Denavit-Hartenberg parameters.
+# Matters: The last row of the table gives the flange; the key has no effect.
+# Do: Remove the key.
+# Example: `flange_mm` with `a_mm`
+flange-of-table = `{ $key }` means nothing for Denavit-Hartenberg parameters
+    .hint = it belongs to `convention = "poe"`
+
+# Means: The range of a joint is stated by the key of the other kind of motion.
+# Matters: Degrees and millimetres would be mixed up.
+# Do: Use the key that the hint names.
+# Example: `limits_deg` of a joint that slides
+range-of-other-motion = `{ $key }` is not a key of a joint that { $motion ->
+        [slides] slides
+       *[turns] turns
+    }
+    .hint = state `{ $own }`
+
+# Means: The first limit of a range is not smaller than the second.
+# Matters: The joint would have no position.
+# Do: State the smaller limit first.
+# Example: `limits_deg = [170, -170]`
+range-exchanged = `{ $key }` is not a range: { $lower } to { $upper }
+    .expected = the smaller limit, then the larger one
+
+# Means: A coupling or transmission names joints wrongly.
+# Matters: The statement cannot be assigned to joints.
+# Do: Use each joint once, by number or name.
+# Example: `[[coupling]]` of joint 7 of a six-axis arm
+joint-reference-wrong = { $fault ->
+        [unknown-number] there is no joint { $joint }
+        [unknown-name] there is no joint `{ $joint }`
+        [slides] joint { $joint } slides: it has no turn
+        [twice] joint { $joint } is there twice
+        [itself] joint { $joint } is coupled with itself: that is its gain
+       *[pair] the pair { $joint } is there twice
+    }
+    .expected = joints from 1 to { $count }, each once
+    .hint = the joints are { $joints }
+
+# Means: A joint on the chain of a URDF has a type that etalon does not compute.
+# Matters: Its kinematics are not those of a chain of single motions.
+# Do: Use fixed, revolute, continuous or prismatic joints.
+# Example: `<joint type="planar">`
+urdf-joint-kind = joint `{ $joint }` is { $kind }, which is not a joint of a chain
+    .expected = fixed, revolute, continuous or prismatic
+
+# Means: The axis of a joint of a URDF is zero.
+# Matters: The joint has no motion.
+# Do: State `<axis xyz="..."/>`.
+# Example: `<axis xyz="0 0 0"/>`
+urdf-axis-without-direction = the axis of joint `{ $joint }` has no direction
+    .expected = <axis xyz="0 0 1"/> or another direction
+
+# Means: An origin of a URDF is farther from its parent than a robot is large.
+# Matters: Lengths of a URDF are metres; the file is probably in millimetres.
+# Do: Divide the lengths of the file by 1000.
+# Example: `<origin xyz="300 0 0"/>`
+urdf-origin-far = the origin of joint `{ $joint }` is { FIXED($away_m, 0) } m from its parent
+    .hint = lengths of a URDF are metres: divide those of this file by 1000
+
+# Means: A link of a URDF is the child of two joints.
+# Matters: A URDF is a tree; loops are closed by `mimic`.
+# Do: Remove one of the joints.
+# Example: a parallelogram of four joints
+urdf-two-parents = link `{ $link }` has two parents: `{ $first }` and `{ $second }`
+    .hint = a URDF is a tree: close loops by `mimic`
+
+# Means: Joints of a URDF form a ring.
+# Matters: A URDF is a tree; loops are closed by `mimic`.
+# Do: Remove one of the joints.
+# Example: a joint whose child is the base link
+urdf-loop = the joints from `{ $link }` on form a loop
+    .hint = a URDF is a tree: close loops by `mimic`
+
+# Means: The campaign names a link that the URDF lacks.
+# Matters: Base or tool of the chain are unknown.
+# Do: Use a link of the file.
+# Example: `tool_link = "tool9"`
+urdf-link-unknown = `{ $file }` has no link `{ $link }`
+
+# Means: No chain of joints leads from the base link to the tool link.
+# Matters: The tool does not move with the robot.
+# Do: Check `base_link` and `tool_link`.
+# Example: a base link of another robot in the same file
+urdf-no-path = no joints lead from `{ $from }` to `{ $to }`
+    .hint = check `base_link` and `tool_link`: no joint carries `{ $root }`
+
+# Means: A joint mimics a joint that the file lacks.
+# Matters: Its motion is unknown.
+# Do: Name a joint of the file in <mimic>.
+# Example: `<mimic joint="q9"/>`
+urdf-mimic-unknown = joint `{ $joint }` mimics `{ $mimics }`, which the file does not have
+
+# Means: A joint mimics itself.
+# Matters: Its motion is undefined.
+# Do: Name another joint in <mimic>.
+# Example: `<joint name="q1"><mimic joint="q1"/>`
+urdf-mimics-itself = joint `{ $joint }` mimics itself
+    .hint = name another joint in <mimic>
+
+# Means: All joints between base link and tool link are fixed.
+# Matters: There is nothing to identify.
+# Do: Check `base_link` and `tool_link`.
+# Example: `tool_link` on the base
+urdf-nothing-moves = no joint moves between `{ $from }` and `{ $to }`
+    .hint = check `base_link` and `tool_link`
+
+# Means: All joints of the URDF are fixed.
+# Matters: There is nothing to identify.
+# Do: Name the URDF of a robot.
+# Example: the URDF of a table
+urdf-no-moving-joint = no joint of the file moves
+    .hint = name the URDF of a robot
+
+# Means: `bending` is stated, and joints move the base link.
+# Matters: Bending needs a fixed direction of gravity.
+# Do: Remove `bending`, or let `base_link` be a link that does not move.
+# Example: an arm on a tilting column
+bending-on-moving-base = `bending` needs a fixed direction of gravity, and joints move `{ $link }`
+    .hint = remove it, or let `base_link` be a link that does not move
+
+# Means: `bending` of a joint is stated, and no link beyond it has a mass.
+# Matters: Nothing bends the joint.
+# Do: Add <inertial> to its links.
+# Example: a URDF without <inertial>
+bending-without-mass = no mass is stated beyond joint `{ $joint }`: nothing bends it
+    .hint = add <inertial> to its links
+
+# Means: A target has the name of a joint, so that two parameters have the same name.
+# Matters: Values could not be assigned.
+# Do: Rename the target.
+# Example: a target `q1`
+parameter-name-doubled = two parameters would be called `{ $name }`
+    .hint = rename the target: no target can bear the name of a joint
+
+# Means: A key of robot.toml belongs to another robot model.
+# Matters: It has no effect on this model.
+# Do: Remove the key, or state the model to which it belongs.
+# Example: `l11_mm` with `model = "serial"`
+key-of-other-model = `{ $key }` means nothing for this model
+    .hint = it belongs to `model = "{ $model }"`
+
+# Means: [nominal] names a parameter that the robot model lacks.
+# Matters: The value has no effect.
+# Do: Use a parameter of the model.
+# Example: `[nominal] s9 = 1.0`
+nominal-unknown = [nominal] names `{ $parameter }`, which is not a parameter of this robot
+
+# Means: A nominal length is zero or negative.
+# Matters: The mirrored robot would explain the measurements as well.
+# Do: State the length as it is drawn.
+# Example: `l11 = -300`
+nominal-length-not-positive = the length `{ $parameter }` must be positive
+    .hint = state the length as it is drawn
+
+# Means: [nominal] lacks dimensions of the robot.
+# Matters: The geometry is never guessed or taken from another machine.
+# Do: State the geometry of your machine as it is drawn, in mm.
+# Example: a five-bar robot without `l11`
+nominal-missing = [nominal] does not state { $parameters }
+    .hint = state the geometry of your machine as it is drawn, in mm: it is never guessed
+
+# Means: A tolerance is zero, negative or not a number.
+# Matters: A tolerance of zero would fix the parameter; a negative one has no meaning.
+# Do: State the tolerance of the drawing, or hold the parameter with `hold`.
+# Example: `tolerance = { a_2 = 0 }`
+tolerance-not-positive = the tolerance `{ $parameter }` must be positive
+    .hint = state the tolerance of the drawing
+
+# Means: `tolerance` names a parameter that the robot model lacks.
+# Matters: The tolerance has no effect.
+# Do: Use a parameter of the model, or a kind of parameters.
+# Example: `tolerance = { a_99 = 1 }`
+tolerance-unknown = `tolerance` names `{ $parameter }`, which is not a parameter of this robot
+
+# Means: A selection of poses cannot be read.
+# Matters: It is unknown which poses calibrate and which validate.
+# Do: State names and ranges.
+# Example: `calibration = "1-"`
+selection-empty = `{ $stated }` names no poses
+    .expected = names and ranges like "1-8, 12, home", a list of them, "all", "rest" or "index mod 10 < 7"
+
+# Means: A number of the file is infinite or not a number.
+# Matters: No result can follow from it.
+# Do: State a finite number.
+# Example: `expanded_uncertainty_um = nan`
+not-a-measured-value = `{ $value }` is not a measured value
+    .expected = a finite number
+
+# Means: A key has a value of another kind: a text for a number, or a list of another length.
+# Matters: The value cannot be read.
+# Do: State a value of the expected kind.
+# Example: `coverage_factor = "2"`
+value-of-other-kind = { $element ->
+        [yes] an element of `{ $key }`
+       *[no] `{ $key }`
+    } is { $found }
+
+kind-of-value = { $kind ->
+        [text] a text
+        [date] a date without quotation marks
+        [list] a list of { $length }
+       *[table] a table
+    }
+
+# Means: A text is not one of the known choices.
+# Matters: The statement cannot be followed.
+# Do: Use one of the expected texts.
+# Example: `unit = "milimetre"`
+unknown-variant = unknown variant `{ $text }`
+
+# Means: A required key is missing.
+# Matters: The statement is incomplete, and its value is never guessed.
+# Do: State the key.
+# Example: a [[export]] without `unit`
+key-missing = the key `{ $key }` is missing{ $has_section ->
+        [yes] {" "}in `{ $section }`
+       *[no] {""}
+    }
+
+state-unit = state the length unit of the file: "mm", "m", "um" or "inch"; it is never guessed
+
+state-instrument = [instrument] states name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate
+
+state-file = name the file, in the folder of the campaign
+
+copy-keys = `etalon init FOLDER` writes a campaign with all keys to copy from
+
+# Means: The file is not valid TOML, or a value has a form that its key refuses.
+# Matters: The file cannot be read beyond this place.
+# Do: Correct the line.
+# Example: `name = "x` without the closing quotation mark
+toml-invalid = { $reason }
+
+# Means: A table has the same key twice.
+# Matters: Mostly the head of a table is missing before the second one.
+# Do: Begin each table among several with its head in double brackets.
+# Example: two joints under one [[joint]]
+table-key-twice = this table has the key twice{ $more ->
+        [0] {""}
+        [one] , and 1 key after it
+       *[other] , and { $more } keys after it
+    }
+    .hint = a table among several begins with its head in double brackets, like `[[joint]]`: is one missing before it?
+
+# Means: A section has a key that etalon does not know.
+# Matters: A misspelled key would have no effect.
+# Do: Correct the name of the key, or move it to its section.
+# Example: `coverage_facter = 2`
+unknown-key = { $count ->
+        [one] unknown key { $keys }
+       *[other] unknown keys { $keys }
+    }
+
+key-belongs-at-top = `{ $key }` belongs at the top, before the first section
+
+table-head-missing = is the head of their table missing, like `[section]` or `[[joint]]`?
+
+key-remedy = { $key ->
+        [station] stations of an instrument are a column `station` of a table of observations: state
+        [observations] instead of exports and log
+       *[base_turn_y_deg] delete it: base_rx, base_ry and base_rz are a rotation vector, and no orientation of the base is singular
+    }
+
+# Means: The file holds macros of xacro.
+# Matters: etalon reads plain URDF.
+# Do: Expand the file with xacro.
+# Example: `<xacro:macro name="arm">`
+urdf-xacro = the file holds macros of xacro, which are not expanded
+
+expand-xacro = expand it: xacro { $name }.urdf.xacro > { $name }.urdf
+
+# Means: The document element of the file is not <robot>.
+# Matters: The file describes no robot.
+# Do: Name a URDF file.
+# Example: an SDF file
+urdf-no-robot = the file is not a URDF
+    .expected = the element <robot>
+
+# Means: Two joints of a URDF have the same name.
+# Matters: Logs and couplings name joints.
+# Do: Rename one of them.
+# Example: two `<joint name="q1">`
+urdf-joint-twice = there are two joints `{ $joint }`
+    .hint = rename one of them
+
+# Means: A joint names a link that the file lacks.
+# Matters: The chain is broken there.
+# Do: Name a link of the file.
+# Example: `<child link="link9"/>`
+urdf-joint-link-unknown = joint `{ $joint }` names the link `{ $link }`, which the file does not have
+
+# Means: A joint of a URDF has no parent or child.
+# Matters: The chain is broken there.
+# Do: Add the element.
+# Example: a `<joint>` without `<child>`
+urdf-joint-without-link = joint `{ $joint }` has no <{ $child } link="..."/>
+    .hint = add the element
+
+# Means: The lower limit of a joint is larger than the upper limit.
+# Matters: The joint would have no position.
+# Do: Exchange the limits.
+# Example: `<limit lower="1" upper="-1"/>`
+urdf-limits-exchanged = the limits of joint `{ $joint }` are exchanged: { $lower } to { $upper }
+    .hint = exchange them
+
+# Means: An angle of `rpy` exceeds a full turn.
+# Matters: Angles of a URDF are radians; the file is probably in degrees.
+# Do: Convert the angles to radians.
+# Example: `rpy="0 0 90"`
+urdf-angles-beyond-turn = angles of `rpy` exceed a full turn
+    .hint = angles of a URDF are radians: 90 deg are 1.5707963267948966
+
+# Means: An element of the URDF lacks an attribute.
+# Matters: The robot is incompletely described.
+# Do: Add the attribute.
+# Example: `<joint type="revolute">` without `name`
+urdf-attribute-missing = <{ $element }> has no `{ $attribute }`
+    .hint = add the attribute
+
+# Means: An attribute of the URDF holds something that is not a number.
+# Matters: The value cannot be read.
+# Do: Correct the value.
+# Example: `xyz="0 0 x"`
+urdf-not-number = `{ $attribute }`: `{ $word }` is not a number
+    .hint = correct the value
+
+# Means: An attribute of the URDF holds another count of numbers.
+# Matters: The value cannot be read.
+# Do: State as many numbers as expected.
+# Example: `xyz="0 0"`
+urdf-number-count = `{ $attribute }` has { $count ->
+        [one] 1 number
+       *[other] { $count } numbers
+    }
+    .expected = { $expected_count ->
+            [one] one number
+           *[other] { $expected_count } numbers
+        }
+
+# Means: A campaign that `etalon init --from` proposed has a line that the files do not answer.
+# Matters: A unit or a target is never guessed.
+# Do: Complete the line as its remark says; `check` then asks for the next one.
+# Example: `target = "?"`
+key-open = `{ $key }` is open{ $more ->
+        [0] {""}
+       *[other] ; { $more } more to complete
+    }
+    .hint = complete the line{ $remark ->
+        [none] {""}
+       *[other] : { $remark }
+    }
+
+# Means: A campaign that `etalon init --from` proposed does not state the unit of the joints.
+# Matters: Degrees read as radians are another pose.
+# Do: Replace UNIT by deg, rad, mm or m.
+# Example: `q1_UNIT = "J1"`
+joint-unit-open = the unit of the joints is open{ $more ->
+        [0] {""}
+       *[other] ; { $more } more to complete
+    }
+    .hint = write deg, rad, mm or m for UNIT

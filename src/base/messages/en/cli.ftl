@@ -1,0 +1,451 @@
+### Messages of cli. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: No message of the catalogue has this id.
+# Matters: Only ids of the catalogue have an explanation.
+# Do: Copy the id from the brackets of the message, or list all ids with `etalon explain`.
+# Example: `etalon explain parameter-twise`
+message-unknown = there is no message `{ $id }`
+
+# Means: An option that needs a positive number has zero, a negative number or NaN.
+# Matters: The value has no meaning.
+# Do: State a positive number.
+# Example: `--near-mm inf`
+option-not-positive = { $option } must be positive
+    .hint = state a positive number
+
+# Means: The value of an option cannot be read.
+# Matters: The command would guess.
+# Do: Use one of the values that `--help` lists.
+# Example: `--delimiter comma2`
+option-refused = { $option }: { $reason }
+    .hint = `etalon COMMAND --help` lists the values
+
+# Means: `--column` names no heading.
+# Matters: It is unknown which column is meant.
+# Do: State NAME=HEADING.
+# Example: `--column q1_deg`
+column-option-malformed = --column: `{ $text }` has no `=`
+    .expected = q1_deg=J1
+
+# Means: The files do not state their length unit.
+# Matters: Exports carry no unit; a wrong guess falsifies every result.
+# Do: State the unit.
+# Example: `etalon fit plane points.txt`
+option-unit-missing = the files do not say their length unit
+    .hint = state it: --unit mm, m, um or inch; it is never guessed
+
+# Means: parameters.json is named without the robot to which it belongs.
+# Matters: Deviations are computed with the robot model.
+# Do: Name the robot.toml.
+# Example: `etalon axis-table parameters.json --axis q1_mm=0:100:10`
+robot-option-missing = parameters.json needs --robot FILE
+    .hint = name the robot.toml: --robot FILE
+
+# Means: An axis is named that the robot lacks.
+# Matters: Its table cannot be computed.
+# Do: Use a joint of the robot, or x_mm, y_mm, z_mm.
+# Example: `--axis q9_mm=0:100:10`
+axis-unknown = the robot has no axis `{ $axis }`
+    .hint = use a joint of the robot, or x_mm, y_mm, z_mm
+
+# Means: Cartesian axes and joints are mixed in one table.
+# Matters: A table is over positions of the tool or over joints.
+# Do: Use one kind.
+# Example: `--axis x_mm=0:100:10 --axis q1_deg=0:90:10`
+axes-mixed = the axes of a table are all of x_mm, y_mm, z_mm, or all joints
+    .expected = joints { $joints }
+
+# Means: A table of more than one joint names a joint that turns.
+# Matters: Only for joints that slide one above the other is the correction of one by another
+# defined.
+# Do: Use x_mm and y_mm: poses of the nominal robot.
+# Example: `--axis q1_deg=0:90:10 --corrected q2_deg`
+table-of-turning-joints = a table of more than one joint needs joints that slide, one behind the other
+    .hint = use x_mm and y_mm: poses of the nominal robot
+
+# Means: geometric.json has no lead of the named axis.
+# Matters: Its deviations are unknown.
+# Do: Measure the lead ([[geometric.lead]]), or name another axis.
+# Example: `--axis rho3_mm=0:100:10` where leads 1 and 2 were measured
+lead-not-measured = no lead of `{ $axis }` was measured
+    .expected = { $measured }
+
+# Means: A lead is used for more than one axis, or to correct another one.
+# Matters: A lead is the deviation of an actuator by its own position.
+# Do: Name the actuator alone.
+# Example: `--axis rho1_mm=0:100:10 --corrected rho2_mm`
+lead-of-one-axis = a lead is of one axis, which it corrects
+    .hint = name this axis alone
+
+# Means: A cell of the table is empty or not a number.
+# Matters: The row cannot be used, and leaving it out in silence would change the result.
+# Do: Correct or remove the row.
+# Example: an empty cell in the column `x_mm`
+table-value-missing = a value is missing or not a number
+    .hint = correct or remove the row
+
+# Means: The positions of the table are not those of a grid.
+# Matters: A plane is interpolated between nodes of a grid.
+# Do: State one row for each position of each base axis.
+# Example: a table without the row of one corner
+not-a-grid = the positions are not those of a grid
+    .expected = one row for each position of each base axis
+
+# Means: The positions of a base axis are not stated.
+# Matters: The table has no rows.
+# Do: State from, to and step.
+# Example: `--axis q1_mm` for parameters.json
+axis-without-positions = `{ $axis }` has no positions
+    .expected = --axis { $axis }=FROM:TO:STEP
+
+# Means: The compensated command needs another configuration of the robot than the target states.
+# Matters: A singularity lies between the target with and without compensation.
+# Do: Check working mode, `confdata`, Status and Turn of the target.
+# Example: a target at a wrist singularity
+configuration-changed = target { $target }: the command is in another configuration
+    .hint = its configuration data (working mode, confdata, Status and Turn) stay as they are: check them
+
+# Means: The program computes poses while it runs.
+# Matters: They are left as they are.
+# Do: Check them: what is computed from compensated targets has their compensation, not its own.
+# Example: `Offs(p1, 0, 0, 100)` in RAPID
+poses-computed-by-program = poses of { $names } are left as they are
+    .hint = check them: what a program computes from compensated targets has their compensation, not its own
+
+# Means: The program does not state the working mode in which the robot starts.
+# Matters: A five-bar robot reaches a point in several working modes.
+# Do: State the joint values at the start.
+# Example: a Mecaprol program without `--start`
+working-mode-missing = the program does not state which working mode the robot starts in
+    .hint = state the joint values where it starts: --start N,N,+1
+
+# Means: The program uses a tool or a work object whose pose is not stated.
+# Matters: Targets are poses of this tool in this frame.
+# Do: State its pose; give the targets of several tools or frames as programs of their own.
+# Example: `MoveL p1, v10, fine, tGrip` without `--tool`
+program-frames = the program uses { $names }
+
+one-program-each = give the targets of each as a program of their own
+
+state-pose-option = state its pose: --{ $option } x,y,z,qw,qx,qy,qz
+
+# Means: `--frame world` is stated for a program.
+# Matters: Targets of a program are in the frame of its work object.
+# Do: State `--object`.
+# Example: `etalon compensate a.mod --frame world`
+program-in-world = targets of a program are not in the world
+    .hint = use --object
+
+# Means: Counts of the axes for a mm or deg are missing.
+# Matters: Positions of a Galil controller are encoder counts.
+# Do: State them for each axis.
+# Example: `--format galil` without `--counts-per-unit`
+counts-missing = `galil` needs the counts of { $axes } axes for a mm or deg
+    .hint = --counts-per-unit N,N
+
+# Means: `--frame world` is stated for targets by joint values.
+# Matters: Joint values have no frame.
+# Do: Omit `--frame`.
+# Example: a table of joints and `--frame world`
+joints-in-world = joint values are not in the world
+    .hint = omit --frame
+
+# Means: The nominal robot cannot be where the joint values put it.
+# Matters: A target by these joint values has no nominal pose.
+# Do: Check the joint values and the assembly mode.
+# Example: joint values of another assembly mode
+nominal-pose-unreachable = the nominal robot cannot be where the joints put it
+    .hint = check joint values and assembly mode
+
+# Means: The robot model has no base in the world frame.
+# Matters: Targets in the world cannot be moved into the base.
+# Do: Omit `--frame world`.
+# Example: `--frame world` for a model without base parameters
+base-not-in-world = `{ $model }` has no base in the world
+    .hint = omit --frame
+
+# Means: Mecaprol is the language of five-bar robots.
+# Matters: The robot cannot be commanded in it.
+# Do: Use another format.
+# Example: `--format mecaprol` for a serial arm
+mecaprol-other-robot = Mecaprol commands a five-bar robot, not `{ $model }`
+    .hint = use another --format
+
+# Means: The identified robot does not reach a target.
+# Matters: The target cannot be compensated.
+# Do: Move the target, or check limits in robot.toml.
+# Example: a target beyond the travel of a joint
+target-unreachable = target { $target }: { $reason }
+    .hint = move the target, or check the limits in robot.toml
+
+# Means: The robot does not reach a pose of the table.
+# Matters: The answer has no joint values for it.
+# Do: Check the pose, and limits in robot.toml.
+# Example: a pose beyond the reach of an arm
+pose-unreachable = pose { $pose }: { $reason }
+    .hint = check the pose and the limits in robot.toml
+
+# Means: The name of a controller format is unknown.
+# Matters: No file is written.
+# Do: Use a format that `etalon export --help` lists.
+# Example: `--format jsn`
+controller-format-unknown = `{ $name }` is not a controller format
+
+# Means: `--controller-hash` is stated without the format universal-robots.
+# Matters: Other formats have no hash of a controller.
+# Do: Name the format, or omit the hash.
+# Example: `--format csv --controller-hash calib_1`
+hash-of-other-format = `--controller-hash` is for the format universal-robots
+    .hint = name it: --format universal-robots
+
+# Means: A run wrote the output folder while files for a controller were made from it.
+# Matters: The files may be made of parameters of two runs.
+# Do: Repeat the command.
+# Example: `etalon run` and `etalon export` at the same time
+run-while-exporting = a run wrote `{ $folder }` while files for a controller were made
+    .hint = repeat the command: they may be of earlier parameters
+
+# Means: An element is named without a file.
+# Matters: There are no points.
+# Do: Name the file.
+# Example: `etalon fit plane`
+fit-file-missing = `{ $element }` has no file to be fitted to
+    .hint = name the file: etalon fit { $element } FILE
+
+# Means: No element is named, and the file is not QIF.
+# Matters: Only QIF files name the elements of their features.
+# Do: Name the element.
+# Example: `etalon fit points.txt`
+fit-element-missing = the element is not stated, and the file is not QIF
+    .hint = state it: etalon fit ELEMENT { $file }
+
+# Means: Columns or a radius are stated for a QIF file.
+# Matters: A QIF file has no columns, and its features have different radii.
+# Do: Omit these options.
+# Example: `etalon fit b.qif --radius-mm 15`
+qif-with-columns = a QIF file has neither columns nor one radius for all its features
+    .hint = omit --columns, --delimiter and --radius-mm
+
+# Means: No measured feature of the QIF file was fitted.
+# Matters: The answer is empty.
+# Do: Name an element of which the file has points.
+# Example: `etalon fit plane b.qif` where the file has circles only
+no-feature-fitted = no measured feature was fitted as { $kind }
+    .expected = features with points that determine them
+    .hint = features with points in the file: { $seen }
+
+# Means: The side of the probe is neither inside, outside nor a direction.
+# Matters: The element would be moved by the probe radius to an unknown side.
+# Do: State the side.
+# Example: `--probe-side left`
+probe-side-unknown = --probe-side: `{ $text }` is not a side
+    .expected = inside, outside, or three numbers x,y,z towards the probe
+    .hint = inside for a bore, outside for a shaft, 0,0,1 for a probe above a plane
+
+# Means: The radius of the probe is stated, and not its side.
+# Matters: It is unknown whether the radius of the element grows or shrinks by it.
+# Do: State the side.
+# Example: `--probe-radius-mm 2.5` alone
+probe-side-missing = the side of the probe is not stated
+    .expected = --probe-side inside, outside or x,y,z
+    .hint = inside for a bore, outside for a shaft, the direction to the probe for a plane or line
+
+# Means: The side of the probe is stated, and not its radius.
+# Matters: Without the radius nothing is compensated.
+# Do: State the qualified radius, or omit both for contact points.
+# Example: `--probe-side inside` alone
+probe-radius-missing = --probe-side without a probe
+    .expected = --probe-radius-mm
+    .hint = state the qualified radius of the probe, or omit both for contact points
+
+# Means: A probe is stated for an enclosing circle or sphere.
+# Matters: Enclosing elements of probe centres cannot be corrected by the radius.
+# Do: Omit the probe.
+# Example: `etalon fit enclosing-sphere p.txt --probe-radius-mm 2.5 --probe-side inside`
+enclosing-with-probe = { $element } is not compensated for a probe
+    .hint = omit --probe-radius-mm and --probe-side
+
+# Means: `--minimum-zone` is stated for an enclosing circle or sphere.
+# Matters: An enclosing element has no zone.
+# Do: Omit `--minimum-zone`, or fit a circle2d or sphere.
+# Example: `etalon fit enclosing-circle p.txt --minimum-zone`
+enclosing-minimum-zone = there is no minimum zone of an { $element }
+    .hint = omit --minimum-zone, or fit a circle2d or sphere
+
+# Means: A stated uncertainty is not one of a coordinate in micrometres.
+# Matters: Uncertainties of all results follow from it.
+# Do: State expanded uncertainty over coverage factor, per coordinate, in µm.
+# Example: `--uncertainty-um 0.0027` for 2.7 µm
+uncertainty-implausible = { $option } is not an uncertainty of a coordinate in micrometres
+    .hint = expanded uncertainty over coverage factor, per coordinate: 0.0027 mm is 2.7 um
+
+# Means: The named robot is not in the table of `etalon init`.
+# Matters: Geometry is taken from published sources only.
+# Do: Describe the robot by its URDF.
+# Example: `etalon init arm --robot ur99`
+robot-not-in-table = the geometry of `{ $name }` is not in the table of robots
+    .expected = { $names }
+    .hint = describe it by its URDF: --urdf FILE
+
+# Means: A row has no position, no measured value or no direction.
+# Matters: Positioning is evaluated for each position and direction (ISO 230-2).
+# Do: Complete the row.
+# Example: a row with direction 0
+iso230-row-incomplete = a row has no position, no measured value or no direction
+    .expected = numbers, and +1 or -1 as `direction`
+
+# Means: The table has no rows.
+# Matters: There is nothing to evaluate.
+# Do: Check the file.
+# Example: a table with its header alone
+iso230-no-rows = the table has no rows
+    .hint = check the file
+
+# Means: A position has fewer than two runs in a direction.
+# Matters: A standard deviation needs two values; ISO 230-2 has five.
+# Do: Measure more runs.
+# Example: one run from the negative side
+iso230-few-runs = position { $position } mm has fewer than two runs in direction { $direction }
+    .expected = runs from either side, five by ISO 230-2
+
+# Means: `etalon iso9283` has no input.
+# Matters: There is nothing to evaluate.
+# Do: Name a table of poses, a recording or a table of loads.
+# Example: `etalon iso9283`
+nothing-to-evaluate = nothing to evaluate is stated
+    .hint = name poses, a recording or loads: `etalon iso9283 --help`
+
+# Means: `--drift-set` is smaller than two cycles.
+# Matters: Drift compares means and scatter of sets of cycles.
+# Do: State two cycles or more.
+# Example: `--drift-set 1`
+drift-set-too-small = --drift-set must be at least 2
+    .hint = state the number of cycles of a set
+
+# Means: No commanded poses are stated.
+# Matters: AP, distances and drift are relative to commanded poses; RP needs none.
+# Do: State them with `--commanded`.
+# Example: `etalon iso9283 --poses attained.csv`
+commanded-missing = no commanded poses are stated: AP is not determined, and null; RP needs none
+    .hint = state them with --commanded for AP, distances and drift
+
+# Means: The arm has more joints than a pose has freedoms.
+# Matters: It reaches a pose in infinitely many ways.
+# Do: Ask for one solution.
+# Example: `etalon kinematics inverse` for a seven-axis arm
+infinite-solutions = { $joints } joints reach a pose in infinitely many ways
+    .hint = ask for one: --nearest
+
+# Means: The robot model has no kinematics of position and orientation.
+# Matters: The command works on whole poses.
+# Do: Use another model.
+# Example: a model of targets alone
+no-whole-pose = `{ $model }` has no kinematics of a whole pose
+    .hint = use another model
+
+# Means: A quaternion of the table does not have the length 1.
+# Matters: Its components are probably in another order or mistyped.
+# Do: Correct the quaternion.
+# Example: `qw,qx,qy,qz` = 0.7, 0, 0, 0.6
+table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
+    .expected = 1: qw, qx, qy, qz of a rotation
+
+# Means: The name of a file does not end like a report.
+# Matters: The kind of report follows from the ending.
+# Do: Use one of the endings.
+# Example: `--report plan.docx`
+not-a-report = `{ $file }` does not end like a report
+    .expected = a file that ends in { $endings }
+
+# Means: `etalon report` has no folder.
+# Matters: Reports are written from an output folder.
+# Do: Name the output folder of a run.
+# Example: `etalon report`
+report-folder-missing = no folder is stated
+    .hint = name the output folder of a run
+
+# Means: A run failed, and the output folder holds the results of an earlier one.
+# Matters: Its report and controller files are not those of this run.
+# Do: Do not load its controller files as if they were of this run.
+# Example: a run that stops at an error in campaign.toml
+earlier-run-left = nothing is written: `{ $report }` and the files beside it are of an earlier run
+    .hint = do not load its controller files as if they were of this one
+
+# Means: There is no schema of this name.
+# Matters: Schemas exist for input files and JSON documents.
+# Do: Use a name that `etalon schema --help` lists.
+# Example: `etalon schema parameter`
+schema-unknown = there is no schema `{ $name }`
+
+# Means: The table of `etalon verify` has columns of other kinds of observations.
+# Matters: Only positions are compared.
+# Do: Leave rows of other kinds and their columns out.
+# Example: a column `distance_mm`
+verify-other-column = the observations have a column `{ $column }`: only positions are compared
+    .hint = leave rows of other kinds and their columns out
+
+# Means: The workspace has another count of numbers.
+# Matters: A box has six coordinates, a rectangle four.
+# Do: State the smallest coordinates, then the largest.
+# Example: `--workspace-mm 1,2,3`
+workspace-numbers = --workspace-mm has { $count } numbers
+    .expected = six, or four for planar robots
+
+# Means: A reorientation is stated without an orientation to begin with.
+# Matters: The poses of a test on reorientation begin at an orientation.
+# Do: State `--orientation-deg` as well.
+# Example: `--reorientation-deg 0,0,30` alone
+reorientation-alone = a reorientation without an orientation to begin with
+    .hint = state --orientation-deg as well
+
+# Means: The robot file does not state what the robot reaches.
+# Matters: The plan cannot be checked against limits.
+# Do: Omit `--robot`, and try the places on the robot at low speed.
+# Example: a URDF model without limits
+reach-unknown = the robot file of model `{ $model }` does not state its reach
+    .hint = omit --robot, and try the places on the robot at low speed
+
+# Means: Rows were excluded as stated.
+# Matters: Excluded rows do not take part in the result; the report repeats them.
+# Do: Check the reason.
+# Example: `--exclude 4-6:reflector loose`
+excluded-rows = excluded: { $count ->
+        [one] 1 row
+       *[other] { $count } rows
+    }, rows { $rows }: { $reason }
+
+# Means: The format leaves identified parameters out, and the run did not identify again without
+# them.
+# Matters: The file holds the estimate conditioned on nominal values of these parameters; how
+# accurate the robot is with it is unknown.
+# Do: Run the campaign with the format among its `controllers`, and export from its output folder.
+# Example: `etalon export --format linuxcnc parameters.json` for an arm with bending
+controller-error-not-measured = format `{ $format }` does not hold { $parameters }: its file is conditioned on their nominal values, and its error was not measured
+    .hint = run the campaign with "{ $format }" among its `controllers`, and export from its output folder
+
+# Means: `--from` is stated without a robot.
+# Matters: Joints and targets are those of a robot.
+# Do: Name the robot, or its URDF.
+# Example: `etalon init cell --from points.csv`
+from-needs-robot = --from needs the robot
+    .hint = name it: --robot ur5e, or --urdf FILE
+
+# Means: Two files of `--from` have the same name in different folders.
+# Matters: The files are copied into one folder.
+# Do: Give one of them another name.
+# Example: `--from a/points.csv b/points.csv`
+two-files-of-one-name = two files are called `{ $name }`
+    .hint = give one of them another name
+
+# Means: The lines that `etalon formats` proposes for a file are not TOML.
+# Matters: A campaign cannot be written from them.
+# Do: Report the file as a defect; state the format by hand in campaign.toml.
+# Example: none is known
+proposal-not-toml = the proposal for `{ $name }` does not read: { $error }
+
+# Means: No column of a file is recognised as coordinates or joints.
+# Matters: The campaign would not read the file.
+# Do: Look at the columns with `etalon formats`, and state the format in campaign.toml.
+# Example: a file of comments alone
+nothing-recognised = nothing of `{ $name }` is recognised
+    .hint = `etalon formats { $path }` states what its columns could be

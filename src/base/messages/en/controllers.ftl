@@ -1,0 +1,313 @@
+### Messages of controllers. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+kind-hexapod = a hexapod (`hexapod`)
+
+kind-five-bar = a five-bar robot (`five_bar`)
+
+kind-six-axis-arm = a serial arm with six revolute joints
+
+kind-delta = a delta robot (`delta`, `delta_linear`)
+
+kind-delta-towers = a delta robot with linear axes (`delta_linear`)
+
+kind-urdf = a robot that a URDF file describes (`urdf`)
+
+kind-planar-or-serial = a planar robot or a serial arm
+
+# Means: The controller format describes another kind of robot.
+# Matters: The file has no place for the parameters of this robot.
+# Do: Choose a format for this kind of robot; `etalon export --help` lists all formats.
+# Example: `etalon export --format linuxcnc-hexapod` for a serial arm
+format-for-other-robots = format `{ $format }` cannot describe a robot of `model = "{ $model }"`
+    .expected = { $kind }
+    .hint = choose another format: `etalon export --help` lists them
+
+# Means: The robot has more joints than the controller moves.
+# Matters: The file would lack joints.
+# Do: Choose another format.
+# Example: an arm of ten joints for `linuxcnc-component`
+format-too-many-joints = the robot has { $joints } joints, format `{ $format }` has { $most }
+
+# Means: The URDF file is not well-formed XML.
+# Matters: The identified errors cannot be written into its origins.
+# Do: Correct the file with an XML editor.
+# Example: a `<joint>` element without its end tag
+urdf-malformed = `{ $file }` is not well-formed XML
+    .hint = correct the file
+
+# Means: etalon has no closed formulas for the kinematics of this robot model.
+# Matters: Code for a controller is generated from these formulas.
+# Do: Use a format that holds parameters, for example `json` or `c-header`.
+# Example: `etalon export --format c-kinematics` for a model without formulas
+formulas-missing = no formulas exist for the kinematics of `{ $model }`
+    .hint = use a format that holds parameters: `json`, `csv`, `c-header`
+
+# Means: A constant of the generated kinematics is infinite or not a number.
+# Matters: The controller would compute undefined joint values.
+# Do: Check the parameters: lengths of zero and angles of 90 deg make constants infinite.
+# Example: a length of 0 mm by which the formulas divide
+formula-constant-not-finite = a constant of the kinematics is non-finite
+    .hint = check the identified parameters
+
+error-above-nominal = position error at { $set } poses{ $left_out_count ->
+        [0] {""}
+       *[other] {" "}without { $left_out }
+    }: { FIXED($written_mm, $decimals) } mm (RMS); with nominal parameters: { FIXED($nominal_mm, $decimals) } mm
+
+# Means: The format leaves out identified parameters, and without them the robot is less accurate
+# than with nominal parameters.
+# Matters: The file would make the robot worse.
+# Do: Use a format that holds these parameters.
+# Example: `linuxcnc` for an arm whose bending was identified together with its geometry
+file-worse-than-nominal = format `{ $format }` is not written: { $reason }
+    .hint = use a format that holds these parameters; `etalon export --force` writes the file
+
+# Means: The format leaves out identified parameters, and parameters.json has no covariance of them.
+# Matters: Only the covariance tells how the other parameters change without them.
+# Do: Let the run identify again without these parameters.
+# Example: `etalon export --format linuxcnc` with a covariance that lacks the bending of joint 2
+covariance-missing = format `{ $format }` does not hold { $parameters }, and parameters.json has no covariance of them
+    .hint = run the campaign with `controllers = ["{ $format }"]`: it identifies again without them
+
+# Means: The solver did not converge.
+# Matters: The parameters are not the solution; a robot that uses them may be less accurate than
+# before.
+# Do: Identify again: check starting values and observations.
+# Example: parameters.json whose `termination` is `lost_patience`
+parameters-not-converged = the parameters are not fit for a controller: { $termination }
+    .hint = identify again before exporting
+
+# Means: The covariance matrix holds infinity or not-a-number.
+# Matters: Uncertainties that follow from it are undefined.
+# Do: Run the identification again; the file was changed or damaged.
+# Example: `"covariance": [[1e999]]`
+covariance-not-finite = the covariance holds a non-finite number
+    .hint = run the identification again
+
+# Means: A parameter has a value, nominal value or uncertainty that is infinite or not a number.
+# Matters: It must not reach a machine.
+# Do: Run the identification again; the file was changed or damaged.
+# Example: a parameter `d` with the value NaN
+parameter-not-finite = parameter `{ $parameter }` has a non-finite number
+    .expected = finite value, nominal value and uncertainty
+
+# Means: Two parameters have the same name.
+# Matters: It is undefined which of them the controller uses.
+# Do: Remove one of them from parameters.json, or run the identification again.
+# Example: two entries `"name": "d"`
+parameter-twice = there are two parameters `{ $parameter }`
+    .hint = run the identification again
+
+# Means: Two parameters have the same name in the language of the controller.
+# Matters: One would overwrite the other.
+# Do: Rename one of the parameters, or use another format.
+# Example: `d-2` and `d_2`, both `ETALON_PREXYT_D_2_MM` in C
+parameter-names-collide = parameters `{ $first }` and `{ $second }` are both `{ $name }` in { $language }
+    .hint = rename one of them, or use another format
+
+# Means: parameters.json lacks a parameter that the robot has.
+# Matters: Its value is unknown; the nominal value would be a guess.
+# Do: Name the robot.toml with which the parameters were identified.
+# Example: parameters of a five-bar robot with the robot.toml of a PreXYT
+parameter-missing = the parameters have no `{ $parameter }`
+    .hint = name the robot.toml with which they were identified
+
+# Means: The format needs the robot model, and no robot is named.
+# Matters: Names and values of parameters alone do not describe the kinematics.
+# Do: Name the robot.toml.
+# Example: `etalon export --format linuxcnc parameters.json` without `--robot`
+robot-missing = this format needs the robot model
+    .hint = name the robot.toml: `--robot FILE`
+
+# Means: A format asks for a parameter that the robot model lacks.
+# Matters: The file cannot be written.
+# Do: Choose a format for this robot model.
+# Example: a format of linear deltas for a robot without the parameter `rod_1`
+robot-parameter-missing = the robot has no parameter `{ $parameter }`
+    .hint = choose another format: `etalon export --help` lists them
+
+# Means: The deviation of an axis changes by more than 5 % of the distance between two neighbouring
+# positions.
+# Matters: The worst transmissions change less. Such deviations are in another unit than the
+# positions.
+# Do: State positions and deviations in the same unit, mm or deg.
+# Example: positions in mm, deviations in µm
+deviation-steep = the deviation changes by { $change } from { $from } to { $to }
+    .expected = at most 5 % of the distance
+    .hint = state positions and deviations in the same unit, mm or deg
+
+# Means: The compensation table has more positions than the controller reads.
+# Matters: The controller rejects the file, or ignores the rest.
+# Do: Measure at fewer positions.
+# Example: 300 positions for LinuxCNC
+axis-table-too-long = { $positions } positions are too many for { $controller }
+    .expected = at most { $most }
+
+# Means: The compensation table has fewer than two positions.
+# Matters: Between one position and nothing no deviation can be interpolated.
+# Do: Measure at two positions at least.
+# Example: one position for a SINUMERIK
+axis-table-too-short = a SINUMERIK table has { $positions ->
+        [one] 1 position
+       *[other] { $positions } positions
+    }
+    .expected = at least two positions
+
+# Means: The distances between the positions differ.
+# Matters: A SINUMERIK table states one constant distance.
+# Do: Measure at equal distances, or use another table.
+# Example: positions 0, 100 and 250 mm
+axis-positions-uneven = the positions have no constant distance
+    .hint = measure at equal distances, or use another table
+
+# Means: The grid of a plane has another distance along its second axis.
+# Matters: A Beckhoff CNC has one interval for both axes.
+# Do: Measure a grid of squares.
+# Example: 50 mm along x, 100 mm along y
+plane-steps-differ = the grid has different distances along its axes
+    .expected = { $step_mm } mm along both
+
+# Means: A parameter is larger than a variable of a Galil controller.
+# Matters: The controller would store another value.
+# Do: Use a format of floating-point numbers, for example `twincat`.
+# Example: a length of 3000 m
+galil-value-too-large = `{ $parameter }` is too large for a variable of a Galil controller
+    .hint = use a format of floating-point numbers
+
+# Means: A constant of the inverse kinematics is too large for the fixed-point numbers of a Galil
+# controller.
+# Matters: Products of the program would overflow.
+# Do: Check the parameters; use another controller format for a robot of this size.
+# Example: a PreXYT with a rail inclined by 10 deg
+galil-constant-too-large = { $name } = { FIXED($value, 6) } is too large for the inverse kinematics on a Galil controller
+    .expected = at most { $most }
+
+# Means: A variable of a Galil controller rounds a parameter by more than a tenth of its
+# uncertainty.
+# Matters: The calibration would lose accuracy.
+# Do: Use a format of floating-point numbers.
+# Example: a length with a standard uncertainty of 1e-11 mm
+galil-rounding = `{ $parameter }` loses { SCIENTIFIC($rounding, 1) } { $unit } on a Galil controller; its standard uncertainty is { SCIENTIFIC($uncertainty, 1) } { $unit }
+    .hint = use a format of floating-point numbers
+
+# Means: The robot has more joints than a Galil controller has axes.
+# Matters: The program cannot command all joints.
+# Do: Use another language.
+# Example: targets of a robot with nine joints
+galil-axes = { $joints } joints are too many for a Galil controller
+    .expected = at most eight
+
+# Means: A target needs more encoder counts than a variable of a Galil controller holds.
+# Matters: The controller would move to another position.
+# Do: Check `counts_per_unit` and the target.
+# Example: `counts_per_unit` in counts/m for lengths in mm
+galil-counts-out-of-range = target { $target }: { $counts } counts are out of range
+    .expected = at most { $most } counts
+
+# Means: The campaign states no date of the measurements.
+# Matters: A calibration certificate has the date of its measurements (ISO/IEC 17025, 7.8.2.1).
+# Do: State `date` in campaign.toml and run the campaign again.
+# Example: `controllers = ["dcc"]` without `date`
+certificate-date-missing = a calibration certificate needs the date of the measurements
+    .expected = `date = "YYYY-MM-DD"` in campaign.toml
+    .hint = state the date and run the campaign again
+
+# Means: A value of the plan is infinite or not a number.
+# Matters: It must not reach a machine, so no target is written.
+# Do: Check the joint ranges and conditions of the plan.
+# Example: a pose that the inverse kinematics cannot reach
+targets-not-finite = a value of the plan is non-finite
+    .hint = check the plan: no target is written
+
+# Means: The ending of a file name is no format of targets.
+# Matters: The format follows from the ending.
+# Do: End the name in `.json` or `.h`; write CSV with `--poses`.
+# Example: `etalon plan --targets targets.txt`
+targets-format-unknown = `{ $file }` names no format of targets
+    .expected = a name that ends in `.json` or `.h`
+    .hint = for CSV use `--poses`
+
+# Means: Two neighbouring axes of the arm are the same line.
+# Matters: Denavit-Hartenberg parameters of such an arm are undefined.
+# Do: Check the robot.toml.
+# Example: two revolute joints on one axis
+axes-coincide = two axes of the arm coincide
+    .hint = check the robot.toml
+
+# Means: The identified robot cannot place its platform at the centre of the base.
+# Matters: The positions of the towers follow from joint values at this place.
+# Do: Check the identified lengths.
+# Example: rods that are shorter than the radius of the towers
+platform-out-of-reach = the platform does not reach the centre
+    .hint = check the identified lengths
+
+# Means: The towers do not follow each other at 120 deg, counterclockwise seen from above.
+# Matters: The format has the towers in this order; another order would exchange motors.
+# Do: Number the towers counterclockwise in robot.toml.
+# Example: towers numbered clockwise
+tower-order = the towers are not at 120 deg from each other, counterclockwise from above
+    .hint = number them counterclockwise: `{ $format }` has them in this order
+
+# Means: etalon cannot read targets from programs in this language.
+# Matters: The targets to compensate are unknown.
+# Do: Give the targets as a table.
+# Example: a program in a language that is written only
+program-not-readable = programs of this language cannot be read
+    .hint = give the targets as a table
+
+# Means: A movement does not state all its coordinates.
+# Matters: The missing coordinates are those of the position before, which depends on the course of
+# the program.
+# Do: State all coordinates of the movement.
+# Example: `MoveC X10` in Mecaprol, `PA 100` for two axes on a Galil controller
+move-incomplete = `{ $command }` does not state { $coordinates }
+    .hint = state all coordinates
+
+x-and-y = both X and Y
+
+position-of-every-axis = a position of every axis
+
+pose-of-six = all of X, Y, Z, A, B and C
+
+# Means: The program changes the working mode of the robot.
+# Matters: Compensation computes joint values in one working mode.
+# Do: Give the targets of each working mode as a program of their own.
+# Example: `M1` and `M3` in one Mecaprol program
+working-mode-changes = the program changes the working mode
+    .hint = give the targets of each working mode as a program of their own
+
+# Means: A block of the program is not a straight movement to absolute coordinates in mm.
+# Matters: Its target depends on other blocks, so that it cannot be compensated alone.
+# Do: Rewrite the block with absolute coordinates.
+# Example: `G91` (relative coordinates) in G-code, `PR 100` on a Galil controller
+movement-not-compensated = `{ $command }` is not compensated
+    .expected = straight movements to absolute coordinates
+
+# Means: The program uses variables or subroutines.
+# Matters: Their values are known only when the program runs.
+# Do: Write the targets as numbers.
+# Example: `#1 = 10` in G-code
+subroutine-not-compensated = variables and subroutines are not compensated
+    .hint = write the targets as numbers
+
+# Means: A coordinate letter is not followed by a number.
+# Matters: The target is unknown.
+# Do: Write the coordinate as a number.
+# Example: `G0 X[#1+2]`
+coordinate-not-number = `{ $letter }` is not followed by a number
+    .hint = write the coordinate as a number
+
+# Means: The program moves before a coordinate has a value.
+# Matters: The target depends on where the machine stands.
+# Do: State the coordinate in the first block that moves.
+# Example: `G0 X10` as the first movement of a robot with x and y
+coordinate-unknown = `{ $letter }` has no value yet
+    .hint = state it in the first block that moves
+
+# Means: The quaternion of a target does not have the length 1.
+# Matters: The controller would normalise or reject it; its components are probably in another order
+# or mistyped.
+# Do: Correct the quaternion.
+# Example: `[0.7, 0, 0, 0.6]`
+quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
+    .expected = length 1

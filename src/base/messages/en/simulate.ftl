@@ -1,0 +1,261 @@
+### Messages of simulate. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: A pose of the truth has another number of joint values than the robot has joints.
+# Matters: The robot cannot be placed.
+# Do: State one value for each joint, and the assembly mode of a platform.
+# Example: `joints = [[0, 10]]` for a robot of three joints
+truth-joint-count = a pose has { $values } joint values, the robot { $joints } joints
+    .hint = state one value for each joint, and the assembly mode of a platform
+
+# Means: `label` in [[poses]] is stated together with `circles`.
+# Matters: Poses on circles have no common label.
+# Do: State `joints`, or omit `label`.
+# Example: `circles = [{ ... }]` and `label = "A"`
+truth-label-with-circles = `label` in [[poses]] is for `joints`, not for `circles`
+    .hint = omit `label`, or state `joints`
+
+# Means: [[poses]] names a point that is no [[point]].
+# Matters: The pose has no place.
+# Do: Use the label of a [[point]].
+# Example: `label = "P3"` without a [[point]] of this label
+truth-point-unknown = [[poses]] names the point `{ $label }`, which is no [[point]]
+
+# Means: `circles` are stated for a robot in space.
+# Matters: Circles are poses of a platform in the plane.
+# Do: State `joints`.
+# Example: `circles` for a serial arm
+truth-circles-not-planar = `circles` are for planar robots
+    .hint = use `joints`
+
+# Means: [parameters] names a parameter that the robot model lacks.
+# Matters: The stated value has no effect.
+# Do: Use a parameter of the model.
+# Example: `s_9 = 1.0`
+truth-parameter-unknown = [parameters] names `{ $parameter }`, which is not a parameter of this robot
+
+# Means: [repeatability] of the truth names a target that the robot lacks.
+# Matters: No position can be simulated.
+# Do: Use a target of the robot.
+# Example: `target = "T9"`
+truth-target-unknown = [repeatability] of the truth: the robot has no target `{ $target }`
+
+# Means: A pose of the trajectory is not in the truth.
+# Matters: Its position and scatter are unknown.
+# Do: Add it to `joints` of [[poses]] and to [[repeatability.pose]].
+# Example: `trajectory = [1, 2, 6]` with five poses
+truth-pose-missing = pose { $pose } of the trajectory is not in the truth
+    .hint = add it to `joints` of [[poses]] and to [[repeatability.pose]]
+
+# Means: The truth has [repeatability], and the campaign has not.
+# Matters: Labels and trajectory are those of the campaign.
+# Do: State [repeatability] in campaign.toml.
+# Example: truth.toml of a test with a campaign.toml of a calibration
+truth-repeatability-without-campaign = the truth has [repeatability], the campaign has not
+    .hint = state [repeatability] in campaign.toml: it names labels and trajectory
+
+# Means: `home` has another number of joint values than the robot has joints.
+# Matters: The robot cannot be placed at its home position.
+# Do: State one value for each joint.
+# Example: `home = [0, 0]` for three joints
+truth-home-count = `home` has { $values } joint values, the robot { $joints } joints
+    .hint = state one value for each joint
+
+# Means: `etalon simulate` cannot write this kind of file.
+# Matters: The campaign cannot be tried on simulated data as it is.
+# Do: State another file to simulate, then the real one.
+# Example: a log with `standstill`
+simulate-not-written = simulate cannot write { $what }
+    .hint = state another file to simulate, then the real one
+
+# Means: The campaign reads several tables of observations.
+# Matters: `etalon simulate` writes one table.
+# Do: Simulate a campaign with one of them.
+# Example: two [[observations]] beside a truth.toml
+several-tables = several tables of observations are not simulated
+    .hint = simulate a campaign with one of them
+
+simulated-kind = { $kind ->
+        [twincat] a TwinCAT export
+        [moving-log] a log that is recorded while the robot moves
+        [period-log] a log whose times follow from its period, for a join by time
+        [repeated-columns] a log that names columns twice
+        [workbook-sheet] a sheet of a workbook
+        [encoding] a table in another encoding than UTF-8
+        [blank-columns] a table of observations with blanks between columns: its empty cells would vanish
+        [computed-columns] a table of observations with computed, numbered or constant columns, filters, or another header than one row
+        [unmodelled] a table of observations with errors of {"["}unmodelled]
+       *[backlash] a table of observations of a robot with backlash
+    }
+
+# Means: `coordinates` is stated for an observation that is not a point in the world.
+# Matters: Only points may give some of their coordinates.
+# Do: Omit `coordinates`.
+# Example: `kind = "distance"` and `coordinates = "xy"`
+coordinates-of-other-kind = `coordinates` is for kind `point` without a station
+    .hint = omit `coordinates`
+
+in-numbered-table = [[{ $table }]] { $number }: { $message }
+
+in-set = set `{ $set }`: { $message }
+
+# Means: Nothing of the truth goes to this export.
+# Matters: An export without points cannot be read.
+# Do: Add a [[point]] with this `export`, or `label` or `target` to the export in the campaign.
+# Example: an export `world.txt` and no [[point]] with `export = "world.txt"`
+export-without-points = nothing in the truth goes to the export `{ $file }`
+    .hint = add a [[point]] with this `export`, or `label` or `target` to the export in the campaign
+
+# Means: The export states an encoding.
+# Matters: `etalon simulate` writes UTF-8.
+# Do: Omit `encoding` of this export.
+# Example: `encoding = "windows-1252"`
+simulate-utf8 = simulate writes UTF-8
+    .hint = omit `encoding` of this export
+
+# Means: The written export would be read with another number of rows.
+# Matters: The simulation would not test the campaign as stated.
+# Do: Name target, pose and cycle in `label` or `columns`.
+# Example: two repeats without a cycle
+simulated-rows-lost = `{ $file }` would be read with { $read } of { $rows } rows
+    .hint = name target, pose and cycle in `label` or `columns`; `pose = "row"` is for one target a file; without a cycle, state `cycles = 1` in the truth
+
+# Means: A row of the written export would be read as another measurement.
+# Matters: The simulation would not test the campaign as stated.
+# Do: Name target, pose and cycle in `label` or `columns`.
+# Example: labels without the number of the cycle
+simulated-row-misread = line { $line } of `{ $file }` is { $meant }, and would be read as { $read }
+    .hint = name target, pose and cycle in `label` or `columns`; `pose = "row"` is for one target a file; without a cycle, state `cycles = 1` in the truth
+
+measurement-name = target `{ $target }`, pose { $pose }, cycle { $cycle }
+
+# Means: A pose of the truth violates a limit of the robot.
+# Matters: A real robot cannot go there.
+# Do: Correct the pose in the truth, or [reach] in robot.toml.
+# Example: a joint value of 200 deg with a limit of 170 deg
+truth-pose-out-of-reach = pose { $pose } is out of reach: { $reason }
+    .hint = correct the pose in the truth, or [reach] in robot.toml
+
+# Means: The true robot cannot bring its target to a point.
+# Matters: No joint values can be simulated for the pose.
+# Do: Correct the point or the pose in the truth.
+# Example: a point 5 m away from an arm of 1 m
+truth-point-out-of-reach = pose { $pose }: the true robot does not reach its point { $point } mm
+    .hint = correct the point or the pose in the truth
+
+# Means: The truth has [[observe]], and the campaign no [observations].
+# Matters: The file and its columns are unknown.
+# Do: State `[observations]` with `file` in campaign.toml.
+# Example: [[observe]] of a distance without [observations]
+observe-without-table = the truth has [[observe]], and the campaign no [observations]
+    .hint = state the table in campaign.toml: `[observations]` with `file`
+
+# Means: The campaign has [observations], and the truth no [[observe]].
+# Matters: The table would be empty.
+# Do: State what is observed in the truth.
+# Example: [observations] with `file` and a truth without [[observe]]
+table-without-observe = the truth has no [[observe]] for the table of [observations]
+    .hint = state what is observed: kind = "point", target = "ball" ...; docs/observations.md lists the kinds
+
+# Means: The campaign does not state that its data are synthetic.
+# Matters: Its files may be measured ones, which are never overwritten by simulated ones.
+# Do: State `synthetic` in campaign.toml: every report repeats it.
+# Example: `etalon simulate` in the folder of a real campaign
+campaign-not-synthetic = the campaign does not state that it is synthetic: its files may be measured ones
+    .hint = state `synthetic = "how the data are made"` in campaign.toml; `etalon init --synthetic FOLDER` writes such a campaign with a truth
+
+# Means: More decimals are stated than a number has.
+# Matters: Further digits are rounding errors.
+# Do: State fewer decimals.
+# Example: `decimals = 30`
+truth-decimals = { $decimals } decimals are more than a number has
+    .expected = 0 to { $most }
+
+# Means: One file of the campaign has joints and points.
+# Matters: `etalon simulate` writes exports and logs as files of their own.
+# Do: State an export and a [log] of their own to simulate.
+# Example: an export with `joints`
+joints-and-points-together = a file with joints and points together cannot be simulated
+    .hint = state an export and a [log] of their own
+
+# Means: The label of a [[point]] begins like a formula of a spreadsheet.
+# Matters: A spreadsheet would execute it.
+# Do: Give the point another label.
+# Example: `label = "=A1"`
+point-label-formula = the label `{ $label }` of a [[point]] is a formula in a spreadsheet
+    .hint = use a label that does not begin with = + - or @
+
+# Means: [parameters] lacks coordinates of fixed things that are observed.
+# Matters: Their true places are unknown.
+# Do: State them in [parameters].
+# Example: a plane that is touched, without its place
+truth-parameters-missing = [parameters] does not state { $parameters }
+    .hint = state where the observed fixed things are
+
+# Means: [unmodelled] names a joint that the robot lacks.
+# Matters: The stated error has no effect.
+# Do: Use a joint of the robot.
+# Example: `backlash = { q9 = 0.01 }`
+unmodelled-joint-unknown = [unmodelled] names `{ $joint }`, which is not a joint of this robot
+
+# Means: The period of an interpolation error is zero, negative or not a number.
+# Matters: The error is periodic in the joint.
+# Do: State a positive period.
+# Example: `interpolation = { q1 = { period = 0 } }`
+unmodelled-period = [unmodelled] `period` of `{ $joint }` must be positive
+    .hint = state a positive period
+
+# Means: A set of poses does not determine all parameters.
+# Matters: Its calibrations would not differ from nominal values there.
+# Do: Add poses to the set.
+# Example: three poses for 13 parameters
+study-too-few-poses = too few poses to identify all parameters
+    .hint = add poses to the set
+
+# Means: A set has no poses, or none that the robot reaches.
+# Matters: There is nothing to simulate.
+# Do: State poses within reach.
+# Example: a circle outside of the workspace
+study-set-empty = a set has no pose that the robot reaches
+    .hint = state poses within reach
+
+# Means: Poses are stated by positions, and the robot needs joint values.
+# Matters: A position does not determine the joints of this robot.
+# Do: State `joints`, or a table in `file`.
+# Example: `circles` for a serial arm
+study-not-by-position = `{ $model }` cannot be placed by positions
+    .hint = state `joints`, or a table in `file`
+
+# Means: The robot model has no pose of a tool.
+# Matters: A study compares errors of the tool.
+# Do: Use a model with kinematics.
+# Example: a model of targets alone
+study-without-tool = `{ $model }` has no pose of a tool
+    .hint = use a model with kinematics
+
+# Means: No joint values near those of the truth bring the targets to what they touch.
+# Matters: The observation cannot be simulated.
+# Do: State joint values nearer to the contact, or a wider range of drawn ones.
+# Example: a plane 2 m away from the robot
+truth-not-touching = pose { $pose }: no joint values near those of the truth make the contact
+    .hint = state joint values nearer to the contact, or a wider range of drawn ones
+
+# Means: No uncertainty of angles is stated.
+# Matters: Simulated orientations would have no noise, and identified ones no weight.
+# Do: State `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]].
+# Example: `kind = "orientation"` without an uncertainty
+angle-uncertainty-missing = the uncertainty of an angle is missing
+    .hint = state `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]]
+
+# Means: The written table would be read as other observations.
+# Matters: The simulation would not test the campaign as stated.
+# Do: Check `pose` and `target` of [observations].
+# Example: `pose = "row"` with two rows a pose
+simulated-table-misread = `{ $file }` would be misread: an observation of pose { $pose } is off by { FIXED($off, 3) } mm or rad
+    .hint = `pose = "row"` and `target` of [observations] are for one target and one row a pose
+
+# Means: The truth has [geometric], and the campaign has not, or its robot is no PreXYT.
+# Matters: Labels of the geometric method are those of the campaign.
+# Do: State [geometric] in campaign.toml.
+# Example: [geometric] in truth.toml alone
+truth-geometric-without-campaign = the truth has [geometric], the campaign has not or its robot is no PreXYT
+    .hint = state [geometric] in campaign.toml: it names the labels

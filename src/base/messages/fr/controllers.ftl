@@ -1,0 +1,152 @@
+### Messages de controllers ; explications dans en/controllers.ftl.
+
+kind-hexapod = un hexapode (`hexapod`)
+
+kind-five-bar = un robot à cinq barres (`five_bar`)
+
+kind-six-axis-arm = un bras série à six articulations rotoïdes
+
+kind-delta = un robot delta (`delta`, `delta_linear`)
+
+kind-delta-towers = un robot delta à axes linéaires (`delta_linear`)
+
+kind-urdf = un robot décrit par un fichier URDF (`urdf`)
+
+kind-planar-or-serial = un robot plan ou un bras série
+
+format-for-other-robots = le format `{ $format }` ne peut pas décrire un robot de `model = "{ $model }"`
+    .expected = { $kind }
+    .hint = choisir un autre format : `etalon export --help` les énumère
+
+format-too-many-joints = le robot a { $joints } articulations, le format `{ $format }` en a { $most }
+
+urdf-malformed = `{ $file }` n’est pas un document XML bien formé
+    .hint = corriger le fichier
+
+formulas-missing = il n’existe pas de formules pour la cinématique de `{ $model }`
+    .hint = utiliser un format qui contient des paramètres : `json`, `csv`, `c-header`
+
+formula-constant-not-finite = une constante de la cinématique n’est pas finie
+    .hint = vérifier les paramètres identifiés
+
+error-above-nominal = erreur de position aux poses de { $set ->
+        [validation] validation
+       *[other] calibration
+    }{ $left_out_count ->
+        [0] {""}
+       *[other] {" "}sans { $left_out }
+    } : { FIXED($written_mm, $decimals) } mm (valeur efficace) ; avec les paramètres nominaux : { FIXED($nominal_mm, $decimals) } mm
+
+file-worse-than-nominal = le format `{ $format }` n’est pas écrit : { $reason }
+    .hint = utiliser un format qui contient ces paramètres ; `etalon export --force` écrit le fichier
+
+covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json n’en a pas la covariance
+    .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans eux
+
+parameters-not-converged = les paramètres ne conviennent pas à une commande : { $termination }
+    .hint = identifier de nouveau avant l’export
+
+covariance-not-finite = la covariance contient un nombre non fini
+    .hint = relancer l’identification
+
+parameter-not-finite = le paramètre `{ $parameter }` a un nombre non fini
+    .expected = valeur, valeur nominale et incertitude finies
+
+parameter-twice = il y a deux paramètres `{ $parameter }`
+    .hint = relancer l’identification
+
+parameter-names-collide = les paramètres `{ $first }` et `{ $second }` s’appellent tous deux `{ $name }` en { $language }
+    .hint = renommer l’un des deux ou utiliser un autre format
+
+parameter-missing = les paramètres n’ont pas de `{ $parameter }`
+    .hint = indiquer le robot.toml avec lequel ils ont été identifiés
+
+robot-missing = ce format a besoin du modèle du robot
+    .hint = indiquer le robot.toml : `--robot FILE`
+
+robot-parameter-missing = le robot n’a pas de paramètre `{ $parameter }`
+    .hint = choisir un autre format : `etalon export --help` les énumère
+
+deviation-steep = l’écart varie de { $change } entre { $from } et { $to }
+    .expected = au plus 5 % de la distance
+    .hint = indiquer positions et écarts dans la même unité, mm ou deg
+
+axis-table-too-long = { $positions } positions, c’est trop pour { $controller }
+    .expected = au plus { $most }
+
+axis-table-too-short = une table SINUMERIK a { $positions ->
+        [one] { $positions } position
+       *[other] { $positions } positions
+    }
+    .expected = au moins deux positions
+
+axis-positions-uneven = les positions ne sont pas équidistantes
+    .hint = mesurer à des distances égales ou utiliser une autre table
+
+plane-steps-differ = la grille a des pas différents selon ses axes
+    .expected = { $step_mm } mm selon les deux
+
+galil-value-too-large = `{ $parameter }` est trop grand pour une variable d’une commande Galil
+    .hint = utiliser un format à virgule flottante
+
+galil-constant-too-large = { $name } = { FIXED($value, 6) } est trop grand pour la cinématique inverse sur une commande Galil
+    .expected = au plus { $most }
+
+galil-rounding = `{ $parameter }` perd { SCIENTIFIC($rounding, 1) } { $unit } sur une commande Galil ; son incertitude-type est { SCIENTIFIC($uncertainty, 1) } { $unit }
+    .hint = utiliser un format à virgule flottante
+
+galil-axes = { $joints } articulations, c’est trop pour une commande Galil
+    .expected = au plus huit
+
+galil-counts-out-of-range = cible { $target } : { $counts } impulsions hors plage
+    .expected = au plus { $most } impulsions
+
+certificate-date-missing = un certificat d’étalonnage a besoin de la date des mesurages
+    .expected = `date = "YYYY-MM-DD"` dans campaign.toml
+    .hint = indiquer la date et relancer la campagne
+
+targets-not-finite = une valeur du plan n’est pas finie
+    .hint = vérifier le plan : aucune cible n’est écrite
+
+targets-format-unknown = `{ $file }` n’indique aucun format de cibles
+    .expected = un nom qui se termine par `.json` ou `.h`
+    .hint = pour CSV, utiliser `--poses`
+
+axes-coincide = deux axes du bras sont confondus
+    .hint = vérifier le robot.toml
+
+platform-out-of-reach = la plate-forme n’atteint pas le centre
+    .hint = vérifier les longueurs identifiées
+
+tower-order = les tours ne sont pas à 120 deg l’une de l’autre, dans le sens direct vu d’en haut
+    .hint = les numéroter dans le sens direct : `{ $format }` les a dans cet ordre
+
+program-not-readable = les programmes de ce langage ne peuvent pas être lus
+    .hint = donner les cibles sous forme de tableau
+
+move-incomplete = `{ $command }` n’indique pas { $coordinates }
+    .hint = indiquer toutes les coordonnées
+
+x-and-y = à la fois X et Y
+
+position-of-every-axis = une position de chaque axe
+
+pose-of-six = tous les X, Y, Z, A, B et C
+
+working-mode-changes = le programme change de mode de travail
+    .hint = donner les cibles de chaque mode de travail dans un programme à part
+
+movement-not-compensated = `{ $command }` n’est pas compensé
+    .expected = des mouvements rectilignes vers des coordonnées absolues
+
+subroutine-not-compensated = les variables et sous-programmes ne sont pas compensés
+    .hint = écrire les cibles en nombres
+
+coordinate-not-number = `{ $letter }` n’est pas suivi d’un nombre
+    .hint = écrire la coordonnée en nombre
+
+coordinate-unknown = `{ $letter }` n’a pas encore de valeur
+    .hint = l’indiquer dans le premier bloc qui déplace
+
+quaternion-length = le quaternion de { $target } a la norme { FIXED($length, 4) }
+    .expected = norme 1

@@ -1,0 +1,228 @@
+//! Columns that are computed from others of their row: `x_t - x_dif`, `(low + high) / 2`, `25.4 * $3`.
+
+use etalon_base::message::Message;
+use std::borrow::Cow;
+
+/// Longest text of an expression.
+const LONGEST: usize = 1000;
+/// Deepest nesting of an expression.
+const DEEPEST: usize = 40;
+
+/// An expression of numbers and columns of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Expression {
+    /// A number.
+    Number(f64),
+    /// The column of this index.
+    Column(usize),
+    /// Minus.
+    Negative(Box<Expression>),
+    /// Two expressions and `+`, `-`, `*` or `/` between them.
+    Pair(Box<Expression>, char, Box<Expression>),
+}
+
+/// What is left of a text that is parsed.
+struct Parser<'a> {
+    whole: &'a str,
+    rest: &'a str,
+    header: &'a [Cow<'a, str>],
+    depth: usize,
+}
+
+impl Expression {
+    /// Reads an expression. A name is the longest heading that begins there, `$3` the third column.
+    ///
+    /// # Errors
+    /// A name that is no heading, or a text that is no expression.
+    pub fn parse(text: &str, header: &[Cow<str>]) -> Result<Self, Message> {
+        if text.len() > LONGEST {
+            return Err(Message::error("the expression of a column is longer than 1000 characters"));
+        }
+        let mut parser = Parser { whole: text, rest: text, header, depth: 0 };
+        let expression = parser.sum()?;
+        match parser.rest.trim() {
+            "" => Ok(expression),
+            rest => Err(parser.wrong(&format!("`{rest}` is left over"))),
+        }
+    }
+
+    /// Its value in a row; `None` if a cell was not measured.
+    ///
+    /// # Errors
+    /// The index of the cell that does not read.
+    pub fn value(&self, cell: &dyn Fn(usize) -> Result<Option<f64>, Message>) -> Result<Option<f64>, (usize, Message)> {
+        Ok(match self {
+            Self::Number(number) => Some(*number),
+            Self::Column(at) => cell(*at).map_err(|message| (*at, message))?,
+            Self::Negative(of) => of.value(cell)?.map(|value| -value),
+            Self::Pair(a, operator, b) => {
+                let (Some(a), Some(b)) = (a.value(cell)?, b.value(cell)?) else { return Ok(None) };
+                Some(match operator {
+                    '+' => a + b,
+                    '-' => a - b,
+                    '*' => a * b,
+                    _ => a / b,
+                })
+            }
+        })
+    }
+
+    /// Whether a text can be an expression, and is not only a name.
+    pub fn is_likely(text: &str) -> bool {
+        text.starts_with('$') || text.contains(['+', '-', '*', '/', '\u{d7}', '\u{f7}', '\u{2212}', '(', ')'])
+    }
+}
+
+impl Parser<'_> {
+    fn wrong(&self, what: &str) -> Message {
+        Message::error(format!("the expression `{}` does not read: {what}", self.whole))
+            .expected("headings, `$3` for the third column, and numbers, with + - * / and brackets between them")
+    }
+
+    fn next(&mut self) -> Option<char> {
+        self.rest = self.rest.trim_start();
+        self.rest.chars().next()
+    }
+
+    fn take(&mut self, operators: &[(char, char)]) -> Option<char> {
+        let found = self.next()?;
+        let (_, meant) = operators.iter().find(|(written, _)| *written == found)?;
+        self.rest = &self.rest[found.len_utf8()..];
+        Some(*meant)
+    }
+
+    fn sum(&mut self) -> Result<Expression, Message> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(self.wrong("its brackets are nested too deeply"));
+        }
+        let mut left = self.product()?;
+        while let Some(operator) = self.take(&[('+', '+'), ('-', '-'), ('\u{2212}', '-')]) {
+            left = Expression::Pair(Box::new(left), operator, Box::new(self.product()?));
+        }
+        self.depth -= 1;
+        Ok(left)
+    }
+
+    fn product(&mut self) -> Result<Expression, Message> {
+        let mut left = self.factor()?;
+        while let Some(operator) = self.take(&[('*', '*'), ('\u{d7}', '*'), ('/', '/'), ('\u{f7}', '/')]) {
+            left = Expression::Pair(Box::new(left), operator, Box::new(self.factor()?));
+        }
+        Ok(left)
+    }
+
+    fn factor(&mut self) -> Result<Expression, Message> {
+        if let Some(at) = self.heading() {
+            return Ok(Expression::Column(at));
+        }
+        if self.take(&[('-', '-'), ('\u{2212}', '-')]).is_some() {
+            self.depth += 1;
+            if self.depth > DEEPEST {
+                return Err(self.wrong("it has too many signs"));
+            }
+            let of = self.factor()?;
+            self.depth -= 1;
+            return Ok(Expression::Negative(Box::new(of)));
+        }
+        if self.take(&[('(', '(')]).is_some() {
+            let inner = self.sum()?;
+            return match self.take(&[(')', ')')]) {
+                Some(_) => Ok(inner),
+                None => Err(self.wrong("a bracket is not closed")),
+            };
+        }
+        if self.take(&[('$', '$')]).is_some() {
+            let digits = self.rest.bytes().take_while(u8::is_ascii_digit).count();
+            let number = self.rest[..digits].parse().ok().and_then(|n: usize| n.checked_sub(1));
+            self.rest = &self.rest[digits..];
+            return number
+                .map(Expression::Column)
+                .ok_or_else(|| self.wrong("behind `$` is the number of a column, from 1"));
+        }
+        self.number()
+    }
+
+    /// The longest heading that begins here.
+    fn heading(&mut self) -> Option<usize> {
+        self.rest = self.rest.trim_start();
+        let ends = |name: &str| !self.rest[name.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
+        let begins = |name: &&str| !name.is_empty() && self.rest.starts_with(*name) && ends(name);
+        let numeric = |name: &&str| name.parse::<f64>().is_err();
+        let names = self.header.iter().map(|name| name.trim());
+        let longest = names.filter(begins).filter(numeric).max_by_key(|name| name.len())?;
+        let at = self.header.iter().position(|name| name.trim() == longest)?;
+        self.rest = &self.rest[longest.len()..];
+        Some(at)
+    }
+
+    fn number(&mut self) -> Result<Expression, Message> {
+        let rest = self.rest;
+        let mut end = 0;
+        let mut last = ' ';
+        for c in rest.chars() {
+            let sign = matches!(c, '+' | '-') && matches!(last, 'e' | 'E') && end > 1;
+            let exponent = matches!(c, 'e' | 'E') && end > 0;
+            if !(c.is_ascii_digit() || c == '.' || exponent || sign) {
+                break;
+            }
+            end += c.len_utf8();
+            last = c;
+        }
+        if let Some(number) = rest[..end].parse::<f64>().ok().filter(|n| n.is_finite()) {
+            self.rest = &rest[end..];
+            return Ok(Expression::Number(number));
+        }
+        let name = rest.split(['+', '*', '/', '(', ')']).next().unwrap_or("").trim();
+        if name.is_empty() {
+            return Err(self.wrong("a column or a number is missing"));
+        }
+        let names = self.header.iter().map(|name| name.as_ref());
+        Err(Message::error(format!("the header names no `{name}`")).hint_names(name, names))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn expressions_are_computed_with_the_usual_precedence() {
+        let header: Vec<Cow<str>> = ["x_t", "x_dif", "X-Ist", "X", "Goal x", "1"].map(Cow::from).to_vec();
+        let row = [10.0, 4.0, 100.0, 1000.0, 7.0, 55.0];
+        let value = |text: &str| {
+            let expression = Expression::parse(text, &header).unwrap();
+            expression.value(&|i| Ok(row.get(i).copied())).unwrap()
+        };
+        for (text, right) in [
+            ("x_t - x_dif", 6.0),
+            ("x_t-x_dif", 6.0),
+            ("x_t \u{2212} x_dif", 6.0),
+            ("X-Ist", 100.0),
+            ("X - x_t", 990.0),
+            ("2 * x_t + x_dif / 4", 21.0),
+            ("2 \u{d7} (x_t + x_dif) \u{f7} 7", 4.0),
+            ("-x_t - -x_dif", -6.0),
+            ("25.4e0 * $4", 25400.0),
+            ("Goal x * 1e-3", 0.007),
+            ("1 + x_t", 11.0),
+            ("x_t - x_dif - 1", 5.0),
+        ] {
+            assert_eq!(value(text), Some(right), "{text}");
+        }
+        let lacking = Expression::parse("x_t - x_dif", &header).unwrap();
+        assert_eq!(lacking.value(&|i| Ok((i == 0).then_some(1.0))).unwrap(), None);
+    }
+
+    #[test]
+    fn what_is_no_expression_is_refused() {
+        let header: Vec<Cow<str>> = ["x_t", "x_dif"].map(Cow::from).to_vec();
+        let said = |text: &str| Expression::parse(text, &header).unwrap_err().to_string();
+        assert!(said("x_t - x_dff").contains("did you mean `x_dif`"));
+        for wrong in ["", "x_t -", "(x_t", "x_t x_dif", "$0", "$", "x_t ^ 2", "1..2", "x_t)"] {
+            assert!(Expression::parse(wrong, &header).is_err(), "{wrong}");
+        }
+        assert!(Expression::parse(&"(".repeat(900), &header).is_err());
+        assert!(Expression::parse(&"-".repeat(900), &header).is_err());
+    }
+}

@@ -1,0 +1,114 @@
+//! What a table states of its columns and rows, whatever kind of table it is.
+
+use super::quoted;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
+use std::fmt;
+
+/// Where a column comes from: a heading, a number from 1, or an expression of columns of the row, `x_t - x_dif`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ColumnSource {
+    /// A heading of the file; what is none is an expression.
+    Heading(String),
+    /// Number of the column, from 1.
+    Number(usize),
+}
+
+impl From<&str> for ColumnSource {
+    fn from(heading: &str) -> Self {
+        Self::Heading(heading.to_owned())
+    }
+}
+
+impl JsonSchema for ColumnSource {
+    fn schema_name() -> Cow<'static, str> {
+        "ColumnSource".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let description = "A heading of the file, the number of a column from 1, or an expression of columns: `x_t - x_dif`, `25.4 * $3`.";
+        json_schema!({ "description": description, "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] })
+    }
+}
+
+impl<'de> Deserialize<'de> for ColumnSource {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Any;
+        impl Visitor<'_> for Any {
+            type Value = ColumnSource;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a heading, the number of a column from 1, or an expression like \"x_t - x_dif\"")
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<ColumnSource, E> {
+                Ok(text.trim().into())
+            }
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<ColumnSource, E> {
+                let at = usize::try_from(number).ok().filter(|n| *n > 0);
+                at.map(ColumnSource::Number).ok_or_else(|| E::invalid_value(de::Unexpected::Signed(number), &self))
+            }
+        }
+        deserializer.deserialize_any(Any)
+    }
+}
+
+/// The same value in every row: a text or a number.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Constant {
+    /// A text.
+    Text(String),
+    /// A number.
+    Number(f64),
+}
+
+impl Constant {
+    /// The cell that a table would have, with a decimal point.
+    pub fn cell(&self) -> String {
+        match self {
+            Self::Text(text) => text.clone(),
+            Self::Number(number) => number.to_string(),
+        }
+    }
+}
+
+/// Cells by which rows are chosen: one, or several of which one has to be there.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Cells {
+    /// One cell.
+    One(Constant),
+    /// Any of them.
+    Any(Vec<Constant>),
+}
+
+/// As TOML.
+impl fmt::Display for Cells {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let one = |constant: &Constant| match constant {
+            Constant::Text(text) => quoted(text),
+            Constant::Number(number) => format!("{number:?}"),
+        };
+        match self {
+            Self::One(cell) => f.write_str(&one(cell)),
+            Self::Any(all) => write!(f, "[{}]", all.iter().map(one).collect::<Vec<_>>().join(", ")),
+        }
+    }
+}
+
+impl Cells {
+    /// Whether a cell is one of them: as a text, or as a number where both are numbers.
+    pub fn contain(&self, cell: &str) -> bool {
+        let cell = cell.trim();
+        let number = |text: &str| text.replace(',', ".").parse::<f64>().ok();
+        let same = |constant: &Constant| {
+            let stated = constant.cell();
+            stated == cell || number(&stated).zip(number(cell)).is_some_and(|(a, b)| a == b)
+        };
+        match self {
+            Self::One(one) => same(one),
+            Self::Any(all) => all.iter().any(same),
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! Headings of columns: the words of a name, and the unit that it states. Words are known in English, German, French, Italian
+//! and Spanish.
+
+/// A heading taken apart.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Heading {
+    /// Its words in small letters without accents; letters and digits are words of their own.
+    pub words: Vec<String>,
+    /// The unit that it states, as keys of a campaign spell it.
+    pub unit: Option<&'static str>,
+    /// `true` if the unit is a bare `_m`, which may mean "measured".
+    pub bare_metre: bool,
+}
+
+/// What a word of a heading stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Word {
+    Time,
+    Date,
+    Label,
+    Target,
+    Pose,
+    Cycle,
+    Count,
+    Measured,
+    Commanded,
+    Difference,
+    Uncertainty,
+    Temperature,
+    Deleted,
+    Distance,
+    Azimuth,
+    Zenith,
+    Elevation,
+    Motion,
+    Normal,
+    Joint,
+}
+
+/// Words of headings, by what they stand for.
+const WORDS: [(Word, &str); 20] = [
+    (Word::Time, "time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts"),
+    (Word::Date, "date datum data fecha"),
+    (
+        Word::Label,
+        "label name point points pointname id bezeichnung punkt punktname messpunkt nom nome nombre punto etichetta etiqueta \
+         libelle repere ptname pointid tag element feature",
+    ),
+    (
+        Word::Target,
+        "target smr marker ball reflector reflektor kugel marke cible bille mire bersaglio prisma esfera sfera zielmarke",
+    ),
+    (Word::Pose, "pose poses posenr poseid stellung posture posa postura lage"),
+    (
+        Word::Cycle,
+        "cycle run repeat repetition trial zyklus wiederholung lauf durchgang cycles essai ciclo prova repeticion ripetizione rep",
+    ),
+    (
+        Word::Count,
+        "index idx no nr num number seq order step line row zeile nummer numero numer n count counter frame sample nb ligne riga fila \
+         measurement",
+    ),
+    (
+        Word::Measured,
+        "measured meas measurement measure actual act ist istwert gemessen mess mesure mesuree medido medida misurato misurata real \
+         tracker observed m laser lt rist",
+    ),
+    (
+        Word::Commanded,
+        "goal target cmd command commanded nominal nom soll sollwert ref reference desired des setpoint plan planned theoretical \
+         theoretisch theor theorique consigne nominale teorico teorica objetivo programmed prog rsol expected obiettivo",
+    ),
+    (
+        Word::Difference,
+        "dif diff difference dev deviation delta error err abweichung ecart erreur desviacion errore scarto residual d diferencia",
+    ),
+    (
+        Word::Uncertainty,
+        "u std sigma sd unc uncertainty stdev uncert rms unsicherheit incertitude incertezza incertidumbre stddev",
+    ),
+    (Word::Temperature, "temp temperature temperatur temperatura temperatures airtemp"),
+    (Word::Deleted, "deleted geloescht geloscht supprime cancellato borrado"),
+    (
+        Word::Distance,
+        "distance dist range laenge lange longueur length distanz distanza distancia abstand slope entfernung seil wire",
+    ),
+    (Word::Azimuth, "azimuth az hz horizontal azimut acimut"),
+    (Word::Zenith, "zenith zen zenit vz cenit"),
+    (Word::Elevation, "elevation el hohenwinkel site elevazione elevacion"),
+    (
+        Word::Motion,
+        "vel velocity speed v acc acceleration force torque current geschwindigkeit vitesse velocita velocidad beschleunigung kraft \
+         moment strom couple effort i qd qdd f",
+    ),
+    (Word::Normal, "normal n nx ny nz dir direction normale richtung"),
+    (
+        Word::Joint,
+        "joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e",
+    ),
+];
+
+/// Whether a word can stand for this.
+pub(super) fn stands_for(word: &str, meaning: Word) -> bool {
+    WORDS.iter().any(|(of, words)| *of == meaning && words.split(' ').any(|known| known == word))
+}
+
+impl Heading {
+    /// Takes a heading apart.
+    pub fn of(text: &str) -> Self {
+        let text = text.trim().trim_start_matches(['%', '#']).trim();
+        let mut heading = Self::default();
+        let mut rest = String::new();
+        let mut open = text;
+        while let Some(at) = open.find(['[', '(', '{', '<']) {
+            let (before, after) = open.split_at(at);
+            let end = after.find([']', ')', '}', '>']).unwrap_or(after.len());
+            let within = after.get(1..end).unwrap_or("");
+            rest.push_str(before);
+            match unit(within) {
+                Some(unit) => heading.unit = heading.unit.or(Some(unit)),
+                None => rest.extend([" ", within, " "]),
+            }
+            open = after.get(end + 1..).unwrap_or("");
+        }
+        rest.push_str(open);
+        let rest = rest.trim();
+        // a unit behind the name, after a separator
+        if let Some((before, last)) = rest.rsplit_once(['_', ' ', '/', ',', '-'])
+            && heading.unit.is_none()
+            && !before.trim().is_empty()
+            && let Some(unit) = unit(last)
+        {
+            heading.bare_metre = unit == "m";
+            heading.unit = Some(unit);
+            heading.words = words(before);
+        } else {
+            heading.words = words(rest);
+        }
+        heading
+    }
+
+    /// Whether a word of the heading stands for this.
+    pub fn has(&self, meaning: Word) -> bool {
+        self.words.iter().any(|word| stands_for(word, meaning))
+    }
+
+    /// Whether all words of the heading stand for one of these.
+    pub fn is_only(&self, meanings: &[Word]) -> bool {
+        !self.words.is_empty() && self.words.iter().all(|word| meanings.iter().any(|of| stands_for(word, *of)))
+    }
+
+    /// The words without the one at this place.
+    pub fn without(&self, at: usize) -> Vec<String> {
+        self.words.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, word)| word.clone()).collect()
+    }
+
+    /// The words, one behind the other.
+    pub fn joined(&self) -> String {
+        self.words.join(" ")
+    }
+}
+
+/// The unit that a word is, as keys of a campaign spell it.
+fn unit(word: &str) -> Option<&'static str> {
+    let word = word.trim();
+    if word == "M" {
+        return None;
+    }
+    Some(match word.to_lowercase().trim_end_matches('.') {
+        "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" | "millimetri" | "milimetros" => "mm",
+        "m" | "metre" | "metres" | "meter" | "meters" | "metri" | "metros" => "m",
+        "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => "um",
+        "in" | "inch" | "inches" | "\"" | "zoll" | "pouce" | "pouces" => "inch",
+        "deg" | "\u{b0}" | "degree" | "degrees" | "grad" | "degre" | "degres" | "gradi" | "grados" => "deg",
+        "rad" | "radian" | "radians" | "radianti" | "radianes" | "radiant" => "rad",
+        "gon" => "gon",
+        "s" | "sec" | "secs" | "second" | "seconds" | "sek" | "sekunden" | "secondes" | "secondi" => "s",
+        "ms" | "msec" | "millisecond" | "milliseconds" => "ms",
+        "us" | "\u{b5}s" => "us",
+        "ns" | "nsec" | "nanoseconds" => "ns",
+        "c" | "\u{b0}c" | "degc" | "celsius" => "C",
+        "k" | "kelvin" => "K",
+        _ => return None,
+    })
+}
+
+/// Words in small letters without accents: parted at what is no letter or digit, at a digit behind a letter and the other way
+/// round, and at a capital letter behind a small one.
+fn words(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut last = ' ';
+    for c in text.chars() {
+        let part = !c.is_alphanumeric()
+            || c.is_ascii_digit() != last.is_ascii_digit() && last.is_alphanumeric()
+            || c.is_uppercase() && last.is_lowercase();
+        if part || words.is_empty() {
+            words.push(String::new());
+        }
+        if c.is_alphanumeric()
+            && let Some(word) = words.last_mut()
+        {
+            word.extend(plain(c));
+        }
+        last = c;
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// A letter in small, without its accent.
+fn plain(c: char) -> impl Iterator<Item = char> {
+    let c = c.to_lowercase().next().unwrap_or(c);
+    [match c {
+        '\u{e0}'..='\u{e5}' => 'a',
+        '\u{e7}' => 'c',
+        '\u{e8}'..='\u{eb}' => 'e',
+        '\u{ec}'..='\u{ef}' => 'i',
+        '\u{f1}' => 'n',
+        '\u{f2}'..='\u{f6}' => 'o',
+        '\u{f9}'..='\u{fc}' => 'u',
+        other => other,
+    }]
+    .into_iter()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_are_words_and_a_unit() {
+        let of = |text: &str| {
+            let heading = Heading::of(text);
+            (heading.joined(), heading.unit)
+        };
+        assert_eq!(of("X  [mm]"), ("x".into(), Some("mm")));
+        assert_eq!(of("U(95) X  [mm]"), ("u 95 x".into(), Some("mm")));
+        assert_eq!(of("measurement_x"), ("measurement x".into(), None));
+        assert_eq!(of("x1"), ("x 1".into(), None));
+        assert_eq!(of("Länge/mm"), ("lange".into(), Some("mm")));
+        assert_eq!(of("actual_q_0"), ("actual q 0".into(), None));
+        assert_eq!(of("PosX"), ("pos x".into(), None));
+        assert_eq!(of("Température (°C)"), ("temperature".into(), Some("C")));
+        assert_eq!(of("q1_deg"), ("q 1".into(), Some("deg")));
+        assert_eq!(of("m_00"), ("m 00".into(), None));
+        assert!(Heading::of("x_m").bare_metre && !Heading::of("x [m]").bare_metre);
+        assert!(Heading::of("Soll X").has(Word::Commanded) && Heading::of("mesuré x").has(Word::Measured));
+    }
+}

@@ -1,0 +1,563 @@
+//! The lines of a proposal: what a campaign states of a file, from what its columns are taken for.
+
+use super::JOINTS;
+use super::meaning::{Interpretation, Meaning, PointSet};
+use super::own;
+use super::table::Table;
+use crate::dialect::{
+    ColumnAt, ColumnRole, Columns, CoordinateType, Delimiter, Dialect, Unit, coordinate_type, quoted,
+};
+use crate::exports::delimited::point_rows;
+use crate::guess::{Guess, names};
+use crate::logs::LogKind;
+use crate::table::QUATERNION;
+use etalon_base::message::count;
+use etalon_documents::FormatsDocument;
+use std::fmt::Write;
+
+/// Problems of a trial that are repeated as doubts.
+const SHOWN: usize = 3;
+
+/// More columns than this are named, not listed from the left.
+const LISTED: usize = 14;
+
+/// What is proposed of a table.
+#[derive(Clone, Copy)]
+pub(super) struct Proposal<'a> {
+    pub file: &'a str,
+    pub text: &'a str,
+    pub best: &'a Guess<'a>,
+    pub table: &'a Table,
+    pub found: &'a Interpretation,
+}
+
+/// The line that states the unit.
+pub(super) fn unit_line(unit: Option<&str>) -> String {
+    match unit {
+        Some(unit) => format!("unit = {unit:?}                # the file states it\n"),
+        None => {
+            "unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n"
+                .to_owned()
+        }
+    }
+}
+
+/// What each column holds for an export of the measured point of this number.
+pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
+    const XYZ: [ColumnRole; 3] = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
+    const IJK: [ColumnRole; 3] = [ColumnRole::I, ColumnRole::J, ColumnRole::K];
+    const U: [ColumnRole; 3] = [ColumnRole::U1, ColumnRole::U2, ColumnRole::U3];
+    const U95: [ColumnRole; 3] = [ColumnRole::U95x, ColumnRole::U95y, ColumnRole::U95z];
+    let has_point = !found.points.is_empty();
+    let all = |wanted: fn(usize) -> Meaning| (0..3).all(|k| found.first(wanted(k)).is_some());
+    let expanded = all(Meaning::ExpandedUncertainty);
+    let uncertain = all(Meaning::Uncertainty) && !expanded;
+    let matrix = found.matrix_columns().len() == 9 && set == 0;
+    let directed = all(Meaning::Direction);
+    let (timed, stamped) = (found.first(Meaning::Time).is_some(), found.first(Meaning::Clock).is_some());
+    let mut seen: Vec<ColumnRole> = Vec::new();
+    let role = |meaning: Meaning| match meaning {
+        Meaning::Label => ColumnRole::Label,
+        Meaning::Target => ColumnRole::Target,
+        Meaning::Pose => ColumnRole::Pose,
+        Meaning::Cycle => ColumnRole::Cycle,
+        Meaning::Time => match found.time_unit {
+            None | Some("s") => ColumnRole::TimeS,
+            Some("ms") => ColumnRole::TimeMs,
+            _ => ColumnRole::Skip,
+        },
+        Meaning::Point(of, axis) if of == set => XYZ[axis.min(2)],
+        Meaning::Direction(axis) if directed => IJK[axis.min(2)],
+        Meaning::Uncertainty(axis) if uncertain => U[axis.min(2)],
+        Meaning::ExpandedUncertainty(axis) if expanded => U95[axis.min(2)],
+        Meaning::Quaternion(k) if set == 0 && has_point => ColumnRole::ORIENTATIONS[0][k.min(3)],
+        Meaning::Matrix(i, j) if matrix => ColumnRole::ORIENTATIONS[3][(3 * i + j).min(8)],
+        Meaning::Temperature => ColumnRole::TemperatureC,
+        Meaning::Deleted => ColumnRole::Deleted,
+        Meaning::Clock if !timed => ColumnRole::Timestamp,
+        Meaning::TimeOfDay if !timed && !stamped => ColumnRole::Timestamp,
+        Meaning::Day if !timed && !stamped && found.first(Meaning::TimeOfDay).is_some() => ColumnRole::Date,
+        Meaning::Azimuth if !has_point => ColumnRole::Azimuth,
+        Meaning::Zenith if !has_point => ColumnRole::Zenith,
+        Meaning::Elevation if !has_point => ColumnRole::Elevation,
+        Meaning::Distance if !has_point => ColumnRole::Distance,
+        _ => ColumnRole::Skip,
+    };
+    let mut once = |role: ColumnRole| {
+        let again = role != ColumnRole::Skip && role != ColumnRole::Label && seen.contains(&role);
+        seen.push(role);
+        if again { ColumnRole::Skip } else { role }
+    };
+    found.taken.iter().map(|taken| once(role(taken.meaning))).collect()
+}
+
+impl Proposal<'_> {
+    /// The lines, and what is doubted and asked of them.
+    pub fn lines(&self, document: &mut FormatsDocument) -> String {
+        let found = self.found;
+        let joints = found.joint_columns();
+        if let Some(own) = own::recognise(self, &joints) {
+            document.kind = own.kind.to_owned();
+            // rows about fixed points have few numbers
+            document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
+            document.reasons.push(format!("its columns are those of {}", own.what));
+            document.questions.extend(own.question);
+            return own.lines;
+        }
+        let polar = roles(found, 0).iter().any(|role| role.is_angle());
+        let has_point = !found.points.is_empty() || polar;
+        match (joints.len() >= 2, has_point) {
+            (_, false) if found.commanded.is_some() && found.difference.is_some() => self.computed(document, &joints),
+            (true, false) => match found.first(Meaning::Distance) {
+                Some(distance) => self.distances(document, &joints, distance),
+                None => {
+                    document.kind = "log".to_owned();
+                    document.reasons.push(format!("a log: {}", self.named(&joints, "the header names joints")));
+                    document.questions.push("which joint each column is, and its unit".to_owned());
+                    self.log(None)
+                }
+            },
+            (true, true) => self.mixed(document, &joints),
+            (false, true) => self.points(document),
+            (false, false) => self.commanded(document),
+        }
+    }
+
+    /// The names of columns behind a sentence; without a header, what is seen instead.
+    fn named(&self, columns: &[usize], said: &str) -> String {
+        match self.table.columns.iter().any(|column| column.name.is_some()) {
+            true => {
+                let names: Vec<&str> =
+                    columns.iter().take(8).filter_map(|i| self.table.columns[*i].name.as_deref()).collect();
+                format!("{said}: {}", names.join(", "))
+            }
+            false => {
+                format!("every row is {}, and no direction among them", count(columns.len(), "number"))
+            }
+        }
+    }
+
+    /// The reference to a column: its heading where the campaign can name it, or its number.
+    fn column(&self, at: usize) -> String {
+        match self.heading(at) {
+            Some(name) => quoted(name),
+            None => (at + 1).to_string(),
+        }
+    }
+
+    /// The heading of a column that a campaign can name it by.
+    fn heading(&self, at: usize) -> Option<&str> {
+        let header = self.best.names.as_ref().filter(|_| !self.best.commented && names(self.best).is_some())?;
+        let name = header.fields.get(at)?.as_ref();
+        let once = header.fields.iter().filter(|field| *field == name).count() == 1;
+        // a heading that blanks part is not one field
+        let whole = self.table.columns.get(at)?.name.as_deref() == Some(name.trim());
+        (once && whole && !name.is_empty()).then_some(name)
+    }
+
+    /// The unit that the headings of a point state.
+    fn unit(&self, set: &PointSet) -> Option<Unit> {
+        let of = |at: &usize| {
+            let heading = &self.table.columns[*at].heading;
+            heading.unit.filter(|_| !heading.bare_metre || self.table.columns[*at].largest() < 30.0)
+        };
+        let mut units: Vec<Option<&str>> = set.columns.iter().flatten().map(of).collect();
+        units.dedup();
+        match units[..] {
+            [Some("mm")] => Some(Unit::Millimetre),
+            [Some("m")] => Some(Unit::Metre),
+            [Some("um")] => Some(Unit::Micrometre),
+            [Some("inch")] => Some(Unit::Inch),
+            _ => None,
+        }
+    }
+
+    /// The dialect of an export of one point.
+    fn dialect(&self, set: usize) -> Dialect {
+        let roles = roles(self.found, set);
+        let several = self.found.points.len() > 1;
+        let columns = match several || roles.len() > LISTED && !self.best.commented {
+            false => Columns::InOrder(roles.clone()),
+            true => {
+                let at = |i: usize| match self.heading(i) {
+                    Some(name) => ColumnAt::Name(name.to_owned()),
+                    None => ColumnAt::Number(i + 1),
+                };
+                let stated = roles.iter().enumerate().filter(|(_, role)| **role != ColumnRole::Skip);
+                let mut named: Vec<(ColumnRole, ColumnAt)> = stated.map(|(i, role)| (*role, at(i))).collect();
+                named.sort_by_key(|(role, _)| *role as usize);
+                Columns::Named(named)
+            }
+        };
+        let angle = |i: usize| self.table.columns[i].heading.unit;
+        let angles = (0..roles.len()).filter(|i| roles[*i].is_angle()).find_map(angle);
+        let angle_unit = angles.and_then(|unit| match unit {
+            "deg" => Some(crate::dialect::AngleUnit::Deg),
+            "rad" => Some(crate::dialect::AngleUnit::Rad),
+            "gon" => Some(crate::dialect::AngleUnit::Gon),
+            _ => None,
+        });
+        let coverage_factor = roles.iter().any(|role| role.is_expanded()).then_some(2.0);
+        Dialect { columns, angle_unit, coverage_factor, ..self.best.dialect.clone() }
+    }
+
+    /// Exports of points alone.
+    fn points(&self, document: &mut FormatsDocument) -> String {
+        document.kind = "export".to_owned();
+        let mut out = String::new();
+        for set in 0..self.found.points.len().max(1) {
+            out += &self.export(document, set);
+        }
+        if self.found.points.len() > 1 {
+            let what = format!("{} in each row", count(self.found.points.len(), "measured point"));
+            document.reasons.push(format!("the headings name {what}: each is an [[export]] of the file"));
+        }
+        document.doubts.extend(self.not_read());
+        out
+    }
+
+    /// One export.
+    fn export(&self, document: &mut FormatsDocument, set: usize) -> String {
+        let roles = roles(self.found, set);
+        let points = self.found.points.get(set);
+        let unit = points.and_then(|points| self.unit(points));
+        let dialect = self.dialect(set);
+        let mut out = format!("[[export]]\nfile = {}\nformat = {dialect}\n", quoted(self.file));
+        out += &unit_line(unit.map(Unit::name));
+        let of: Vec<ColumnRole> = roles.iter().copied().filter(|role| role.is_coordinate()).collect();
+        let kind = coordinate_type(&of).unwrap_or(CoordinateType::Cartesian);
+        if dialect.angle_unit.is_none() && of.iter().any(|role| role.is_angle()) {
+            document.questions.push("the unit of the angles: `angle_unit` in `format`".to_owned());
+        }
+        let named = self.table.columns.iter().any(|column| column.name.is_some());
+        if named {
+            let _ = writeln!(out, "# the columns are {}", kind.name());
+        } else {
+            let _ = writeln!(out, "# are the columns x, y, z in this order, and {}?", kind.name());
+        }
+        if set == 0 {
+            document.doubts.extend(self.tried(&dialect, unit));
+            if unit.is_none() {
+                document.questions.push(format!("the unit of lengths{}", self.size(points)));
+            }
+            if !named {
+                let order = "whether the columns are x, y, z in this order, or angles and distances";
+                document.questions.push(order.to_owned());
+            }
+        }
+        let has = |role: ColumnRole| roles.contains(&role);
+        if has(ColumnRole::Label) {
+            out.push_str(
+                "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n",
+            );
+        } else if !has(ColumnRole::Target) {
+            let tag = points.map(|points| points.tag.replace(' ', "_")).filter(|_| self.found.points.len() > 1);
+            match tag {
+                Some(tag) if tag.parse::<u32>().is_ok() => {
+                    let _ = writeln!(out, "target = \"marker_{tag}\"");
+                }
+                Some(tag) if !tag.is_empty() => {
+                    let _ = writeln!(out, "target = {}", quoted(&tag));
+                }
+                _ => out.push_str("target = \"?\"               # which target the rows are of\n"),
+            }
+        }
+        // what a column or the label states is not stated twice
+        if ![ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS].iter().any(|role| has(*role)) {
+            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+        }
+        out
+    }
+
+    /// How large the coordinates are, and which units that fits.
+    fn size(&self, points: Option<&PointSet>) -> String {
+        let largest = points.map_or(0.0, |points| {
+            points.columns.iter().flatten().map(|at| self.table.columns[*at].largest()).fold(0.0, f64::max)
+        });
+        match largest {
+            0.0 => String::new(),
+            v if v < 15.0 => format!(": the largest is {v}, so m fits a robot"),
+            v if v < 200.0 => format!(": the largest is {v}, so inch or mm fits a robot"),
+            v => format!(": the largest is {v}, so mm fits a robot"),
+        }
+    }
+
+    /// Columns of numbers that nothing names and that are not read.
+    fn not_read(&self) -> Vec<String> {
+        let unread = |(i, taken): (usize, &super::meaning::Taken)| {
+            let unread = matches!(taken.meaning, Meaning::Unknown | Meaning::Count);
+            (unread && self.table.columns[i].is_numeric()).then(|| (i + 1).to_string())
+        };
+        if self.table.columns.iter().any(|column| column.name.is_some()) {
+            return Vec::new();
+        }
+        let columns: Vec<String> = self.found.taken.iter().enumerate().filter_map(unread).collect();
+        let what = format!("numbers that are not read: column {}", columns.join(", "));
+        (!columns.is_empty()).then_some(what).into_iter().collect()
+    }
+
+    /// What reading the whole file this way runs into.
+    fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<String> {
+        let (points, problems) = point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
+        let mut doubts: Vec<String> = problems
+            .0
+            .iter()
+            .take(SHOWN)
+            .map(|m| {
+                let line = m.place.as_ref().and_then(|p| p.line);
+                format!("{}{}", line.map(|line| format!("line {line}: ")).unwrap_or_default(), m.what)
+            })
+            .collect();
+        if problems.0.len() > SHOWN {
+            doubts.push(format!("and {} more like that", count(problems.0.len() - SHOWN, "problem")));
+        }
+        let origin = points.iter().find(|p| p.refused.is_none() && p.xyz_mm == [0.0; 3]);
+        let refused: Vec<_> = points.iter().filter(|p| p.refused.is_some()).collect();
+        doubts.extend(
+            origin.map(|p| {
+                format!("line {} is 0 0 0: taken as \"not measured\" unless `missing` states otherwise", p.line)
+            }),
+        );
+        if let Some(p) = refused.first() {
+            let more = if refused.len() > 1 { format!(", and {} more", refused.len() - 1) } else { String::new() };
+            doubts.push(format!("line {}: {}{more}", p.line, p.refused.as_deref().unwrap_or("")));
+        }
+        doubts
+    }
+
+    /// Joints and points in one file.
+    fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
+        document.reasons.push(self.named(joints, "the header names joints beside the points"));
+        document.questions.push("which joint each column is, and its unit".to_owned());
+        let turned = [self.found.quaternion_columns(), self.found.rotation_columns()].concat();
+        if !turned.is_empty() && self.found.points.len() == 1 {
+            document.kind = "observations".to_owned();
+            document.reasons.push(self.named(&turned, "the header names orientations"));
+            document.doubts.extend(self.tried(&self.dialect(0), self.unit(&self.found.points[0])));
+            return self.observations(joints, &turned);
+        }
+        document.kind = "export with joints".to_owned();
+        let columns: Vec<String> = joints
+            .iter()
+            .enumerate()
+            .map(|(k, at)| format!("q{}_{} = {}", k + 1, self.joint_unit(*at), self.column(*at)))
+            .collect();
+        let joints = format!("joints = {{ {} }}\n", columns.join(", "));
+        let sets = 0..self.found.points.len().max(1);
+        sets.map(|set| self.export(document, set) + &joints).collect::<String>() + JOINTS
+    }
+
+    /// The unit of a joint's column, as keys end with it.
+    fn joint_unit(&self, at: usize) -> &'static str {
+        self.table.columns[at].heading.unit.filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or("UNIT")
+    }
+
+    /// Columns of joints, positions and orientations by the names that observations have.
+    fn observation_columns(&self, joints: &[usize]) -> Vec<String> {
+        let mut columns: Vec<String> = Vec::new();
+        let mut column = |name: String, at: usize| columns.push(format!("{name} = {}", self.column(at)));
+        for (name, meaning) in [("pose", Meaning::Pose), ("cycle", Meaning::Cycle), ("target", Meaning::Target)] {
+            if let Some(at) = self.found.first(meaning) {
+                column(name.to_owned(), at);
+            }
+        }
+        for (k, at) in joints.iter().enumerate() {
+            column(format!("q{}_{}", k + 1, self.joint_unit(*at)), *at);
+        }
+        columns
+    }
+
+    /// Lines of a table of observations: joint values, positions and orientations row by row.
+    fn observations(&self, joints: &[usize], turned: &[usize]) -> String {
+        let points = &self.found.points[0];
+        let unit = self.unit(points).map_or("UNIT", Unit::name);
+        let mut columns = self.observation_columns(joints);
+        for (name, at) in ["x", "y", "z"].into_iter().zip(points.columns) {
+            columns.extend(at.map(|at| format!("{name}_{unit} = {}", self.column(at))));
+        }
+        let angle =
+            |at: usize| self.table.columns[at].heading.unit.filter(|u| ["deg", "rad"].contains(u)).unwrap_or("UNIT");
+        match turned.len() {
+            4 => columns
+                .extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
+            _ => columns.extend(
+                ["a", "b", "c"]
+                    .into_iter()
+                    .zip(turned)
+                    .map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
+            ),
+        }
+        let mut out = format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "));
+        if turned.len() == 3 {
+            out.push_str(
+                "orientation = \"?\"          # order of the three angles: \"zyx\", \"fixed xyz\" ..; without it the error names the orders that fit. Of a\n\
+                 # rotation vector name the columns rx_UNIT, ry_UNIT, rz_UNIT instead\n",
+            );
+        }
+        out + &self.target_and_pose("probe", "the body that was measured")
+    }
+
+    /// Head and dialect of a table.
+    fn table_lines(&self, head: &str) -> String {
+        let dialect = &self.best.dialect;
+        let mut out = format!("{head}\nfile = {}\n", quoted(self.file));
+        match (&dialect.sheet, dialect.delimiter) {
+            (Some(sheet), _) => {
+                let _ = writeln!(out, "sheet = {}", quoted(sheet));
+            }
+            (None, delimiter) => {
+                let delimiter = delimiter.map_or(",", Delimiter::name);
+                let _ = writeln!(out, "delimiter = {delimiter:?}\ndecimal = {:?}", dialect.decimal.name());
+            }
+        }
+        if let Some(comment) = &dialect.comment {
+            let _ = writeln!(out, "comment = {}", quoted(comment));
+        }
+        if head == "[log]" {
+            return out;
+        }
+        if self.best.header != 1 {
+            let _ = writeln!(out, "header = {}", self.best.header);
+        }
+        out
+    }
+
+    fn target_and_pose(&self, target: &str, what: &str) -> String {
+        let mut out = String::new();
+        if self.found.first(Meaning::Target).is_none() {
+            let _ = writeln!(out, "target = {target:?}           # {what}");
+        }
+        if self.found.first(Meaning::Pose).is_none() {
+            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+        }
+        out
+    }
+
+    /// Joints and one length: a draw wire or a ball bar.
+    fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> String {
+        document.kind = "observations".to_owned();
+        document.reasons.push(self.named(&[joints, &[distance]].concat(), "joints and one length in each row"));
+        document.questions.push("the point from which the distance is measured: `other` in `constants`".to_owned());
+        let unit = self.table.columns[distance].heading.unit.unwrap_or("UNIT");
+        let mut columns = self.observation_columns(joints);
+        columns.push(format!("distance_{unit} = {}", self.column(distance)));
+        format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "))
+            + "kind = \"distance\"\nconstants = { other = \"anchor\" }   # the point from which the distance is measured\n"
+            + &self.target_and_pose("ball", "the end of the wire on the robot")
+    }
+
+    /// Joints, a commanded point and how far the measured one is from it.
+    fn computed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
+        let (Some(commanded), Some(difference)) = (&self.found.commanded, &self.found.difference) else {
+            return String::new();
+        };
+        document.kind = "export".to_owned();
+        let both = commanded.columns.into_iter().chain(difference.columns).flatten().collect::<Vec<usize>>();
+        document.reasons.push(self.named(&both, "the header names a commanded point and its difference"));
+        document.doubts.push("the sign of the difference is not stated: compare a row with the measurement".to_owned());
+        let name = |at: usize| self.heading(at).map_or_else(|| format!("${}", at + 1), str::to_owned);
+        let mut columns: Vec<(ColumnRole, ColumnAt)> = Vec::new();
+        for (role, meaning) in [
+            (ColumnRole::Label, Meaning::Label),
+            (ColumnRole::Target, Meaning::Target),
+            (ColumnRole::Pose, Meaning::Pose),
+            (ColumnRole::Cycle, Meaning::Cycle),
+        ] {
+            columns.extend(self.found.first(meaning).map(|at| (role, ColumnAt::Name(name(at)))));
+        }
+        for (axis, role) in [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].into_iter().enumerate() {
+            if let (Some(of), Some(from)) = (commanded.columns[axis], difference.columns[axis]) {
+                columns.push((role, ColumnAt::Name(format!("{} - {}", name(of), name(from)))));
+            }
+        }
+        let has = |role: ColumnRole| columns.iter().any(|(of, _)| *of == role);
+        let (named, numbered) =
+            (has(ColumnRole::Label) || has(ColumnRole::Target), has(ColumnRole::Label) || has(ColumnRole::Pose));
+        let unit = self.unit(commanded);
+        let dialect = Dialect { columns: Columns::Named(columns), ..self.best.dialect.clone() };
+        let mut out = format!(
+            "[[export]]\nfile = {}\nformat = {dialect}\n{}",
+            quoted(self.file),
+            unit_line(unit.map(Unit::name))
+        );
+        if unit.is_none() {
+            document.questions.push(format!("the unit of lengths{}", self.size(Some(commanded))));
+        }
+        if !named {
+            out.push_str("target = \"?\"               # which target the rows are of\n");
+        }
+        if !numbered {
+            out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
+        }
+        if joints.len() >= 2 {
+            document.kind = "export with joints".to_owned();
+            document.questions.push("which joint each column is, and its unit".to_owned());
+            let columns: Vec<String> = joints
+                .iter()
+                .enumerate()
+                .map(|(k, at)| format!("q{}_{} = {}", k + 1, self.joint_unit(*at), self.column(*at)))
+                .collect();
+            let _ = write!(out, "joints = {{ {} }}\n{JOINTS}", columns.join(", "));
+        }
+        out
+    }
+
+    /// A table without joints and measured points.
+    fn commanded(&self, document: &mut FormatsDocument) -> String {
+        document.kind = "unknown".to_owned();
+        if self.found.commanded.is_some() {
+            document.kind = "commanded".to_owned();
+            document.doubts.push("every coordinate is called commanded: it is no measurement".to_owned());
+        }
+        format!(
+            "# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n",
+            self.file
+        )
+    }
+
+    /// Lines of a log, in a format of which more is known or none.
+    pub fn log(&self, kind: Option<LogKind>) -> String {
+        let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
+        let mut out = self.table_lines("[log]").replacen("delimiter", &format!("{format}delimiter"), 1);
+        match self.best.header {
+            rows @ (0 | 1) => {
+                let _ = writeln!(out, "header = {}", rows == 1);
+            }
+            rows => {
+                let _ = writeln!(out, "header = {rows}");
+            }
+        }
+        let unit_of = |at: usize| {
+            let name = self.table.columns[at].name.as_deref();
+            name.zip(kind).and_then(|(name, kind)| kind.unit_of(name))
+        };
+        let mut columns: Vec<String> = Vec::new();
+        for (at, taken) in self.found.taken.iter().enumerate() {
+            let key = match taken.meaning {
+                Meaning::Pose => "pose".to_owned(),
+                Meaning::Cycle => "cycle".to_owned(),
+                Meaning::Label => "label".to_owned(),
+                Meaning::Time => {
+                    let unit =
+                        unit_of(at).or(self.table.columns[at].heading.unit).filter(|u| ["s", "ms", "ns"].contains(u));
+                    format!("time_{}", unit.unwrap_or("s"))
+                }
+                _ => match unit_of(at) {
+                    Some(unit @ ("s" | "ms" | "ns")) if self.found.first(Meaning::Time).is_none() => {
+                        format!("time_{unit}")
+                    }
+                    _ => continue,
+                },
+            };
+            columns.push(format!("{key} = {}", self.column(at)));
+        }
+        for (k, at) in self.found.joint_columns().into_iter().enumerate() {
+            let unit =
+                unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
+            columns.push(format!("q{}_{unit} = {}", k + 1, self.column(at)));
+        }
+        let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
+        out.push_str(JOINTS);
+        out
+    }
+}

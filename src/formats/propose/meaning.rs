@@ -1,0 +1,628 @@
+//! What each column of a table is taken for, and why: by headings, units in headings, values and relations between columns.
+
+use super::headings::{Heading, Word, stands_for};
+use super::table::{Column, Table};
+
+/// What a column is taken for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Meaning {
+    Unknown,
+    Text,
+    Label,
+    Target,
+    Pose,
+    Cycle,
+    Count,
+    Time,
+    /// Date and time of day.
+    Clock,
+    /// Time of day alone.
+    TimeOfDay,
+    /// Date alone.
+    Day,
+    /// Coordinate of a measured point: which of several points, and its axis.
+    Point(usize, usize),
+    Commanded(usize),
+    Difference(usize),
+    Direction(usize),
+    /// w, x, y, z.
+    Quaternion(usize),
+    /// Rotation vector or angles.
+    Rotation(usize),
+    Matrix(usize, usize),
+    /// Last row of a 4×4 matrix.
+    MatrixEnd,
+    Joint(usize),
+    OtherJoint,
+    Uncertainty(usize),
+    ExpandedUncertainty(usize),
+    Azimuth,
+    Zenith,
+    Elevation,
+    Distance,
+    Temperature,
+    Deleted,
+    Motion,
+}
+
+impl Meaning {
+    /// In words.
+    pub fn words(self) -> String {
+        const AXES: [&str; 3] = ["x", "y", "z"];
+        let axis = |at: usize| AXES.get(at).copied().unwrap_or("?");
+        match self {
+            Self::Unknown => "not known".to_owned(),
+            Self::Text => "a text that nothing reads".to_owned(),
+            Self::Label => "label of the point".to_owned(),
+            Self::Target => "name of the target".to_owned(),
+            Self::Pose => "name of the pose".to_owned(),
+            Self::Cycle => "number of the repeat".to_owned(),
+            Self::Count => "a running number".to_owned(),
+            Self::Time => "time".to_owned(),
+            Self::Clock => "date and time of day".to_owned(),
+            Self::TimeOfDay => "time of day".to_owned(),
+            Self::Day => "date".to_owned(),
+            Self::Point(0, at) => format!("measured {}", axis(at)),
+            Self::Point(set, at) => format!("measured {} of point {}", axis(at), set + 1),
+            Self::Commanded(at) => format!("commanded {}", axis(at)),
+            Self::Difference(at) => format!("difference of {}", axis(at)),
+            Self::Direction(at) => format!("direction {}", ["i", "j", "k"][at.min(2)]),
+            Self::Quaternion(at) => format!("quaternion {}", ["qw", "qx", "qy", "qz"][at.min(3)]),
+            Self::Rotation(at) => format!("rotation, number {} of three", at + 1),
+            Self::Matrix(i, j) => format!("rotation matrix r{}{}", i + 1, j + 1),
+            Self::MatrixEnd => "last row of a 4x4 matrix".to_owned(),
+            Self::Joint(at) => format!("joint {}", at + 1),
+            Self::OtherJoint => "commanded joint".to_owned(),
+            Self::Uncertainty(at) => format!("standard uncertainty, number {}", at + 1),
+            Self::ExpandedUncertainty(at) => format!("expanded uncertainty of {}", axis(at)),
+            Self::Azimuth => "azimuth".to_owned(),
+            Self::Zenith => "zenith angle".to_owned(),
+            Self::Elevation => "elevation".to_owned(),
+            Self::Distance => "distance".to_owned(),
+            Self::Temperature => "temperature".to_owned(),
+            Self::Deleted => "mark of deleted rows".to_owned(),
+            Self::Motion => "velocity, force or current".to_owned(),
+        }
+    }
+}
+
+/// What a column is taken for, and why.
+#[derive(Clone, Debug)]
+pub(super) struct Taken {
+    pub meaning: Meaning,
+    pub why: String,
+}
+
+/// A measured point of each row: its name in the headings, and its columns.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PointSet {
+    pub tag: String,
+    pub columns: [Option<usize>; 3],
+}
+
+/// What the columns of a table are taken for.
+#[derive(Debug, Default)]
+pub(super) struct Interpretation {
+    /// Column by column.
+    pub taken: Vec<Taken>,
+    /// Measured points.
+    pub points: Vec<PointSet>,
+    /// Columns of the commanded point and of the difference from it, where the measured point is computed from both.
+    pub commanded: Option<PointSet>,
+    pub difference: Option<PointSet>,
+    /// Unit of the column of times, as its heading states it.
+    pub time_unit: Option<&'static str>,
+    pub doubts: Vec<String>,
+    pub questions: Vec<String>,
+}
+
+impl Interpretation {
+    /// Interprets a table.
+    pub fn of(table: &Table) -> Self {
+        let mut found = Self::default();
+        let nothing = Taken { meaning: Meaning::Unknown, why: String::new() };
+        found.taken = vec![nothing; table.columns.len()];
+        if table.columns.iter().any(|column| column.name.is_some()) {
+            found.texts(table);
+            found.matrix(table);
+            found.quaternion(table);
+            found.joints(table);
+            found.coordinates(table);
+            found.rotations(table);
+            found.singles(table);
+            found.rest(table);
+        } else {
+            found.by_position(table);
+        }
+        found
+    }
+
+    /// Columns with a meaning, by a function that numbers them.
+    pub fn columns(&self, number: impl Fn(Meaning) -> Option<usize>) -> Vec<usize> {
+        let mut all: Vec<(usize, usize)> =
+            self.taken.iter().enumerate().filter_map(|(i, taken)| Some((number(taken.meaning)?, i))).collect();
+        all.sort_unstable();
+        all.into_iter().map(|(_, i)| i).collect()
+    }
+
+    /// The first column with this meaning.
+    pub fn first(&self, meaning: Meaning) -> Option<usize> {
+        self.taken.iter().position(|taken| taken.meaning == meaning)
+    }
+
+    /// Columns of the joints, in their order.
+    pub fn joint_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Joint(k) = meaning { Some(k) } else { None })
+    }
+
+    /// Columns of the quaternion, w first.
+    pub fn quaternion_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Quaternion(k) = meaning { Some(k) } else { None })
+    }
+
+    /// Columns of a rotation vector or of angles.
+    pub fn rotation_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Rotation(k) = meaning { Some(k) } else { None })
+    }
+
+    /// Columns of a rotation matrix, row by row.
+    pub fn matrix_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Matrix(i, j) = meaning { Some(3 * i + j) } else { None })
+    }
+
+    fn take(&mut self, at: usize, meaning: Meaning, why: impl Into<String>) {
+        self.taken[at] = Taken { meaning, why: why.into() };
+    }
+
+    fn is_free(&self, at: usize) -> bool {
+        self.taken[at].meaning == Meaning::Unknown
+    }
+
+    /// Columns of numbers of which nothing is known yet.
+    fn free<'a>(&'a self, table: &'a Table) -> impl Iterator<Item = (usize, &'a Column)> + 'a {
+        table.columns.iter().enumerate().filter(|(i, column)| self.is_free(*i) && column.is_numeric())
+    }
+
+    /// A column of dates or times of day.
+    pub(super) fn clock(&mut self, at: usize, column: &Column) {
+        let all = |mark: &str| column.texts.iter().all(|text| text.contains(mark));
+        let dated = column.texts.iter().all(|text| text.matches(['.', '-', '/']).count() >= 2);
+        let meaning = match (all(":"), dated) {
+            (true, true) => Meaning::Clock,
+            (true, false) => Meaning::TimeOfDay,
+            (false, _) => Meaning::Day,
+        };
+        if all("/") {
+            self.doubts.push(
+                "dates with `/` do not state whether the day or the month is first: they are not read".to_owned(),
+            );
+            return self.take(at, Meaning::Text, "dates whose day and month could be exchanged");
+        }
+        self.take(at, meaning, "every cell is a date or a time of day");
+    }
+
+    /// Columns that hold texts.
+    fn texts(&mut self, table: &Table) {
+        for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
+            let heading = &column.heading;
+            let single = |meaning: Word| heading.words.last().is_some_and(|word| stands_for(word, meaning));
+            let by_name = "its heading";
+            match () {
+                () if column.texts.is_empty() || column.texts == [""] => {
+                    self.take(i, Meaning::Text, "it is empty");
+                }
+                () if column.clock => self.clock(i, column),
+                () if heading.has(Word::Deleted) => self.take(i, Meaning::Deleted, by_name),
+                () if heading.has(Word::Pose) => self.take(i, Meaning::Pose, by_name),
+                () if single(Word::Target) || heading.is_only(&[Word::Target]) => {
+                    self.take(i, Meaning::Target, by_name);
+                }
+                () if heading.has(Word::Label) && !self.taken.iter().any(|t| t.meaning == Meaning::Label) => {
+                    self.take(i, Meaning::Label, by_name);
+                }
+                () if heading.has(Word::Cycle) => {
+                    self.take(i, Meaning::Text, "its heading names repeats, and it holds texts")
+                }
+                () => self.take(i, Meaning::Text, "nothing is known of its heading"),
+            }
+        }
+        let named = |meanings: &[Meaning]| self.taken.iter().any(|t| meanings.contains(&t.meaning));
+        if !named(&[Meaning::Label, Meaning::Target, Meaning::Pose])
+            && let Some(first) = table.columns.iter().position(|c| !c.is_numeric() && !c.clock && c.texts != [""])
+            && table.columns[..first].iter().all(|c| c.is_numeric() && c.is_whole())
+            && table.columns[first].texts.len() > 1.max(table.rows.min(4) / 2)
+        {
+            self.take(first, Meaning::Label, "texts that differ from row to row, before the numbers");
+        }
+    }
+
+    /// The elements of a matrix: headings that end in two digits, `m_00` or `r11`.
+    fn matrix(&mut self, table: &Table) {
+        let place = |column: &Column| -> Option<(String, usize, usize)> {
+            let words = &column.heading.words;
+            let last = words.last()?;
+            let mut digits: Vec<usize> = last.chars().map_while(|c| c.to_digit(10)).map(|d| d as usize).collect();
+            let mut tag = &words[..words.len() - 1];
+            if digits.len() == 1 && tag.last().is_some_and(|word| word.len() == 1 && word.parse::<u8>().is_ok()) {
+                // `r_1_1`
+                digits.insert(0, tag.last()?.parse().ok()?);
+                tag = &tag[..tag.len() - 1];
+            }
+            (digits.len() == 2 && !tag.is_empty()).then(|| (tag.join(" "), digits[0], digits[1]))
+        };
+        let places: Vec<(usize, (String, usize, usize))> =
+            self.free(table).filter_map(|(i, column)| Some((i, place(column)?))).collect();
+        let mut tags: Vec<&String> = places.iter().map(|(_, (tag, ..))| tag).collect();
+        tags.dedup();
+        for tag in tags {
+            for base in [0, 1] {
+                let at = |i: usize, j: usize| {
+                    let found = places.iter().find(|(_, (t, r, c))| t == tag && (*r, *c) == (i + base, j + base));
+                    found.map(|(column, _)| *column)
+                };
+                let rotation: Option<Vec<usize>> = (0..9).map(|k| at(k / 3, k % 3)).collect();
+                let Some(rotation) = rotation.and_then(|all| <[usize; 9]>::try_from(all).ok()) else { continue };
+                if !table.are_rotations(rotation) {
+                    continue;
+                }
+                for (k, column) in rotation.into_iter().enumerate() {
+                    self.take(column, Meaning::Matrix(k / 3, k % 3), "the nine are an orthonormal matrix in all rows");
+                }
+                let moved = [0, 1, 2].map(|i| at(i, 3));
+                if moved.iter().all(Option::is_some) {
+                    self.points.push(PointSet { tag: tag.clone(), columns: moved });
+                    for (axis, column) in moved.into_iter().flatten().enumerate() {
+                        self.take(
+                            column,
+                            Meaning::Point(0, axis),
+                            "last column of a 4x4 matrix whose rotation is orthonormal",
+                        );
+                    }
+                }
+                for column in (0..4).filter_map(|j| at(3, j)) {
+                    self.take(column, Meaning::MatrixEnd, "the row 0 0 0 1");
+                }
+                return;
+            }
+        }
+    }
+
+    /// Four columns that are a unit quaternion.
+    fn quaternion(&mut self, table: &Table) {
+        const FORMS: [[&str; 4]; 4] = [
+            ["qw", "qx", "qy", "qz"],
+            ["w", "x", "y", "z"],
+            ["q 0", "q 1", "q 2", "q 3"],
+            ["q w", "q x", "q y", "q z"],
+        ];
+        let others = |i: &usize| table.columns[*i].heading.joined().ends_with("q 4");
+        let has_more = (0..table.columns.len()).any(|i| others(&i));
+        let mut tags: Vec<String> = Vec::new();
+        let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        for form in FORMS {
+            for i in &free {
+                let joined = table.columns[*i].heading.joined();
+                let tag = joined.strip_suffix(form[0]).map(str::to_owned);
+                tags.extend(tag.filter(|tag| tag.is_empty() || tag.ends_with(' ')));
+            }
+            for tag in &tags {
+                let column = |name: &str| {
+                    free.iter().copied().find(|i| table.columns[*i].heading.joined() == format!("{tag}{name}"))
+                };
+                let Some(all) = form.iter().map(|name| column(name)).collect::<Option<Vec<usize>>>() else { continue };
+                let Ok(all) = <[usize; 4]>::try_from(all) else { continue };
+                let unit = table.are_unit(all);
+                let numbered = form[0] == "q 0";
+                if !unit && (numbered || form[0] == "w") || numbered && has_more && !unit {
+                    continue;
+                }
+                let why = match unit {
+                    true if numbered => {
+                        "the four are of length 1 in all rows: a quaternion, scalar first, and no joints"
+                    }
+                    true => "its heading, and the four are of length 1 in all rows",
+                    false => "its heading",
+                };
+                if !unit {
+                    self.doubts.push("the quaternion is not of length 1 in all rows".to_owned());
+                }
+                if numbered && table.columns.len() == 4 {
+                    self.doubts.push("four joints q0 to q3 would have the same headings".to_owned());
+                }
+                for (k, at) in all.into_iter().enumerate() {
+                    self.take(at, Meaning::Quaternion(k), why);
+                }
+                return;
+            }
+        }
+    }
+}
+
+/// Words of joints that have names and no numbers.
+const NAMED_JOINTS: [&str; 13] = [
+    "shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint",
+    "gelenk",
+];
+
+/// What a heading states of a joint: the words before its number, and its number.
+fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
+    if heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w)) {
+        return None;
+    }
+    let numbers: Vec<usize> = (0..heading.words.len()).filter(|i| heading.words[*i].parse::<usize>().is_ok()).collect();
+    let number = numbers.last().and_then(|i| heading.words[*i].parse().ok()).filter(|n| *n < 100);
+    let tag = numbers.last().map_or(heading.words.clone(), |i| heading.without(*i));
+    let named = heading.words.iter().any(|word| NAMED_JOINTS.contains(&word.as_str()));
+    let before = numbers.last().and_then(|i| i.checked_sub(1)).map(|i| heading.words[i].as_str());
+    let is_joint = named || number.is_some() && before.is_some_and(|word| stands_for(word, Word::Joint));
+    is_joint.then(|| (tag.join(" "), number))
+}
+
+/// Words of velocities, forces and currents that are longer than a letter.
+fn is_motion(word: &str) -> bool {
+    word.len() > 1 && stands_for(word, Word::Motion)
+}
+
+impl Interpretation {
+    /// Columns of joints.
+    fn joints(&mut self, table: &Table) {
+        let mut joints: Vec<(usize, String, Option<usize>)> = self
+            .free(table)
+            .filter_map(|(i, column)| joint_name(&column.heading).map(|(tag, number)| (i, tag, number)))
+            .collect();
+        let commanded = |i: usize| table.columns[i].heading.has(Word::Commanded);
+        let measured = |i: usize| table.columns[i].heading.has(Word::Measured);
+        if joints.iter().any(|(i, ..)| commanded(*i)) && joints.iter().any(|(i, ..)| measured(*i) || !commanded(*i)) {
+            for (i, ..) in joints.iter().filter(|(i, ..)| commanded(*i) && !measured(*i)) {
+                self.take(*i, Meaning::OtherJoint, "its heading states a commanded value, and others are measured");
+            }
+            joints.retain(|(i, ..)| self.is_free(*i));
+        }
+        self.one_family(table, &mut joints);
+        if joints.len() < 2 {
+            joints = self.unnamed_joints(table);
+        }
+        if joints.len() < 2 {
+            return;
+        }
+        let tags: Vec<&String> = joints.iter().map(|(_, tag, _)| tag).collect();
+        let one = tags.iter().all(|tag| *tag == tags[0]);
+        let mut numbers: Vec<usize> = joints.iter().filter_map(|(.., number)| *number).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let numbered = one && numbers.len() == joints.len();
+        let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
+        if numbered && !sorted {
+            joints.sort_by_key(|(.., number)| *number);
+            self.doubts.push(
+                "the joints are in no order in the file: they are taken in the order of their numbers".to_owned(),
+            );
+        }
+        for (k, (i, ..)) in joints.into_iter().enumerate() {
+            let (low, high) = table.columns[i].range();
+            let unit = match table.columns[i].heading.unit {
+                Some(unit) => format!("its heading, in {unit}"),
+                None if low.abs().max(high.abs()) <= 6.6 => {
+                    format!("its heading; from {low} to {high}: rad, or m, fits")
+                }
+                None => format!("its heading; from {low} to {high}: more than a turn in rad, so deg or mm fits"),
+            };
+            self.take(i, Meaning::Joint(k), unit);
+        }
+    }
+
+    /// Keeps one family of numbered joints, where several have the same numbers: the measured one, or the first.
+    fn one_family(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
+        let mut tags: Vec<String> = joints.iter().map(|(_, tag, _)| tag.clone()).collect();
+        tags.dedup();
+        let numbers =
+            |tag: &String| joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<Vec<_>>();
+        let again = tags.iter().enumerate().any(|(k, tag)| {
+            let own = numbers(tag);
+            own.len() > 1 && tags[..k].iter().any(|other| numbers(other).iter().filter(|n| own.contains(n)).count() > 1)
+        });
+        if !again {
+            return;
+        }
+        let measured = |tag: &&String| tag.split(' ').any(|word| stands_for(word, Word::Measured));
+        let kept = tags.iter().find(measured).unwrap_or(&tags[0]).clone();
+        for (i, ..) in joints.iter().filter(|(_, tag, _)| *tag != kept) {
+            self.take(*i, Meaning::OtherJoint, format!("the joints are taken from the columns `{kept}`"));
+        }
+        let names: Vec<String> =
+            joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
+        self.doubts.push(format!("{} could be joints as well: `{kept}` is taken", names.join(", ")));
+        joints.retain(|(_, tag, _)| *tag == kept);
+    }
+
+    /// A run of columns of one letter and a number each, of which nothing else is known: `C1`, `L2`, `T1`.
+    fn unnamed_joints(&mut self, table: &Table) -> Vec<(usize, String, Option<usize>)> {
+        let parts = |column: &Column| -> Option<(String, usize)> {
+            match &column.heading.words[..] {
+                [letter, number] if letter.len() <= 2 && letter.chars().all(char::is_alphabetic) => {
+                    let known = [Word::Uncertainty, Word::Motion, Word::Difference, Word::Normal];
+                    let axis = ["x", "y", "z", "w", "p", "q"].contains(&letter.as_str());
+                    let number = number.parse().ok()?;
+                    (!axis && !known.iter().any(|of| stands_for(letter, *of))).then(|| (letter.clone(), number))
+                }
+                _ => None,
+            }
+        };
+        let found: Vec<(usize, String, Option<usize>)> = self
+            .free(table)
+            .filter_map(|(i, column)| parts(column).map(|(letter, number)| (i, letter, Some(number))))
+            .collect();
+        let mut numbers: Vec<usize> = found.iter().filter_map(|(.., number)| *number).collect();
+        numbers.sort_unstable();
+        let from_start =
+            numbers.first().is_some_and(|n| *n < 2) && numbers.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
+        if one {
+            let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
+            self.doubts.push(format!("nothing states that {} are joints: nothing else fits", names.join(", ")));
+        }
+        if one { found } else { Vec::new() }
+    }
+
+    /// Three columns of a rotation that are no quaternion.
+    fn rotations(&mut self, table: &Table) {
+        const FORMS: [[&str; 3]; 12] = [
+            ["rx", "ry", "rz"],
+            ["roll", "pitch", "yaw"],
+            ["yaw", "pitch", "roll"],
+            ["alpha", "beta", "gamma"],
+            ["phi", "theta", "psi"],
+            ["rot x", "rot y", "rot z"],
+            ["rotation x", "rotation y", "rotation z"],
+            ["r x", "r y", "r z"],
+            ["a", "b", "c"],
+            ["w", "p", "r"],
+            ["omega", "phi", "kappa"],
+            ["orientation x", "orientation y", "orientation z"],
+        ];
+        if self.taken.iter().any(|taken| matches!(taken.meaning, Meaning::Quaternion(_) | Meaning::Matrix(..))) {
+            return;
+        }
+        let commanded = |i: usize| table.columns[i].heading.has(Word::Commanded);
+        let found = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &|i| !commanded(i)));
+        if let Some(all) = found {
+            for (k, at) in all.into_iter().enumerate() {
+                self.take(at, Meaning::Rotation(k), "its heading");
+            }
+            self.questions
+                .push("whether the three are a rotation vector, or angles and in which order they turn".to_owned());
+        }
+        while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
+            all.into_iter().for_each(|at| self.take(at, Meaning::Motion, "its heading states a commanded rotation"));
+        }
+    }
+
+    /// The columns of three headings, which a word for measured or commanded values may go with.
+    fn rotation_at(&self, table: &Table, form: [&str; 3], allowed: &dyn Fn(usize) -> bool) -> Option<[usize; 3]> {
+        let state = |word: &str| stands_for(word, Word::Measured) || stands_for(word, Word::Commanded);
+        let at = |name: &str| {
+            let fits = |(i, column): &(usize, &Column)| {
+                let words = column.heading.joined();
+                let stated = |(first, last): (&str, &str)| first == name && state(last) || last == name && state(first);
+                let alone = words == name
+                    || name.len() > 1 && words.ends_with(&format!(" {name}"))
+                    || words.split_once(' ').is_some_and(stated);
+                allowed(*i) && alone
+            };
+            self.free(table).find(fits).map(|(i, _)| i)
+        };
+        let [a, b, c] = form.map(at);
+        Some([a?, b?, c?])
+    }
+
+    /// Columns that stand alone: names, times, angles of an instrument, temperatures.
+    fn singles(&mut self, table: &Table) {
+        let has = |found: &Self, meaning: Meaning| found.taken.iter().any(|taken| taken.meaning == meaning);
+        let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        for i in free {
+            let column = &table.columns[i];
+            let heading = &column.heading;
+            let whole = column.is_whole();
+            let last = |meaning: Word| heading.words.last().is_some_and(|word| stands_for(word, meaning));
+            let first = |meaning: Word| heading.words.first().is_some_and(|word| stands_for(word, meaning));
+            let meaning = match () {
+                () if heading.has(Word::Temperature) || heading.unit == Some("C") => Meaning::Temperature,
+                () if heading.has(Word::Azimuth) => Meaning::Azimuth,
+                () if heading.has(Word::Zenith) => Meaning::Zenith,
+                () if heading.has(Word::Elevation) => Meaning::Elevation,
+                () if heading.has(Word::Deleted) => Meaning::Deleted,
+                () if whole && (heading.has(Word::Pose) || *heading.words == ["p"]) && !has(self, Meaning::Pose) => {
+                    Meaning::Pose
+                }
+                () if whole && (first(Word::Cycle) || last(Word::Cycle)) && !has(self, Meaning::Cycle) => {
+                    Meaning::Cycle
+                }
+                () if (first(Word::Time) || last(Word::Time))
+                    && !has(self, Meaning::Time)
+                    && !heading.has(Word::Distance) =>
+                {
+                    Meaning::Time
+                }
+                () if whole && heading.is_only(&[Word::Label]) && !has(self, Meaning::Label) => Meaning::Label,
+                () if whole && heading.is_only(&[Word::Count, Word::Label, Word::Target, Word::Measured]) => {
+                    Meaning::Count
+                }
+                () if heading.has(Word::Distance) || *heading.words == ["l"] || *heading.words == ["d"] => {
+                    Meaning::Distance
+                }
+                () if heading.has(Word::Uncertainty) => self.uncertainty(heading),
+                () if heading.words.iter().any(|word| is_motion(word)) => Meaning::Motion,
+                () if whole && heading.has(Word::Count) => Meaning::Count,
+                () => continue,
+            };
+            let why = match meaning {
+                Meaning::Time if column.is_increasing() => "its heading; it increases in all rows",
+                Meaning::Time if column.is_ordered() => "its heading; it never decreases",
+                Meaning::Time => "its heading, though it does not increase",
+                _ => "its heading",
+            };
+            self.take(i, meaning, why);
+            if meaning == Meaning::Time {
+                self.time_unit = heading.unit;
+            }
+            if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
+                self.doubts.push(format!("{} is called a time and decreases", table.called(i)));
+            }
+        }
+        self.directions(table);
+        let of = |meaning: Meaning| self.first(meaning);
+        let polar = of(Meaning::Azimuth).is_some() && of(Meaning::Distance).is_some();
+        if polar && self.points.is_empty() && of(Meaning::Zenith).or(of(Meaning::Elevation)).is_none() {
+            self.doubts.push("an azimuth and a distance, and no zenith angle or elevation beside them".to_owned());
+        }
+    }
+
+    /// Which coordinate an uncertainty is of.
+    fn uncertainty(&self, heading: &Heading) -> Meaning {
+        let axis = ["x", "y", "z"].iter().position(|axis| heading.words.iter().any(|word| word == axis));
+        let number =
+            || heading.words.iter().find_map(|word| word.parse::<usize>().ok()).filter(|n| (1..=3).contains(n));
+        let expanded = heading.words.iter().any(|word| word == "95");
+        match (axis, expanded) {
+            (Some(axis), true) => Meaning::ExpandedUncertainty(axis),
+            (Some(axis), false) => Meaning::Uncertainty(axis),
+            (None, _) => number().map_or(Meaning::Motion, |n| Meaning::Uncertainty(n - 1)),
+        }
+    }
+
+    /// Directions `i j k` and `nx ny nz`, of length 1.
+    fn directions(&mut self, table: &Table) {
+        for form in [["i", "j", "k"], ["nx", "ny", "nz"], ["n x", "n y", "n z"], ["ni", "nj", "nk"]] {
+            let at = |name: &str| {
+                let free = |(i, column): (usize, &Column)| {
+                    (column.is_numeric()
+                        && matches!(self.taken[i].meaning, Meaning::Unknown | Meaning::Motion | Meaning::Joint(_))
+                        && column.heading.joined() == name)
+                        .then_some(i)
+                };
+                table.columns.iter().enumerate().find_map(free)
+            };
+            let [Some(i), Some(j), Some(k)] = form.map(at) else { continue };
+            let unit = table.are_unit([i, j, k]);
+            let why = if unit { "its heading, and the three are of length 1 in all rows" } else { "its heading" };
+            for (n, column) in [i, j, k].into_iter().enumerate() {
+                self.take(column, Meaning::Direction(n), why);
+            }
+            if !unit {
+                self.doubts.push("the direction is not of length 1 in all rows".to_owned());
+            }
+            return;
+        }
+    }
+
+    /// Columns of which the heading states nothing that is known.
+    fn rest(&mut self, table: &Table) {
+        let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        for i in free {
+            let column = &table.columns[i];
+            if column.is_whole() && column.is_increasing() && i == 0 {
+                self.take(i, Meaning::Count, "whole numbers that increase row by row, first in the row");
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Tables that etalon writes or documents, by the names of their columns.
+
+use super::lines::Proposal;
+use crate::dialect::{Decimal, Delimiter, quoted};
+use crate::logs::meaning;
+
+/// A table of etalon.
+pub(super) struct Own {
+    pub kind: &'static str,
+    pub what: &'static str,
+    pub lines: String,
+    pub question: Option<String>,
+}
+
+/// Columns of positions and angles, as tests of poses name them.
+const POSITION: [&str; 6] = ["x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"];
+
+/// The table that has these columns.
+pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
+    let names: Vec<&str> = proposal.table.columns.iter().map(|c| c.name.as_deref()).collect::<Option<_>>()?;
+    let has = |name: &str| names.contains(&name);
+    let only = |known: &[&str]| names.iter().all(|name| known.contains(name) || POSITION.contains(name));
+    let placed = has("x_mm") && has("y_mm");
+    let file = quoted(proposal.file);
+    let dialect = &proposal.best.dialect;
+    let plain = dialect.delimiter == Some(Delimiter::Comma) && dialect.decimal == Decimal::Point;
+    let own = |kind: &'static str, what: &'static str, lines: String| Some(Own { kind, what, lines, question: None });
+    let joint = |i: &usize| meaning(names[*i]).is_some() && names[*i].rsplit_once('_').is_some();
+    let observed = placed || has("distance_mm") || has("socket") || has("kind");
+    if joints.len() >= 2 && joints.iter().all(joint) && observed && (has("pose") || has("kind")) && has("target") {
+        let state = match (&dialect.sheet, plain) {
+            (Some(sheet), _) => format!("sheet = {}\n", quoted(sheet)),
+            (None, true) => String::new(),
+            (None, false) => format!(
+                "delimiter = {:?}\ndecimal = {:?}\n",
+                dialect.delimiter.map_or(",", Delimiter::name),
+                dialect.decimal.name()
+            ),
+        };
+        let angles = has("a_deg") || has("a_rad");
+        let order = if angles { "orientation = \"?\"          # the order of the angles, e.g. \"zyx\"\n" } else { "" };
+        return own(
+            "observations",
+            "a table of observations",
+            format!("[observations]\nfile = {file}\n{state}{order}"),
+        );
+    }
+    if !plain || !joints.is_empty() || !placed {
+        return None;
+    }
+    if has("force_n") && has("direction") && only(&["direction", "cycle", "force_n"]) {
+        return own("loads", "a test of static compliance", format!("[compliance]\nfile = {file}\n"));
+    }
+    if has("time_s") && only(&["time_s"]) {
+        let mut own = own("recording", "a recorded motion", format!("[[stream]]\nname = \"motion\"\nfile = {file}\n"))?;
+        own.question =
+            Some("whether it is a recorded motion, as proposed, or points with times (then [[export]])".to_owned());
+        return Some(own);
+    }
+    if has("pose") && has("cycle") && only(&["pose", "cycle", "approach", "robot", "reading"]) {
+        let lines =
+            format!("[poses]\nattained = {file}\ncommanded = \"?\"            # the table of commanded poses\n");
+        return own("poses", "attained poses of a test by ISO 9283", lines);
+    }
+    if has("pose") && only(&["pose"]) {
+        let lines =
+            format!("[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = {file}\n");
+        return own("commanded", "commanded poses, or of candidates for `etalon plan`", lines);
+    }
+    if has("cycle") && has("target") && only(&["cycle", "target"]) {
+        let lines = format!(
+            "[poses]\nattained = \"?\"             # the table of attained poses\ncommanded = \"?\"            # the table of commanded poses\n\
+             reference = {file}\n"
+        );
+        return own("reference", "reference targets that are measured from time to time", lines);
+    }
+    None
+}

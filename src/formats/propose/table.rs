@@ -1,0 +1,162 @@
+//! The table that a file is in one reading: its columns with all their values.
+
+use super::headings::Heading;
+use crate::dialect::Header;
+use crate::guess::{Guess, is_time, names};
+use crate::lexer::{Row, each_row, marked};
+
+/// Rows whose values are looked at; of a longer file the proposal states that it saw these alone.
+pub(super) const MOST_ROWS: usize = 200_000;
+
+/// A table.
+#[derive(Debug, Default)]
+pub(super) struct Table {
+    pub columns: Vec<Column>,
+    /// Rows that were looked at.
+    pub rows: usize,
+    /// `true` if there are more rows.
+    pub sampled: bool,
+}
+
+/// A column.
+#[derive(Debug, Default)]
+pub(super) struct Column {
+    /// As the header has it.
+    pub name: Option<String>,
+    /// The name, taken apart.
+    pub heading: Heading,
+    /// Values of a column of numbers, NaN where nothing was measured; empty for a column of texts.
+    pub values: Vec<f64>,
+    /// Texts that differ, at most [`TEXTS`] of them.
+    pub texts: Vec<String>,
+    /// `true` if every text is a date or a time of day.
+    pub clock: bool,
+}
+
+/// Texts of a column that are kept.
+const TEXTS: usize = 64;
+
+impl Table {
+    /// The rows of a text that have as many fields as the reading states.
+    pub fn of(text: &str, guess: &Guess) -> Self {
+        let width = guess.numeric.len();
+        let names = names(guess).unwrap_or_default();
+        let mut columns: Vec<Column> = (0..width)
+            .map(|i| {
+                let name = names.get(i).map(|name| name.trim().to_owned()).filter(|name| !name.is_empty());
+                let heading = name.as_deref().map(Heading::of).unwrap_or_default();
+                Column { name, heading, clock: true, ..Column::default() }
+            })
+            .collect();
+        let Header::Rows(skipped) = guess.dialect.header else { return Self::default() };
+        let ends = |row: &Row| guess.dialect.end.as_ref().is_some_and(|end| row.field(0) == end);
+        let filled = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
+        let fits = |row: &Row| guess.dialect.sheet.is_some() || filled(row) == width || row.fields.len() == width;
+        let data = each_row("", text, &guess.dialect).flatten().skip(skipped).filter(|row| !ends(row) && fits(row));
+        let (mut rows, mut sampled) = (0, false);
+        for row in data {
+            if rows == MOST_ROWS {
+                sampled = true;
+                break;
+            }
+            rows += 1;
+            for (i, column) in columns.iter_mut().enumerate() {
+                column.add(row.field(i), guess.numeric[i], guess);
+            }
+        }
+        Self { columns, rows, sampled }
+    }
+
+    /// The name of a column for a person: its heading, or its number.
+    pub fn called(&self, at: usize) -> String {
+        match self.columns.get(at).and_then(|column| column.name.as_ref()) {
+            Some(name) => format!("`{name}`"),
+            None => format!("column {}", at + 1),
+        }
+    }
+
+    /// Rows of the values of these columns in which all are numbers.
+    pub fn rows_of<const N: usize>(&self, at: [usize; N]) -> impl Iterator<Item = [f64; N]> + '_ {
+        let get = move |row: usize| at.map(|i| self.columns[i].values.get(row).copied().unwrap_or(f64::NAN));
+        (0..self.rows).map(get).filter(|values| values.iter().all(|v| v.is_finite()))
+    }
+
+    /// Whether these columns are unit vectors in all rows, which are not all the same trivial one.
+    pub fn are_unit<const N: usize>(&self, at: [usize; N]) -> bool {
+        let mut any = false;
+        self.rows_of(at).all(|values| {
+            any = true;
+            (values.iter().map(|v| v * v).sum::<f64>().sqrt() - 1.0).abs() < UNIT
+        }) && any
+    }
+
+    /// Whether these nine columns, row by row, are a rotation matrix in all rows.
+    pub fn are_rotations(&self, at: [usize; 9]) -> bool {
+        let mut any = false;
+        self.rows_of(at).all(|m| {
+            any = true;
+            let row = |i: usize| [m[3 * i], m[3 * i + 1], m[3 * i + 2]];
+            let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            (0..3).all(|i| (i..3).all(|j| (dot(row(i), row(j)) - f64::from(u8::from(i == j))).abs() < 2.0 * UNIT))
+        }) && any
+    }
+}
+
+/// Largest difference from 1 of the length of a unit vector that was rounded to three digits.
+const UNIT: f64 = 2e-3;
+
+impl Column {
+    fn add(&mut self, field: &str, numeric: bool, guess: &Guess) {
+        if numeric {
+            self.values.push(marked(field, guess.dialect.decimal, guess.dialect.thousands).unwrap_or(f64::NAN));
+            return;
+        }
+        self.clock &= is_time(field.trim_start_matches('\''));
+        if self.texts.len() < TEXTS && !self.texts.iter().any(|known| known == field) {
+            self.texts.push(field.to_owned());
+        }
+    }
+
+    /// Whether the column holds numbers.
+    pub fn is_numeric(&self) -> bool {
+        !self.values.is_empty()
+    }
+
+    /// The finite values.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
+        self.values.iter().copied().filter(|v| v.is_finite())
+    }
+
+    /// The smallest and the largest value.
+    pub fn range(&self) -> (f64, f64) {
+        self.numbers().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    }
+
+    /// The largest magnitude.
+    pub fn largest(&self) -> f64 {
+        self.numbers().fold(0.0, |most, v| most.max(v.abs()))
+    }
+
+    /// Whether all values are whole numbers.
+    pub fn is_whole(&self) -> bool {
+        self.is_numeric() && self.numbers().all(|v| v.fract() == 0.0)
+    }
+
+    /// Whether every value is larger than the one before.
+    pub fn is_increasing(&self) -> bool {
+        let values: Vec<f64> = self.numbers().collect();
+        values.len() > 1 && values.windows(2).all(|pair| pair[1] > pair[0])
+    }
+
+    /// Whether no value is smaller than the one before, and the last is larger than the first.
+    pub fn is_ordered(&self) -> bool {
+        let values: Vec<f64> = self.numbers().collect();
+        values.len() > 1 && values.windows(2).all(|pair| pair[1] >= pair[0]) && values[0] < values[values.len() - 1]
+    }
+
+    /// Whether all values are the same.
+    pub fn is_constant(&self) -> bool {
+        let (low, high) = self.range();
+        self.is_numeric() && low == high
+    }
+}

@@ -1,0 +1,57 @@
+//! Excitation: which parameters the joints have to move for.
+
+use crate::model::residuals::Residuals;
+use crate::{Observation, Prior, Result, Settings, wanted_parameters};
+use etalon_base::noise::Noise;
+use etalon_math::{covariance, factor_at};
+use etalon_robots::{Quantity, Robot};
+
+/// Below this share of its value by the data a parameter is left to its tolerance: of two that act alike each has a half.
+const BY_TOLERANCE: f64 = 0.7;
+/// Above this share the data would determine it.
+const BY_DATA: f64 = 0.9;
+/// How far a joint would move to show more, rad.
+const MOVED_RAD: f64 = 0.5;
+/// The same of a sliding joint, mm.
+const MOVED_MM: f64 = 100.0;
+/// Seed of these motions.
+const SEED: u64 = 50;
+
+/// Parameters, by their indices, that the data leave to their tolerances because `joint` does not move: if it moved, the data would
+/// determine them. `values` are all parameters with base and targets placed.
+///
+/// # Errors
+/// Settings and observations that do not go together.
+pub fn left_to_tolerances(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    values: &[f64],
+    joint: usize,
+) -> Result<Vec<usize>> {
+    let wanted = wanted_parameters(robot, observations, settings)?;
+    let settings = Settings { prior: Prior::TOLERANCES, ..settings.clone() };
+    let shares = |settings: &Settings, observations: &[Observation]| -> Result<Vec<Option<f64>>> {
+        let problem = Residuals::new(robot, observations, settings, &wanted, values)?;
+        let x: Vec<f64> = wanted.iter().map(|&i| values[i]).collect();
+        let (factor, norms) = factor_at(&problem, &x);
+        let covariance = covariance(&factor, &norms).unwrap_or_default();
+        let share = |(k, &i): (usize, &usize)| {
+            let variance = covariance.get(k * wanted.len() + k)?;
+            Some(1.0 - variance / settings.prior.uncertainty(robot, i)?.powi(2))
+        };
+        Ok(wanted.iter().enumerate().map(share).collect())
+    };
+    let as_measured = shares(&settings, observations)?;
+    let mut noise = Noise::new(SEED, joint as u64);
+    let most = if robot.joints()[joint].quantity == Quantity::Angle { MOVED_RAD } else { MOVED_MM };
+    let (mut moved, mut conditions) = (observations.to_vec(), settings.conditions.clone());
+    moved.iter_mut().for_each(|o| o.joints[joint] += noise.uniform(most));
+    conditions.iter_mut().for_each(|c| c.joints[joint] += noise.uniform(most));
+    let if_moved = shares(&Settings { conditions, ..settings.clone() }, &moved)?;
+    let gained = |(now, then): (&Option<f64>, &Option<f64>)| {
+        now.is_some_and(|share| share < BY_TOLERANCE) && then.is_some_and(|share| share > BY_DATA)
+    };
+    let all = wanted.iter().zip(as_measured.iter().zip(&if_moved));
+    Ok(all.filter(|(_, shares)| gained(*shares)).map(|(&i, _)| i).collect())
+}

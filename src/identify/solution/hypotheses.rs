@@ -1,0 +1,162 @@
+//! Hypotheses about a set-up: what a robot leaves of observations after all its parameters have followed them, beside their tolerances.
+//!
+//! Hypotheses compete by the sum of squares of residuals and of deviations from nominal at one and the same standard deviation of a
+//! coordinate. Lengths are those of the robot: a change of the unit of points cannot shrink what is left.
+
+use crate::Observation;
+use crate::model::prior::DIFFUSE;
+use crate::model::residuals::Residuals;
+use crate::solution::placing::{PLAIN, spread_mm};
+use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_math::statistics::rms;
+use etalon_math::{Options, ParameterPrior as Prior, Problem, WithPriors};
+use etalon_robots::{Quantity, Robot};
+use std::f64::consts::TAU;
+
+/// Least standard deviation of a coordinate, mm: no instrument measures robots to less.
+pub(crate) const LEAST_MM: f64 = 1e-3;
+/// A hypothesis is contradicted where its sum of squares is this many times what it is expected to be.
+const CONTRADICTED: f64 = 4.0;
+/// A hypothesis is contradicted where a parameter is this many standard uncertainties of its tolerance from nominal: 2.3 tolerances.
+const OFF: f64 = 4.0;
+/// A hypothesis leaves less than this share of the spread of the measured and of the predicted positions, whichever is smaller.
+const LEFT: f64 = 0.05;
+/// What a sum of squares falls by, at least, where parameters alone contradict a hypothesis.
+const FALLS_BY: f64 = 16.0;
+/// Iterations of one fit.
+const ITERATIONS: usize = 60;
+
+/// Observations with a robot that is to explain them.
+pub(crate) struct Hypothesis<'a> {
+    /// The robot.
+    pub robot: &'a dyn Robot,
+    /// The observations.
+    pub observations: &'a [Observation],
+    /// Values of all parameters at which base and targets are placed.
+    pub placed: Vec<f64>,
+    /// Values from which the fit starts, where others are nearer.
+    pub start: Option<&'a [f64]>,
+    /// Parameter whose nominal value does not count.
+    pub loose: Option<usize>,
+}
+
+/// What is left of observations after a fit.
+pub(crate) struct Fitted {
+    /// All parameters.
+    pub values: Vec<f64>,
+    /// Root mean square distance, mm.
+    pub left_mm: f64,
+    /// Standard deviation of a coordinate as the residuals show it, mm.
+    pub noise_mm: f64,
+    /// Sum of squares of residuals over the standard deviation, and of deviations from nominal over that of the tolerance.
+    pub cost: f64,
+    /// Number of residuals.
+    rows: usize,
+    /// Largest deviation from nominal, in standard uncertainties of the tolerance.
+    off: f64,
+    /// Share of the spread that is left.
+    share: f64,
+}
+
+impl Hypothesis<'_> {
+    /// Fits all parameters where a coordinate has the standard deviation `sigma_mm`; `None` where a pose is out of reach.
+    pub fn fit(&self, sigma_mm: f64) -> Option<Fitted> {
+        let parameters = self.robot.parameters();
+        let all: Vec<usize> = (0..parameters.len()).collect();
+        let problem = Residuals::new(self.robot, self.observations, &PLAIN, &all, &self.placed).ok()?;
+        let prior = |parameter: usize| {
+            let p = &parameters[parameter];
+            let (value, u) = match p.tolerance.is_finite() && self.loose != Some(parameter) {
+                true => (p.nominal, uncertainty(p.tolerance)),
+                false => (self.placed[parameter], DIFFUSE * p.known_within()),
+            };
+            Prior { parameter, value, weight: sigma_mm / u.max(1e-9) }
+        };
+        let priors: Vec<Prior> = all.iter().map(|&i| prior(i)).collect();
+        let options = Options { iterations: ITERATIONS, step: 1e-9, ..Options::default() };
+        let solution =
+            etalon_math::solve(&WithPriors::new(&problem, &priors), self.start.unwrap_or(&self.placed), options);
+        let rows = problem.residual_count();
+        let counts = |i: &usize| parameters[*i].tolerance.is_finite() && self.loose != Some(*i);
+        let mut values = solution.x.clone();
+        for (value, p) in values.iter_mut().zip(parameters).filter(|(_, p)| p.tolerance.is_finite()) {
+            if p.quantity == Quantity::Angle {
+                *value -= ((*value - p.nominal) / TAU).round() * TAU;
+            }
+        }
+        let off = |i: usize| (values[i] - parameters[i].nominal).abs() / uncertainty(parameters[i].tolerance).max(1e-9);
+        let misses: Vec<Vector> = self
+            .observations
+            .iter()
+            .flat_map(|o| o.misses(self.robot, &values).map(|m| m.1).collect::<Vec<_>>())
+            .collect();
+        let squares: f64 = misses.iter().map(|m| norm(*m).powi(2)).sum();
+        let deviations: f64 = all.iter().filter(|i| counts(i)).map(|&i| off(i).powi(2)).sum();
+        // the data determine this many parameters
+        let covariance = solution.covariance().unwrap_or_default();
+        let share = |k: usize| covariance.get(k * all.len() + k).map_or(0.0, |v| 1.0 - v * priors[k].weight.powi(2));
+        let determined: f64 = (0..all.len()).map(|k| share(k).clamp(0.0, 1.0)).sum();
+        let dof = (rows as f64 - determined).max(1.0);
+        let fitted = Fitted {
+            left_mm: rms(misses.iter().map(|m| norm(*m))),
+            noise_mm: (squares / dof).sqrt(),
+            cost: squares / sigma_mm.powi(2) + deviations,
+            rows,
+            off: all.iter().filter(|i| counts(i)).map(|&i| off(i)).fold(0.0, f64::max),
+            share: rms(misses.iter().map(|m| norm(*m))) / self.spread_mm(&values),
+            values,
+        };
+        fitted.cost.is_finite().then_some(fitted)
+    }
+
+    /// Spread of the measured or of the predicted positions, whichever is smaller, mm.
+    fn spread_mm(&self, values: &[f64]) -> f64 {
+        let mut predicted = Vec::new();
+        for o in self.observations {
+            let seen = (0..o.targets.len()).filter(|&k| o.targets[k].is_some());
+            predicted.extend(seen.map(|k| self.robot.position(values, &o.joints, k)));
+        }
+        let middle = centroid(&predicted).unwrap_or_default();
+        rms(predicted.iter().map(|p| norm(minus(*p, middle)))).min(spread_mm(self.observations))
+    }
+}
+
+impl Fitted {
+    /// `true` if residuals or parameters contradict the hypothesis.
+    pub fn is_contradicted(&self) -> bool {
+        self.cost > CONTRADICTED * self.rows as f64 || self.off > OFF
+    }
+
+    /// `true` if the hypothesis explains the observations.
+    pub fn explains(&self) -> bool {
+        !self.is_contradicted() && self.is_near()
+    }
+
+    /// `true` if the hypothesis explains the observations, and `stated`, the one without a change, cannot.
+    pub fn explains_what(&self, stated: &Fitted) -> bool {
+        let (per_row, stated_per_row) = (self.cost / self.rows as f64, stated.cost / stated.rows as f64);
+        let falls = stated.cost - self.cost > FALLS_BY && stated_per_row > per_row;
+        let residuals = stated_per_row > CONTRADICTED * per_row.max(1.0);
+        self.explains() && falls && (residuals || stated.off > OFF)
+    }
+
+    /// `true` if little of the spread of the positions is left.
+    fn is_near(&self) -> bool {
+        self.share < LEFT
+    }
+
+    /// `true` if the residuals show the noise: parameters that are far off shrink them.
+    pub fn shows_noise(&self) -> bool {
+        self.is_near() && self.off <= OFF
+    }
+
+    /// Sum of squares for each residual.
+    pub fn per_row(&self) -> f64 {
+        self.cost / self.rows as f64
+    }
+}
+
+/// Standard uncertainty by a tolerance, the half-width of a rectangular distribution (GUM 4.3.7).
+fn uncertainty(tolerance: f64) -> f64 {
+    tolerance / 3f64.sqrt()
+}

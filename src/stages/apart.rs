@@ -1,0 +1,262 @@
+//! Targets and fixtures (sockets, anchors, surfaces, stations) that validation poses alone show: they are placed by their own readings, with
+//! the identified robot held, and their readings count in the statistics by what the placement leaves of them.
+
+use super::evaluate::{self, Sets};
+use crate::stages::remedies::remedied;
+use etalon_base::message::{Message, Result, count};
+use etalon_base::pattern::matches_pattern;
+use etalon_documents::{self as documents, ParameterStatus, ParametersDocument, PointError};
+use etalon_identify::{
+    Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart,
+};
+use etalon_robots::{FreeBase, Quantity, Robot, Role};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Names that a message has.
+const NAMED: usize = 5;
+
+/// Readings of targets and fixtures that no calibration pose shows.
+#[derive(Clone, Debug, Default)]
+pub struct Apart {
+    /// Parameters of each target and fixture.
+    groups: Vec<Vec<usize>>,
+    observations: Vec<Observation>,
+    /// Weights of readings, what else was observed, and distances between fixtures.
+    settings: Settings,
+}
+
+/// How they were placed, with the identified parameters.
+#[derive(Clone, Debug, Default)]
+pub struct Placed {
+    groups: Vec<Vec<usize>>,
+    /// Redundancy numbers of the readings of each group.
+    redundancies: Vec<Vec<f64>>,
+    /// Those of all readings that have a position error, in the order of the errors.
+    of_errors: Vec<f64>,
+    uncertainties: BTreeMap<usize, f64>,
+}
+
+impl Apart {
+    /// Takes the readings of what no calibration pose shows out of `sets` and `settings`, which hold its parameters.
+    pub(crate) fn take(robot: &dyn Robot, sets: &mut Sets, settings: &mut Settings) -> Self {
+        let Some(arm) = robot.free_base() else { return Self::default() };
+        let groups = unplaced(robot, arm, sets, settings);
+        let places: BTreeSet<usize> = groups.iter().flatten().copied().collect();
+        if places.is_empty() {
+            return Self::default();
+        }
+        let is_apart = |k: usize| places.contains(&arm.target_place(k));
+        let mut observations = Vec::new();
+        for o in &mut sets.validation {
+            let mut own = o.clone();
+            for (k, at) in o.targets.iter_mut().enumerate() {
+                *if is_apart(k) { at } else { &mut own.targets[k] } = None;
+            }
+            observations.extend(own.targets.iter().any(Option::is_some).then_some(own));
+        }
+        sets.validation.retain(|o| o.targets.iter().any(Option::is_some));
+        let of_apart = |c: &mut Condition| c.shows(arm).iter().flatten().any(|i| places.contains(i));
+        let conditions = sets.validation_conditions.extract_if(.., of_apart).collect();
+        let known: Vec<Known> = settings.known.extract_if(.., |known| known.is_of(&places)).collect();
+        let target = |name: &String| robot.targets().iter().position(|t| t == name);
+        let of_part = |part: &mut RigidPart| part.targets.iter().filter_map(target).any(is_apart);
+        let rigid = settings.rigid.extract_if(.., of_part).collect();
+        settings.hold.extend(places.iter().map(|&i| robot.parameters()[i].name.clone()));
+        let own = Settings {
+            standard_uncertainty_mm: settings.standard_uncertainty_mm,
+            conditions,
+            known,
+            rigid,
+            ..Settings::default()
+        };
+        Self { groups, observations, settings: own }
+    }
+
+    /// The sets with these readings among them.
+    pub fn beside(&self, sets: &Sets) -> Sets {
+        let mut all = sets.clone();
+        all.validation.extend(self.observations.iter().cloned());
+        all.validation_conditions.extend(self.settings.conditions.iter().cloned());
+        all
+    }
+
+    /// Places everything in both sets of parameters: `before` and `after` an identification.
+    pub fn placed(&self, robot: &dyn Robot, before: &mut [f64], after: &mut [f64]) -> Result<Placed> {
+        let Some(arm) = robot.free_base().filter(|_| !self.groups.is_empty()) else { return Ok(Placed::default()) };
+        let places = self.groups.concat();
+        let place = |values: &mut [f64]| -> Result<Placement> {
+            let placed = place_apart(robot, &self.observations, &self.settings, values, &places).map_err(remedied)?;
+            values.copy_from_slice(&placed.values);
+            Ok(placed)
+        };
+        place(before)?;
+        let placed = place(after)?;
+        let mut redundancies = vec![Vec::new(); self.groups.len()];
+        let group = |shown: &[usize]| self.groups.iter().position(|g| shown.iter().any(|i| g.contains(i)));
+        let mut of_errors = Vec::new();
+        for (o, of_targets) in self.observations.iter().zip(&placed.observations) {
+            for (shown, r) in o.shows(arm).iter().zip(of_targets.iter().flatten()) {
+                redundancies.extend_at(group(shown), *r);
+                of_errors.push(*r);
+            }
+        }
+        for (c, r) in self.settings.conditions.iter().zip(&placed.conditions) {
+            c.shows(arm).iter().for_each(|shown| redundancies.extend_at(group(shown), *r));
+            if !c.kind.is_orientation() && !matches!(c.kind, Kind::Joint(_)) {
+                of_errors.push(*r);
+            }
+        }
+        Ok(Placed { groups: self.groups.clone(), redundancies, of_errors, uncertainties: placed.uncertainties })
+    }
+
+    /// Errors of these readings before and after.
+    pub fn errors(&self, robot: &dyn Robot, before: &[f64], after: &[f64], placed: &Placed) -> Vec<PointError> {
+        let own = self.beside(&Sets::default());
+        let mut errors = evaluate::errors(robot, &own, before, after);
+        errors.iter_mut().zip(&placed.of_errors).for_each(|(error, r)| error.own_redundancy = Some(*r));
+        errors
+    }
+}
+
+/// Adds a number to the list at a place, if there is one.
+trait ExtendAt {
+    fn extend_at(&mut self, place: Option<usize>, number: f64);
+}
+
+impl ExtendAt for Vec<Vec<f64>> {
+    fn extend_at(&mut self, place: Option<usize>, number: f64) {
+        if let Some(list) = place.and_then(|k| self.get_mut(k)) {
+            list.push(number);
+        }
+    }
+}
+
+/// Parameters of each target and fixture that validation readings show, and nothing else: no calibration reading, no stated place, no
+/// tolerance, and no rigid part with a target that is placed.
+fn unplaced(robot: &dyn Robot, arm: &dyn FreeBase, sets: &Sets, settings: &Settings) -> Vec<Vec<usize>> {
+    let of = |observations: &[Observation], conditions: &[Condition]| -> Vec<Vec<usize>> {
+        let conditions = conditions.iter().flat_map(|c| c.shows(arm));
+        observations.iter().flat_map(|o| o.shows(arm)).chain(conditions).collect()
+    };
+    let mut placed: BTreeSet<usize> =
+        of(&sets.calibration, &sets.calibration_conditions).into_iter().flatten().collect();
+    placed.extend(settings.known.iter().flat_map(Known::places));
+    for part in &settings.rigid {
+        let targets = part.targets.iter().filter_map(|name| robot.targets().iter().position(|t| t == name));
+        let places: Vec<usize> = targets.flat_map(|k| (0..3).map(move |axis| arm.target_place(k) + axis)).collect();
+        if places.iter().any(|i| placed.contains(i)) {
+            placed.extend(places);
+        }
+    }
+    let is_known = |i: &usize| {
+        let p = &robot.parameters()[*i];
+        placed.contains(i)
+            || p.tolerance.is_finite()
+            || settings.hold.iter().any(|pattern| matches_pattern(pattern, &p.name))
+    };
+    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for group in of(&sets.validation, &sets.validation_conditions) {
+        if !group.iter().any(is_known) {
+            groups.entry(group[0]).or_insert(group);
+        }
+    }
+    groups.into_values().collect()
+}
+
+impl Placed {
+    /// `true` if an error of any of these readings is counted.
+    fn is_assessed(redundancies: &[f64]) -> bool {
+        redundancies.iter().any(|&r| documents::counted_share(r).is_some())
+    }
+
+    /// A warning that names them.
+    ///
+    /// # Errors
+    /// If nothing of the validation poses can be judged.
+    pub fn message(&self, robot: &dyn Robot, sets: &Sets) -> Result<Option<Message>> {
+        if self.groups.is_empty() {
+            return Ok(None);
+        }
+        let all = self.groups.iter().zip(&self.redundancies);
+        let uncontrolled: Vec<&Vec<usize>> = all.filter(|(_, r)| !Self::is_assessed(r)).map(|(g, _)| g).collect();
+        let what = format!(
+            "{} measured at validation poses alone: {}; no calibration pose shows them, so they are placed by these readings, with the \
+             identified robot held",
+            noun(robot, self.groups.iter()),
+            names(robot, self.groups.iter())
+        );
+        let hint = "measure them at calibration poses too, or move a pose where they are measured to `calibration`";
+        let nothing = uncontrolled.len() == self.groups.len();
+        if nothing && sets.validation.is_empty() && sets.validation_conditions.is_empty() {
+            let what = format!("{what}: nothing is left to validate with");
+            return Err(Message::error(what).hint(hint).into());
+        }
+        let message = match uncontrolled[..] {
+            [] => Message::warning(format!("{what}; the statistics take this into account")),
+            _ => Message::warning(format!(
+                "{what}; readings that no others control are not judged: those of {}",
+                names(robot, uncontrolled.iter().copied())
+            ))
+            .to_decide(),
+        };
+        Ok(Some(message.hint(hint)))
+    }
+
+    /// What `accuracy.json` states of them.
+    pub fn documents(&self, robot: &dyn Robot) -> Vec<documents::PlacedApart> {
+        let of = |(group, r): (&Vec<usize>, &Vec<f64>)| documents::PlacedApart {
+            name: name(robot, group),
+            readings: r.len(),
+            redundancy: r.iter().sum::<f64>() / r.len().max(1) as f64,
+            is_assessed: Self::is_assessed(r),
+        };
+        self.groups.iter().zip(&self.redundancies).map(of).collect()
+    }
+
+    /// Marks their parameters, with the uncertainty that their readings give them beside the residuals that were `found`.
+    pub fn mark(&self, robot: &dyn Robot, found: &Identification, document: &mut ParametersDocument) {
+        let stated = document.residuals.stated_standard_uncertainty_mm.unwrap_or(0.0);
+        let equations = (found.degrees_of_freedom + found.free.len()) as f64;
+        let shown = found.rms * (equations / found.degrees_of_freedom.max(1) as f64).sqrt();
+        let unit = if stated > 0.0 { stated } else { 1.0 };
+        for &i in self.groups.iter().flatten() {
+            let p = &robot.parameters()[i];
+            let Some(entry) = document.parameters.iter_mut().find(|entry| entry.name == p.name) else { continue };
+            entry.status = ParameterStatus::NotIdentifiable;
+            if let Some(u) = self.uncertainties.get(&i) {
+                entry.status = ParameterStatus::PlacedByValidation;
+                entry.standard_uncertainty = Some(p.quantity.outward(u * stated.max(shown) / unit));
+            }
+        }
+    }
+}
+
+/// How many there are.
+fn noun<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>> + Clone) -> String {
+    let all = |role: Role| groups.clone().all(|g| robot.parameters()[g[0]].role == role);
+    match groups.clone().count() {
+        n if all(Role::Target) => count(n, "target"),
+        n if all(Role::Fixture) => count(n, "fixture"),
+        n => format!("{n} targets and fixtures"),
+    }
+}
+
+/// The first of their names.
+fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>> + Clone) -> String {
+    let shown: Vec<String> = groups.clone().take(NAMED).map(|g| format!("`{}`", name(robot, g))).collect();
+    let more = if groups.count() > NAMED { ", ..." } else { "" };
+    format!("{}{more}", shown.join(", "))
+}
+
+/// The name that all parameters of a target or fixture begin with.
+fn name(robot: &dyn Robot, group: &[usize]) -> String {
+    let names: Vec<&str> = group.iter().map(|&i| robot.parameters()[i].name.as_str()).collect();
+    let mut common = names[0];
+    while !names.iter().all(|name| name.starts_with(common)) {
+        let last = common.chars().next_back().map_or(1, char::len_utf8);
+        common = &common[..common.len() - last];
+    }
+    let turns = group.iter().all(|&i| robot.parameters()[i].quantity == Quantity::Angle);
+    let common = if turns { common.strip_suffix("_r").unwrap_or(common) } else { common };
+    common.trim_end_matches('_').to_owned()
+}

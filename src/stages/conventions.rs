@@ -1,0 +1,173 @@
+//! Conventions of orientations: a table states them in a unit, an order, a handedness, a direction; each may be another than the columns
+//! say. A slip is named that brings the observed orientations to those of the nominal robot where positions place it.
+
+use crate::stages::orientations::{AngleOrder, Form, Written};
+use etalon_base::message::Message;
+use etalon_base::pose::{Pose, Vector, norm};
+use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfits_rad};
+use etalon_math::statistics::median;
+use etalon_robots::Robot;
+
+/// Poses at which conventions are tried.
+const SUBSET: usize = 48;
+/// Median angle (rad) between observed and nominal orientations below which no slip is looked for: joints of robots are wrong by that.
+const RIGHT: f64 = 3.0 * DEG;
+/// A slip leaves less than this share of the angles that the table leaves as stated, and of the turns of the robot itself.
+const LEFT: f64 = 0.2;
+/// Slips that leave at most this many times the least are named beside it.
+const AS_GOOD: f64 = 1.5;
+/// Slips that are named.
+const NAMED: usize = 3;
+const DEG: f64 = std::f64::consts::PI / 180.0;
+
+/// A slip, the observed orientations without it, and the joint that is reversed.
+struct Slip {
+    what: String,
+    bodies: Vec<Option<Pose>>,
+    reversed: Option<usize>,
+}
+
+/// An error that names the slip with which observed orientations are those of the robot, where they are far from these as stated: `written` are
+/// those of the table, in the order of the conditions.
+pub fn wrong(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    written: &[Written],
+    order: Option<AngleOrder>,
+) -> Option<Message> {
+    let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
+    if conditions.is_empty() || conditions.len() != written.len() || observations.is_empty() {
+        return None;
+    }
+    let every = |count: usize| count.div_ceil(SUBSET).max(1);
+    let some = every(conditions.len());
+    let conditions: Vec<&Condition> = conditions.into_iter().step_by(some).collect();
+    let written: Vec<Written> = written.iter().step_by(some).copied().collect();
+    let positions: Vec<Observation> = observations.iter().step_by(every(observations.len())).cloned().collect();
+    let trial = Trial { robot, conditions, positions, settings };
+    let stated: Vec<Option<Pose>> = written.iter().map(|row| row.pose(order).ok()).collect();
+    let placed = trial.placed(None)?;
+    let stated_rad = trial.misfit_rad(&stated, None, &placed)?;
+    let still = vec![Some(Pose::identity()); written.len()];
+    let turns_rad = trial.misfit_rad(&still, None, &placed)?;
+    if stated_rad < RIGHT {
+        return None;
+    }
+    let joints = (0..robot.joints().len()).map(|joint| Slip {
+        what: format!("`{}` reversed", robot.joints()[joint].name),
+        bodies: stated.clone(),
+        reversed: Some(joint),
+    });
+    let slips = slips(&written, order, &stated).into_iter().chain(joints);
+    let judged = |slip: Slip| {
+        let values = slip.reversed.map(|joint| trial.placed(Some(joint)));
+        let values = values.unwrap_or_else(|| Some(placed.clone()))?;
+        Some((trial.misfit_rad(&slip.bodies, slip.reversed, &values)?, slip.what))
+    };
+    let mut explaining: Vec<(f64, String)> =
+        slips.filter_map(judged).filter(|(left, _)| *left < LEFT * stated_rad.min(turns_rad)).collect();
+    explaining.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let least = explaining.first()?.0;
+    let near = explaining.iter().take_while(|(left, _)| *left <= AS_GOOD * least).take(NAMED);
+    let named: Vec<String> = near.map(|(left, what)| format!("with {what} by {:.2} deg", left.to_degrees())).collect();
+    let what = format!(
+        "observed orientations differ from those of the nominal robot by {:.1} deg (median)",
+        stated_rad.to_degrees()
+    );
+    Some(Message::error(what).hint(format!("they differ {}: check that first", named.join(", as well "))))
+}
+
+/// Observed orientations to try slips on.
+struct Trial<'a> {
+    robot: &'a dyn Robot,
+    /// Conditions of orientations.
+    conditions: Vec<&'a Condition>,
+    positions: Vec<Observation>,
+    settings: &'a Settings,
+}
+
+impl Trial<'_> {
+    /// Parameters of the nominal robot where positions place it.
+    fn placed(&self, reversed: Option<usize>) -> Option<Vec<f64>> {
+        let settings = Settings { conditions: Vec::new(), known: Vec::new(), ..self.settings.clone() };
+        let mut positions = self.positions.clone();
+        if let Some(joint) = reversed {
+            positions.iter_mut().for_each(|o| o.joints[joint] = -o.joints[joint]);
+        }
+        fit_frames(self.robot, &positions, &settings).ok()
+    }
+
+    /// Median angle between these orientations and those of the robot with `values`, rad.
+    fn misfit_rad(&self, bodies: &[Option<Pose>], reversed: Option<usize>, values: &[f64]) -> Option<f64> {
+        let condition = |(c, body): (&&Condition, &Option<Pose>)| {
+            let Kind::Orientation(Orientation { mounting, .. }) = c.kind else { return None };
+            let mut joints = c.joints.clone();
+            reversed.into_iter().for_each(|joint| joints[joint] = -joints[joint]);
+            let kind = Kind::Orientation(Orientation { world_T_body: (*body)?, mounting });
+            Some(Condition { kind, joints, ..(*c).clone() })
+        };
+        let conditions: Vec<Condition> = self.conditions.iter().zip(bodies).filter_map(condition).collect();
+        if conditions.len() < self.conditions.len() {
+            return None;
+        }
+        median(mounted_misfits_rad(self.robot, &conditions, values)).filter(|angle| angle.is_finite())
+    }
+}
+
+/// The orientations of a table without one slip, for each.
+fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]) -> Vec<Slip> {
+    let mut all = Vec::new();
+    let mut add = |what: String, bodies: Vec<Option<Pose>>| all.push(Slip { what, bodies, reversed: None });
+    let numbers = |how: &dyn Fn([f64; 9]) -> Option<Pose>| written.iter().map(|row| how(row.numbers)).collect();
+    let form = written[0].form;
+    let three = |n: [f64; 9]| [n[0], n[1], n[2]];
+    match form {
+        Form::Quaternion => {
+            let by = |at: [usize; 4]| numbers(&|n| quaternion(at.map(|k| n[k])));
+            add("the scalar of the quaternions last".to_owned(), by([3, 0, 1, 2]));
+            add("the scalar of the quaternions first".to_owned(), by([1, 2, 3, 0]));
+            let inverse = |at: [usize; 4]| numbers(&|n| Some(quaternion(at.map(|k| n[k]))?.inverse()));
+            add("the scalar of the quaternions last, and the inverse rotations".to_owned(), inverse([3, 0, 1, 2]));
+        }
+        Form::Angles => {
+            for other in AngleOrder::all().into_iter().filter(|other| Some(*other) != order) {
+                add(format!("angles in the order `{other}`"), numbers(&|n| Some(other.pose(three(n)))));
+            }
+            add(
+                "rotation vectors instead of angles".to_owned(),
+                numbers(&|n| Some(Pose::from_rotation_vector(three(n)))),
+            );
+        }
+        Form::Vector => {
+            for order in AngleOrder::all() {
+                let what = format!("angles in the order `{order}` instead of rotation vectors");
+                add(what, numbers(&|n| Some(order.pose(three(n)))));
+            }
+        }
+        Form::None | Form::Matrix => {}
+    }
+    if matches!(form, Form::Angles | Form::Vector) {
+        for (factor, unit) in [(1.0 / DEG, "radians instead of degrees"), (DEG, "degrees instead of radians")] {
+            let scaled = |n: [f64; 9]| Written { form, numbers: n.map(|v| factor * v) }.pose(order).ok();
+            add(format!("angles in {unit}"), numbers(&scaled));
+        }
+    }
+    let turned = |how: &dyn Fn(Vector) -> Vector| {
+        let turn = |body: &Option<Pose>| Some(Pose::from_rotation_vector(how(body.as_ref()?.rotation_vector_rad())));
+        stated.iter().map(turn).collect()
+    };
+    add("the inverse rotations".to_owned(), turned(&|v| v.map(|v| -v)));
+    // a mirror turns the axis of a rotation over, and keeps its part along the normal
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let mirrored = |v: Vector| [0, 1, 2].map(|i| if i == axis { v[i] } else { -v[i] });
+        add(format!("a left-handed frame ({name} reversed)"), turned(&mirrored));
+    }
+    all
+}
+
+/// The rotation of a quaternion, the scalar first; `None` where it has no length.
+fn quaternion(numbers: [f64; 4]) -> Option<Pose> {
+    let length = norm([numbers[1], numbers[2], numbers[3]]).hypot(numbers[0]);
+    (length > 0.5).then(|| Pose::from_quaternion(numbers))
+}

@@ -1,0 +1,481 @@
+//! Cross-validation of effects: the calibration poses are cut into folds, each predicted from the others (Stone 1974). Of the effects that are
+//! left the one that predicts them best is added while its gain exceeds its standard uncertainty and the F test of nested models does not
+//! reject it. All errors are sizes of position errors: each pose counts once, by their mean square.
+
+use super::apart::Apart;
+use super::evaluate::{self, Sets, summarise};
+use crate::stages::remedies::remedied;
+use etalon_base::message::{Message, Result, count};
+use etalon_base::noise::Noise;
+use etalon_base::pattern::matches_pattern;
+use etalon_base::pose::norm;
+use etalon_base::pose_name::PoseName;
+use etalon_campaign::RobotFile;
+use etalon_documents::{EffectProof, EffectStep, PoseSet, Statistics};
+use etalon_identify::{
+    Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, chi_square_exceeds, effects,
+};
+use etalon_math::statistics::{mean, variance};
+use etalon_robots::{Effect, Quantity, Robot};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Parts into which the poses are cut.
+const FOLDS: usize = 5;
+/// Fewest parts.
+const FEWEST: usize = 3;
+/// How often they are cut: once where they are many, at most three times.
+fn repeats(poses: usize) -> usize {
+    (300 / poses).clamp(1, 3)
+}
+
+/// Seed of the parts.
+const SEED: u64 = 4;
+/// Significance of a parameter's change, corrected for their number, and of an effect.
+pub(super) const SIGNIFICANCE: f64 = 0.05;
+/// Poses on which effects that are not identified are tried.
+const TRIED_POSES: usize = 200;
+
+/// What is tried on which poses.
+pub(super) struct Study<'a> {
+    pub robot: &'a dyn Robot,
+    /// Readings of the calibration.
+    pub sets: &'a Sets,
+    settings: Settings,
+    /// Effect of each parameter; `None` of base, targets and fixtures.
+    pub effects: Vec<Option<Effect>>,
+    /// Base and targets alone, fitted to all poses.
+    pub before: Vec<f64>,
+    /// Poses that are left out together.
+    pub folds: Vec<BTreeSet<PoseName>>,
+    pub poses: usize,
+}
+
+/// Names of parameters to hold, from what those before have identified.
+type Again<'a> = &'a (dyn Fn(&Identification) -> Vec<String> + Sync);
+/// Squared position errors of poses: mean of each, mm².
+type Squares = BTreeMap<PoseName, f64>;
+
+/// What a choice of parameters leaves.
+pub(super) struct Tried {
+    pub found: Identification,
+    /// At poses that were left out.
+    left_out: Squares,
+    /// At all poses, from which it was identified.
+    fitted: Squares,
+}
+
+impl<'a> Study<'a> {
+    /// Of the calibration readings of `sets`; `settings` have their conditions.
+    ///
+    /// # Errors
+    /// Too few poses, readings without a length, or a failed fit of base and targets.
+    pub fn new(robot: &'a dyn Robot, sets: &'a Sets, settings: Settings) -> Result<Self> {
+        let names = poses(&sets.calibration, &settings.conditions);
+        let parts = FOLDS.min(names.len());
+        if parts < FEWEST {
+            let message =
+                Message::error(format!("{} are too few to leave some out", count(names.len(), "calibration pose")));
+            return Err(message.hint("measure more, or name more in `calibration`").into());
+        }
+        // which effects are identified is what is asked
+        let settings = Settings { effects: Effects::All, ..settings };
+        let before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
+        let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
+        let (poses, folds) = (names.len(), folds(names, parts));
+        let study = Self { robot, sets, effects, before, folds, poses, settings };
+        if study.squares_at(&sets.calibration, &study.settings.conditions, &study.before).is_empty() {
+            let message = Message::error("nothing that was observed is a position, a distance or a contact");
+            return Err(message.hint("parameters are judged by position errors: measure some").into());
+        }
+        Ok(study)
+    }
+
+    /// Folds of the first cut, in which every pose is left out once.
+    pub fn first_cut(&self) -> &[BTreeSet<PoseName>] {
+        &self.folds[..self.folds.len() / repeats(self.poses)]
+    }
+
+    /// Names of the parameters of the robot itself that are not `identified`.
+    pub fn held(&self, identified: impl Fn(usize) -> bool) -> Vec<String> {
+        let held = self.effects.iter().enumerate().filter(|(i, effect)| effect.is_some() && !identified(*i));
+        held.map(|(i, _)| self.robot.parameters()[i].name.clone()).collect()
+    }
+
+    /// The settings that hold these parameters too.
+    pub fn holding(&self, names: Vec<String>) -> Settings {
+        with_held(&self.settings, names)
+    }
+
+    /// The settings that identify these effects, and base and targets.
+    pub fn of_effects(&self, chosen: &[Effect]) -> Settings {
+        self.holding(self.held(|i| self.effects[i].is_some_and(|effect| chosen.contains(&effect))))
+    }
+
+    /// Identifies from all poses, from where base and targets are.
+    pub fn identify(&self, settings: &Settings) -> Result<Identification> {
+        self.identify_from(&self.sets.calibration, settings)
+    }
+
+    /// Identifies from all poses but these.
+    pub fn without(&self, fold: &BTreeSet<PoseName>, settings: &Settings) -> Result<Identification> {
+        let (sets, settings) = split(self.robot, self.sets, settings, fold);
+        self.identify_from(&sets.calibration, &settings)
+    }
+
+    fn identify_from(&self, observations: &[Observation], settings: &Settings) -> Result<Identification> {
+        etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
+    }
+
+    /// Tries a choice of parameters, which may be made anew in each fold from what that identifies.
+    pub fn tried(&self, settings: &Settings, again: Option<Again>) -> Result<Tried> {
+        let choose = |observations: &[Observation], settings: &Settings| -> Result<Identification> {
+            let found = self.identify_from(observations, settings)?;
+            match again {
+                Some(again) => self.identify_from(observations, &with_held(settings, again(&found))),
+                None => Ok(found),
+            }
+        };
+        let of_fold = |fold: &BTreeSet<PoseName>| -> Result<Squares> {
+            let (sets, settings) = split(self.robot, self.sets, settings, fold);
+            let values = choose(&sets.calibration, &settings)?.values;
+            Ok(self.squares_at(&sets.validation, &sets.validation_conditions, &values))
+        };
+        let left_out = mean_of(self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
+        let found = choose(&self.sets.calibration, settings)?;
+        let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
+        Ok(Tried { found, left_out, fitted })
+    }
+
+    fn squares_at(&self, observations: &[Observation], conditions: &[Condition], values: &[f64]) -> Squares {
+        squares_at(self.robot, (observations, conditions), values)
+    }
+
+    /// Adds effects one by one, the best of those that are left first, while the poses that were left out become better.
+    pub fn steps(&self, none: &Tried, one_more: &mut dyn FnMut()) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
+        let mut steps = vec![none.step(None, None, true)];
+        let mut chosen: Vec<Effect> = Vec::new();
+        let mut last: Option<Tried> = None;
+        loop {
+            let before = last.as_ref().unwrap_or(none);
+            let left =
+                ALL.into_iter().filter(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
+            let mut tried = Vec::new();
+            for effect in left {
+                // an effect that these poses do not suffice to identify is not tried
+                if let Ok(found) = self.tried(&self.of_effects(&[&chosen[..], &[effect]].concat()), None) {
+                    tried.push((effect, found));
+                }
+                one_more();
+            }
+            tried.sort_by(|a, b| a.1.mean_square().total_cmp(&b.1.mean_square()));
+            let accepted = tried.first().is_some_and(|(_, best)| best.improves(before));
+            for (i, (effect, found)) in tried.iter().enumerate().filter(|(i, _)| !accepted || *i == 0) {
+                steps.push(found.step(Some(*effect), Some(before), accepted && i == 0));
+            }
+            if !accepted {
+                return Ok((steps, chosen));
+            }
+            let (effect, best) = tried.swap_remove(0);
+            chosen.push(effect);
+            last = Some(best);
+        }
+    }
+}
+
+/// The settings that hold these parameters too.
+fn with_held(settings: &Settings, names: Vec<String>) -> Settings {
+    let mut settings = settings.clone();
+    settings.hold.extend(names);
+    settings
+}
+
+/// The poses of readings, in order.
+fn poses(observations: &[Observation], conditions: &[Condition]) -> Vec<PoseName> {
+    let all = observations.iter().map(|o| o.pose).chain(conditions.iter().map(|c| c.pose));
+    all.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// Joint values of readings.
+fn joints<'r>(observations: &'r [Observation], conditions: &'r [Condition]) -> impl Iterator<Item = &'r [f64]> {
+    observations.iter().map(|o| o.joints.as_slice()).chain(conditions.iter().map(|c| c.joints.as_slice()))
+}
+
+/// The poses in random parts, as often as they are cut.
+fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
+    let mut folds = Vec::new();
+    for repeat in 0..repeats(names.len()) {
+        Noise::new(SEED, repeat as u64).shuffle(&mut names);
+        folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
+    }
+    folds
+}
+
+/// Readings of all poses but those of a fold to identify from, and those of the fold to test on: of targets and fixtures that the
+/// others show.
+fn split(robot: &dyn Robot, all: &Sets, settings: &Settings, fold: &BTreeSet<PoseName>) -> (Sets, Settings) {
+    let (validation, calibration) = all.calibration.iter().cloned().partition(|o| fold.contains(&o.pose));
+    let (validation_conditions, conditions): (_, Vec<Condition>) =
+        settings.conditions.iter().cloned().partition(|c| fold.contains(&c.pose));
+    let calibration_conditions = conditions.clone();
+    let mut sets = Sets { calibration, validation, calibration_conditions, validation_conditions };
+    let mut settings = Settings { conditions, ..settings.clone() };
+    Apart::take(robot, &mut sets, &mut settings);
+    (sets, settings)
+}
+
+/// Mean square position error of each pose of these readings, mm².
+fn squares_at(robot: &dyn Robot, (out, conditions): (&[Observation], &[Condition]), values: &[f64]) -> Squares {
+    let sets = Sets { validation: out.to_vec(), validation_conditions: conditions.to_vec(), ..Sets::default() };
+    let mut all: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
+    for error in evaluate::errors(robot, &sets, values, values).iter().filter(|e| e.set == PoseSet::Validation) {
+        all.entry(error.pose).or_default().push(norm(error.after_mm).powi(2));
+    }
+    all.into_iter().map(|(pose, squares)| (pose, mean(squares))).collect()
+}
+
+/// Means over the cuts.
+fn mean_of(folds: Vec<Squares>) -> Squares {
+    let mut all: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
+    folds.into_iter().flatten().for_each(|(pose, squared)| all.entry(pose).or_default().push(squared));
+    all.into_iter().map(|(pose, squares)| (pose, mean(squares))).collect()
+}
+
+/// By how much the mean square error becomes smaller, and its standard uncertainty, from the poses.
+fn gain(before: &Squares, after: &Squares) -> [f64; 2] {
+    let gains: Vec<f64> = after.iter().filter_map(|(pose, squared)| Some(before.get(pose)? - squared)).collect();
+    [mean(gains.iter().copied()), (variance(&gains) / gains.len() as f64).sqrt()]
+}
+
+fn rms(squares: &Squares) -> f64 {
+    mean(squares.values().copied()).sqrt()
+}
+
+/// F of what `after` explains more than `before`, each by its sum of squares, degrees of freedom and parameters, and its p value.
+fn f_test(before: [f64; 3], after: [f64; 3]) -> [f64; 2] {
+    let [[squares_before, _, fewer], [squares, degrees, parameters]] = [before, after];
+    let more = (parameters - fewer).round().max(1.0);
+    let f = (squares_before - squares) / more / (squares / degrees);
+    [f, Variance::Estimated(degrees).exceedance(more * f, more as usize)]
+}
+
+/// All effects, the plainer first.
+pub(super) const ALL: [Effect; 7] = [
+    Effect::Zeros,
+    Effect::Geometry,
+    Effect::Gains,
+    Effect::Harmonics,
+    Effect::Backlash,
+    Effect::Coupling,
+    Effect::Bending,
+];
+
+impl Tried {
+    fn mean_square(&self) -> f64 {
+        mean(self.left_out.values().copied())
+    }
+
+    /// Sum of squares, degrees of freedom and parameters that the data determine.
+    fn fit(&self) -> [f64; 3] {
+        let found = &self.found;
+        let equations = found.degrees_of_freedom as f64 + found.determined;
+        let squares = found.chi_square.unwrap_or(found.rms.powi(2) * equations);
+        [squares, found.degrees_of_freedom as f64, found.determined]
+    }
+
+    /// F of what this explains more, and its p value.
+    fn f_test(&self, before: &Self) -> Option<[f64; 2]> {
+        (self.found.free.len() > before.found.free.len()).then(|| f_test(before.fit(), self.fit()))
+    }
+
+    fn improves(&self, before: &Self) -> bool {
+        let [gain, u] = gain(&before.left_out, &self.left_out);
+        gain > u && self.f_test(before).is_some_and(|[_, p]| p < SIGNIFICANCE)
+    }
+
+    fn step(&self, effect: Option<Effect>, before: Option<&Self>, accepted: bool) -> EffectStep {
+        let test = before.and_then(|before| self.f_test(before));
+        let gain = before.map(|before| gain(&before.left_out, &self.left_out));
+        EffectStep {
+            effect: effect.map(Into::into),
+            identified: self.found.free.len(),
+            rms_mm: rms(&self.fitted),
+            f: test.map(|t| t[0]),
+            p_value: test.map(|t| t[1]),
+            held_out_rms_mm: self.mean_square().sqrt(),
+            gain_over_u: gain.map(|[gain, u]| gain / u).filter(|v| v.is_finite()),
+            accepted,
+        }
+    }
+
+    /// Statistics of the errors of poses that were left out.
+    pub fn statistics(&self) -> Statistics {
+        summarise(self.left_out.values().map(|squared| squared.sqrt()).collect())
+    }
+}
+
+/// The effects that poses prove that are left out, and what each of them is worth.
+///
+/// # Errors
+/// As of [`Study::new`], or a failed identification.
+pub(super) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Result<(Vec<Effect>, Vec<EffectProof>)> {
+    let study = Study::new(robot, sets, settings.clone())?;
+    let none = study.tried(&study.of_effects(&[]), None)?;
+    let (steps, chosen) = study.steps(&none, &mut || ())?;
+    let accepted: Vec<&EffectStep> = steps.iter().filter(|step| step.accepted).collect();
+    let proof = |pair: &[&EffectStep]| {
+        let effect = pair[1].effect?;
+        let of_effect = |i: usize| study.effects[i].is_some_and(|own| effect == own.into());
+        Some(EffectProof {
+            effect,
+            joints: joints_of(robot, of_effect),
+            is_identified: true,
+            robot_key: None,
+            without_mm: pair[0].held_out_rms_mm,
+            with_mm: pair[1].held_out_rms_mm,
+            gain_over_u: pair[1].gain_over_u,
+            p_value: pair[1].p_value,
+        })
+    };
+    let proofs = accepted.windows(2).filter_map(proof).collect();
+    Ok((chosen, proofs))
+}
+
+/// Names of the joints of some parameters of the robot itself.
+fn joints_of(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String> {
+    let parameters = robot.parameters().iter().enumerate().filter(|(i, _)| chosen(*i));
+    let joints: BTreeSet<usize> = parameters.filter_map(|(_, p)| p.joint).collect();
+    joints.into_iter().filter_map(|joint| Some(robot.joints().get(joint)?.name.clone())).collect()
+}
+
+/// Effects that `settings` leave out of the identification and that would prove themselves, each beside those that are identified. `found` is
+/// where they start; errors are those of at most 200 poses.
+pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
+    let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
+    let stated = |i: usize| {
+        let name = &robot.parameters()[i].name;
+        settings.hold.iter().any(|pattern| matches_pattern(pattern, name))
+    };
+    // what the rule of effects alone holds
+    let unused: Vec<usize> = (0..effects.len())
+        .filter(|&i| effects[i].is_some() && found.status[i] == Status::Fixed && !stated(i))
+        .collect();
+    let Some((few, settings, folds)) = sampled(sets, settings).filter(|_| !unused.is_empty()) else {
+        return Vec::new();
+    };
+    let settings = Settings { effects: Effects::All, ..settings };
+    let trial = Trial { robot, sets: &few, start: &found.values, folds: &folds };
+    let held = |kept: Option<Effect>| {
+        let others = unused.iter().filter(|&&i| effects[i] != kept);
+        with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
+    };
+    let Some((plain, without)) = trial.of(&held(None)) else { return Vec::new() };
+    let candidates = ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
+    let proof = |effect: Effect| {
+        let (fit, with) = trial.of(&held(Some(effect)))?;
+        let joints = joints_of(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
+        would_prove((plain, &without), (fit, &with), (effect, joints))
+    };
+    candidates.filter_map(proof).collect()
+}
+
+/// Joints whose bending is tried where robot.toml states none: so many of the first that carry a moment.
+const BENDING: usize = 2;
+/// Load of a joint, over the largest that it may have, from which it carries a moment.
+const LOADED: f64 = 0.1;
+
+/// The bending of the first joints of an arm that carry a moment, which robot.toml does not describe, if it would prove itself: of
+/// positions that the model does not explain.
+pub(super) fn undescribed_bending(
+    robot_file: &RobotFile,
+    robot: &dyn Robot,
+    sets: &Sets,
+    settings: &Settings,
+    found: &Identification,
+) -> Option<EffectProof> {
+    let explained = found.chi_square.is_some_and(|c| !chi_square_exceeds(c, found.degrees_of_freedom));
+    if explained || !settings.conditions.is_empty() || !settings.known.is_empty() || robot.loads().is_some() {
+        return None;
+    }
+    let carries = |joint: &usize| {
+        let alone = robot_file.build_bending(&[*joint], robot.targets());
+        let loads = alone.as_ref().and_then(|bending| bending.loads());
+        loads.is_some_and(|loads| {
+            sets.calibration.iter().any(|o| loads(&o.joints).iter().any(|load| load.abs() > LOADED))
+        })
+    };
+    let turning = (1..=robot.joints().len()).filter(|&j| robot.joints()[j - 1].quantity == Quantity::Angle);
+    let joints: Vec<usize> = turning.filter(carries).take(BENDING).collect();
+    let bending = robot_file.build_bending(&joints, robot.targets()).filter(|_| !joints.is_empty())?;
+    let (few, settings, folds) = sampled(sets, settings)?;
+    let (plain, without) = Trial { robot, sets: &few, start: &found.values, folds: &folds }.of(&settings)?;
+    let value = |name: &str| Some(found.values[robot.index(name)?]);
+    let start: Vec<f64> = bending.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect();
+    let mut settings = settings;
+    if let Effects::These(chosen) = &mut settings.effects {
+        chosen.push(Effect::Bending);
+    }
+    let trial = Trial { robot: bending.as_ref(), sets: &few, start: &start, folds: &folds };
+    let (fit, with) = trial.of(&settings)?;
+    let names = joints.iter().map(|j| robot.joints()[j - 1].name.clone()).collect();
+    let proof = would_prove((plain, &without), (fit, &with), (Effect::Bending, names))?;
+    let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
+    Some(EffectProof { robot_key: Some(format!("bending = [{}]", numbers.join(", "))), ..proof })
+}
+
+/// Some calibration poses, settings with their conditions, and folds of them; `None` if they are too few.
+fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTreeSet<PoseName>>)> {
+    let all = poses(&sets.calibration, &settings.conditions);
+    if all.len() < FEWEST {
+        return None;
+    }
+    let names: Vec<PoseName> = all.iter().copied().step_by(all.len().div_ceil(TRIED_POSES)).collect();
+    let kept: BTreeSet<PoseName> = names.iter().copied().collect();
+    let calibration = sets.calibration.iter().filter(|o| kept.contains(&o.pose)).cloned().collect();
+    let conditions = settings.conditions.iter().filter(|c| kept.contains(&c.pose)).cloned().collect();
+    let parts = FOLDS.min(names.len());
+    let mut folds = folds(names, parts);
+    folds.truncate(parts);
+    Some((Sets { calibration, ..Sets::default() }, Settings { conditions, ..settings.clone() }, folds))
+}
+
+/// What an effect is worth that is not identified, if it proves itself: fits and errors without it and with it.
+fn would_prove(
+    (plain, without): ([f64; 3], &Squares),
+    (fit, with): ([f64; 3], &Squares),
+    (effect, joints): (Effect, Vec<String>),
+) -> Option<EffectProof> {
+    let ([gain, u], [_, p]) = (gain(without, with), f_test(plain, fit));
+    (gain > u && p < SIGNIFICANCE).then(|| EffectProof {
+        effect: effect.into(),
+        joints,
+        is_identified: false,
+        robot_key: None,
+        without_mm: rms(without),
+        with_mm: rms(with),
+        gain_over_u: Some(gain / u).filter(|v| v.is_finite()),
+        p_value: Some(p),
+    })
+}
+
+/// Fits near a solution, without their uncertainties.
+struct Trial<'a> {
+    robot: &'a dyn Robot,
+    sets: &'a Sets,
+    start: &'a [f64],
+    folds: &'a [BTreeSet<PoseName>],
+}
+
+impl Trial<'_> {
+    /// Sum of squares, degrees of freedom and parameters of the fit to all poses, and errors of poses that were left out.
+    fn of(&self, settings: &Settings) -> Option<([f64; 3], Squares)> {
+        let fit = NestedFit::new(self.robot, &self.sets.calibration, settings, self.start).ok()?;
+        let of_fold = |fold: &BTreeSet<PoseName>| -> Option<Squares> {
+            let (sets, settings) = split(self.robot, self.sets, settings, fold);
+            let values = fit.again(self.robot, &sets.calibration, &settings)?;
+            Some(squares_at(self.robot, (&sets.validation, &sets.validation_conditions), &values))
+        };
+        let left_out = self.folds.par_iter().map(of_fold).collect::<Option<Vec<_>>>()?;
+        Some(([fit.squares, fit.degrees_of_freedom, fit.determined], mean_of(left_out)))
+    }
+}

@@ -1,0 +1,68 @@
+//! Excitation: how far each joint moves in the calibration poses, and what that leaves to tolerances.
+
+use etalon_base::message::{Message, count};
+use etalon_documents::JointTravel;
+use etalon_identify::{Observation, Settings, fit_frames, left_to_tolerances};
+use etalon_robots::{Quantity, Robot};
+
+/// A joint that turns by less does not move, rad.
+const STILL_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
+/// A sliding joint that moves by less does not move, mm.
+const STILL_MM: f64 = 0.5;
+/// Poses that show what joints do not determine.
+const SUBSET: usize = 96;
+/// Parameters that a message names.
+const NAMED: usize = 8;
+
+/// Ranges of all joints, mm or deg.
+pub(super) fn travels(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Vec<JointTravel> {
+    let travel = |(k, joint): (usize, &etalon_robots::Joint)| {
+        let [lowest, highest] = ends(observations, settings, k)?.map(|value| joint.quantity.outward(value));
+        Some(JointTravel { column: joint.column(), lowest, highest })
+    };
+    robot.joints().iter().enumerate().filter_map(travel).collect()
+}
+
+/// Least and largest value of a joint, mm or rad.
+fn ends(observations: &[Observation], settings: &Settings, joint: usize) -> Option<[f64; 2]> {
+    let poses = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
+    poses.map(|joints| [joints[joint]; 2]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+/// Warnings about joints that do not move where the data then leave parameters to their tolerances.
+pub(super) fn still_joints(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Vec<Message> {
+    let still = |&joint: &usize| {
+        let least = if robot.joints()[joint].quantity == Quantity::Angle { STILL_RAD } else { STILL_MM };
+        ends(observations, settings, joint).is_some_and(|[lowest, highest]| highest - lowest < least)
+    };
+    let still: Vec<usize> = (0..robot.joints().len()).filter(still).collect();
+    if still.is_empty() {
+        return Vec::new();
+    }
+    let some = |count: usize| count.div_ceil(SUBSET).max(1);
+    let subset: Vec<Observation> = observations.iter().step_by(some(observations.len())).cloned().collect();
+    let conditions = settings.conditions.iter().step_by(some(settings.conditions.len())).cloned().collect();
+    let settings = Settings { conditions, ..settings.clone() };
+    let Ok(values) = fit_frames(robot, &subset, &settings) else { return Vec::new() };
+    let message = |&joint: &usize| {
+        let left = left_to_tolerances(robot, &subset, &settings, &values, joint).ok()?;
+        let first = *left.first()?;
+        let names: Vec<String> =
+            left.iter().take(NAMED).map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
+        let more = if left.len() > NAMED { ", ..." } else { "" };
+        let name = &robot.joints()[joint].name;
+        let what = format!(
+            "`{name}` does not move: the data leave {} to {}: {}{more}",
+            count(left.len(), "parameter"),
+            if left.len() == 1 { "its tolerance" } else { "their tolerances" },
+            names.join(", ")
+        );
+        let hint = format!(
+            "move `{name}` between the calibration poses, or keep to its value when the robot is used; else errors up to the tolerance of \
+             `{}` remain",
+            robot.parameters()[first].name
+        );
+        Some(Message::warning(what).hint(hint))
+    };
+    still.iter().filter_map(message).collect()
+}

@@ -1,0 +1,56 @@
+//! Effects that the robot file does not describe, or the campaign does not identify, are named where they would prove themselves. Synthetic.
+
+use super::apart::{Arm, cells};
+use crate::support::scratch::{Scratch, copy_sample, ends};
+use serde_json::Value;
+
+/// A campaign of an arm whose joints 2 and 3 bend by `bent_rad` under the arm stretched out level; robot.toml states no bending.
+fn campaign(bent_rad: f64) -> Scratch {
+    let scratch = copy_sample("draw-wire");
+    let plain = std::fs::read_to_string(scratch.path().join("robot.toml")).unwrap();
+    let bending = plain.replace("joint = [", "bending = [2, 3]\njoint = [");
+    std::fs::write(scratch.path().join("robot.toml"), bending).unwrap();
+    let mut arm = Arm::new(&scratch, &["ball".to_owned()]);
+    for name in ["compliance_2_2", "compliance_3_3"] {
+        let index = arm.robot.index(name).unwrap();
+        arm.values[index] = bent_rad;
+    }
+    let mut table = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+    for pose in 1..=90 {
+        let joints = arm.joints();
+        let at = arm.at(&joints, 0);
+        let [x, y, z] = arm.measured(at);
+        table += &format!("{pose},ball,{},{x:.5},{y:.5},{z:.5}\n", cells(&joints));
+    }
+    std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
+    std::fs::write(scratch.path().join("robot.toml"), plain).unwrap();
+    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.4\n", "");
+    scratch
+}
+
+#[test]
+fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
+    let scratch = campaign(1e-3);
+    let said = ends(
+        &scratch,
+        "run",
+        0,
+        &["bending of joints q2, q3 would prove itself", "add `bending = [2, 3]` to robot.toml"],
+    );
+    let accuracy = || -> Value {
+        serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
+    };
+    let effects = accuracy()["effects"].clone();
+    let bending = effects.as_array().unwrap().iter().find(|e| e["effect"] == "bending").unwrap().clone();
+    let [without, with] = ["without_mm", "with_mm"].map(|key| bending[key].as_f64().unwrap());
+    assert!(with < 0.7 * without && said.contains(&format!("from {without:.3} to {with:.3} mm")), "{bending}\n{said}");
+    // what is said becomes true
+    scratch.replace("robot.toml", "joint = [", "bending = [2, 3]\njoint = [");
+    let said = ends(&scratch, "run", 0, &[]);
+    assert!(!said.contains("would prove itself"), "{said}");
+    let after = accuracy()["sets"][1]["errors"][0]["after"]["rms"].as_f64().unwrap();
+    assert!((after / with - 1.0).abs() < 0.25, "{after} {with}");
+    // a stiff arm has nothing to prove
+    let said = ends(&campaign(0.0), "run", 0, &[]);
+    assert!(!said.contains("would prove itself"), "{said}");
+}

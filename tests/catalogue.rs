@@ -1,0 +1,256 @@
+//! The catalogue of messages: every call names a text of all languages with its arguments, every text is called, and every
+//! message is explained.
+
+use etalon::base::catalogue::{FILES, LANGUAGES, entries};
+use fluent_syntax::ast;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Texts outside the catalogue, for each crate. The numbers may only fall; a crate without a row has none.
+const FREE: [(&str, usize); 8] = [
+    ("campaign", 2),
+    ("cli", 3),
+    ("documents", 4),
+    ("formats", 440),
+    ("identify", 64),
+    ("report", 18),
+    ("run", 93),
+    ("stages", 348),
+];
+
+/// Calls in a file.
+#[derive(Debug, Default, PartialEq)]
+struct Calls {
+    /// Names of the macro, the id and the arguments.
+    of_catalogue: Vec<(String, String, BTreeSet<String>)>,
+    /// `Message::error(...)`, `Message::warning(...)`, and `.hint(...)`, `.expected(...)` without a phrase.
+    free: usize,
+}
+
+impl Calls {
+    fn read(&mut self, tokens: TokenStream) {
+        let mut all: Vec<TokenTree> = tokens.into_iter().collect();
+        drop_tests(&mut all);
+        for (i, token) in all.iter().enumerate() {
+            let TokenTree::Group(group) = token else { continue };
+            self.read(group.stream());
+            if group.delimiter() != Delimiter::Parenthesis {
+                continue;
+            }
+            let before = |n: usize| i.checked_sub(n).map(|at| all[at].to_string()).unwrap_or_default();
+            match (before(2).as_str(), before(1).as_str()) {
+                (name @ ("error" | "warning" | "phrase"), "!") => self.of_catalogue.extend(call(name, group)),
+                (":", "error" | "warning") if before(4) == "Message" => self.free += 1,
+                (".", "hint" | "expected") if !is_phrase(group) && !group.stream().is_empty() => self.free += 1,
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Removes modules of tests.
+fn drop_tests(all: &mut Vec<TokenTree>) {
+    let is_test = |window: &[TokenTree]| {
+        window[0].to_string() == "#"
+            && window[1].to_string().replace(' ', "") == "[cfg(test)]"
+            && window[2].to_string() == "mod"
+    };
+    while let Some(at) = all.windows(3).position(is_test) {
+        let is_body = |token: &TokenTree| matches!(token, TokenTree::Group(g) if g.delimiter() == Delimiter::Brace);
+        let end =
+            all[at + 2..].iter().position(|t| is_body(t) || t.to_string() == ";").map_or(all.len(), |i| at + 3 + i);
+        all.drain(at..end);
+    }
+}
+
+fn is_phrase(group: &Group) -> bool {
+    let text = group.stream().to_string();
+    text.starts_with("phrase ! ") || text.starts_with("phrase!") || text == "hint" || text == "expected"
+}
+
+/// Id and names of the arguments of a call; `None` where the macro passes tokens on.
+fn call(name: &str, group: &Group) -> Option<(String, String, BTreeSet<String>)> {
+    let mut tokens = group.stream().into_iter().peekable();
+    let id = match tokens.next()? {
+        TokenTree::Literal(literal) => literal.to_string().trim_matches('"').to_owned(),
+        _ => return None,
+    };
+    let mut arguments = BTreeSet::new();
+    let mut begins = false;
+    for token in tokens {
+        match &token {
+            TokenTree::Punct(p) if p.as_char() == ',' => begins = true,
+            TokenTree::Ident(argument) if begins => {
+                arguments.insert(argument.to_string());
+                begins = false;
+            }
+            _ => begins = false,
+        }
+    }
+    Some((name.to_owned(), id, arguments))
+}
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    let mut all: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().flatten().map(|entry| entry.path()).collect();
+    all.sort();
+    for path in all {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && name != "tests" {
+            sources(&path, found);
+        } else if name.ends_with(".rs") && name != "tests.rs" {
+            found.push(path);
+        }
+    }
+}
+
+/// Calls of each folder of `src`.
+fn calls() -> BTreeMap<String, Calls> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    sources(&src, &mut files);
+    let mut all: BTreeMap<String, Calls> = BTreeMap::new();
+    for path in files {
+        let tokens: TokenStream = std::fs::read_to_string(&path).unwrap().parse().unwrap();
+        let inside =
+            path.strip_prefix(&src).unwrap().components().next().unwrap().as_os_str().to_string_lossy().into_owned();
+        all.entry(inside).or_default().read(tokens);
+    }
+    all
+}
+
+/// Arguments that a pattern names.
+fn arguments<'s>(pattern: &ast::Pattern<&'s str>, found: &mut BTreeSet<&'s str>) {
+    fn of_inline<'s>(expression: &ast::InlineExpression<&'s str>, found: &mut BTreeSet<&'s str>) {
+        match expression {
+            ast::InlineExpression::VariableReference { id } => _ = found.insert(id.name),
+            ast::InlineExpression::FunctionReference { arguments, .. } => {
+                arguments.positional.iter().for_each(|argument| of_inline(argument, found));
+            }
+            ast::InlineExpression::Placeable { expression } => of(expression, found),
+            _ => {}
+        }
+    }
+    fn of<'s>(expression: &ast::Expression<&'s str>, found: &mut BTreeSet<&'s str>) {
+        match expression {
+            ast::Expression::Inline(inline) => of_inline(inline, found),
+            ast::Expression::Select { selector, variants } => {
+                of_inline(selector, found);
+                variants.iter().for_each(|variant| arguments(&variant.value, found));
+            }
+        }
+    }
+    for element in &pattern.elements {
+        if let ast::PatternElement::Placeable { expression } = element {
+            of(expression, found);
+        }
+    }
+}
+
+/// A text of the catalogue: its attributes and arguments.
+#[derive(Debug, PartialEq, Eq)]
+struct Shape {
+    attributes: BTreeSet<String>,
+    arguments: BTreeSet<String>,
+}
+
+/// Texts of a language by id; complaints about the syntax go to `wrong`.
+fn texts(language: usize, wrong: &mut String) -> BTreeMap<String, Shape> {
+    let mut all = BTreeMap::new();
+    for (file, texts) in FILES {
+        let name = format!("{}/{file}.ftl", LANGUAGES[language]);
+        let resource = fluent_syntax::parser::parse(texts[language]).unwrap_or_else(|(resource, errors)| {
+            errors.iter().for_each(|e| _ = writeln!(wrong, "{name}: {e}"));
+            resource
+        });
+        for entry in &resource.body {
+            let ast::Entry::Message(message) = entry else { continue };
+            let mut found = BTreeSet::new();
+            message.value.iter().for_each(|value| arguments(value, &mut found));
+            message.attributes.iter().for_each(|attribute| arguments(&attribute.value, &mut found));
+            let attributes = message.attributes.iter().map(|a| a.id.name.to_owned()).collect();
+            let shape = Shape { attributes, arguments: found.into_iter().map(str::to_owned).collect() };
+            if all.insert(message.id.name.to_owned(), shape).is_some() {
+                let _ = writeln!(wrong, "{name}: `{}` is there twice", message.id.name);
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn every_call_has_its_text_in_all_languages_and_every_text_its_call() {
+    let mut wrong = String::new();
+    let languages = [0, 1, 2].map(|language| texts(language, &mut wrong));
+    let [english, others @ ..] = &languages;
+    for (language, other) in LANGUAGES[1..].iter().zip(others) {
+        for id in english.keys().chain(other.keys()).collect::<BTreeSet<_>>() {
+            if english.get(id) != other.get(id) {
+                let _ = writeln!(wrong, "`{id}`: {language} {:?}, en {:?}", other.get(id), english.get(id));
+            }
+        }
+    }
+    let mut called = BTreeSet::new();
+    for (folder, calls) in calls() {
+        for (_, id, mut arguments) in calls.of_catalogue {
+            match english.get(&id) {
+                None => _ = writeln!(wrong, "src/{folder}: `{id}` is not in the catalogue"),
+                Some(shape) => {
+                    // the text around a message has the message itself
+                    arguments.extend(shape.arguments.get("message").cloned());
+                    if shape.arguments != arguments {
+                        let _ =
+                            writeln!(wrong, "src/{folder}: `{id}` has {arguments:?}, its text {:?}", shape.arguments);
+                    }
+                }
+            }
+            called.insert(id);
+        }
+    }
+    english.keys().filter(|id| !called.contains(*id)).for_each(|id| _ = writeln!(wrong, "`{id}` is never used"));
+    assert!(called.len() > 40, "{}", called.len());
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn every_message_is_explained() {
+    let called = calls();
+    let messages = called.values().flat_map(|calls| &calls.of_catalogue).filter(|(name, ..)| name != "phrase");
+    let messages: BTreeSet<&str> = messages.map(|(_, id, _)| id.as_str()).collect();
+    let mut wrong = String::new();
+    for entry in entries() {
+        let parts = [&entry.meaning, &entry.reason, &entry.action, &entry.example];
+        let explained = parts.iter().filter(|part| !part.is_empty()).count();
+        if explained != if messages.contains(entry.id) { 4 } else { 0 } {
+            let _ = writeln!(wrong, "`{}` has {explained} parts of an explanation", entry.id);
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn texts_outside_the_catalogue_become_fewer() {
+    let free: BTreeMap<&str, usize> = FREE.into_iter().collect();
+    let mut wrong = String::new();
+    for (folder, calls) in calls() {
+        let allowed = free.get(folder.as_str()).copied().unwrap_or_default();
+        if calls.free != allowed {
+            let _ = writeln!(wrong, "    (\"{folder}\", {}), // {allowed} in the table", calls.free);
+        }
+    }
+    assert!(wrong.is_empty(), "write new texts into the catalogue; lower the table where texts went there:\n{wrong}");
+}
+
+#[test]
+fn calls_are_found_wherever_they_are() {
+    let source = r#"
+        fn f() { vec![error!("a", x, y = g(1, z))]; Message::error("free").hint(phrase!("b")).expected("free"); }
+        #[cfg(test)]
+        mod tests { fn g() { warning!("c"); } }
+    "#;
+    let mut calls = Calls::default();
+    calls.read(source.parse().unwrap());
+    let ids: Vec<(&str, usize)> = calls.of_catalogue.iter().map(|(_, id, all)| (id.as_str(), all.len())).collect();
+    assert_eq!((ids, calls.free), (vec![("a", 2), ("b", 0)], 2));
+}

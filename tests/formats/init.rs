@@ -1,0 +1,154 @@
+//! `etalon init --from`: a stranger's files become a campaign that runs, after the questions that `check` asks one after the other.
+
+use etalon::base::noise::Noise;
+use etalon::base::pose::Pose;
+use etalon::documents::ParametersDocument;
+use std::fmt::Write;
+use std::path::Path;
+
+fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let output =
+        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout) + &text(output.stderr))
+}
+
+/// Joint values (rad), the place of a reflector and the orientation of its body of a UR5e with small errors.
+fn measured(at: &Path, count: usize) -> Vec<(Vec<f64>, [f64; 3], [f64; 4])> {
+    assert_eq!(program(at, &["init", "nominal", "--robot", "ur5e"]).0, Some(0));
+    let names = ["o", "a", "b", "c"].map(str::to_owned);
+    let arm = etalon::campaign::read_robot(&at.join("nominal/robot.toml")).unwrap().build(&names).unwrap();
+    let mut values = arm.nominal();
+    for (p, value) in arm.parameters().iter().zip(&mut values) {
+        *value += match p.name.as_str() {
+            "base_x" => 1800.0,
+            "base_rz" => 0.4,
+            "d_4" => 0.4,
+            "theta_3" => 0.003,
+            "a_x" | "b_y" | "c_z" => 100.0,
+            _ => 0.0,
+        };
+    }
+    let mut noise = Noise::new(23, 1);
+    let mut one = || {
+        let q: Vec<f64> = (0..6).map(|_| noise.uniform(1.4)).collect();
+        let [o, a, b, c] = [0, 1, 2, 3].map(|k| arm.position(&values, &q, k));
+        let axis = |p: [f64; 3]| [0, 1, 2].map(|i| (p[i] - o[i]) / 100.0);
+        let [x, y, z] = [a, b, c].map(axis);
+        let rotation = [0, 1, 2].map(|i| [x[i], y[i], z[i]]);
+        let place = c.map(|v| v + noise.gaussian(0.01));
+        (q, place, Pose { rotation, ..Pose::identity() }.quaternion())
+    };
+    (0..count).map(|_| one()).collect()
+}
+
+/// Answers what `check` asks until it has nothing left to ask; gives the keys that it asked for.
+fn answer(at: &Path, answers: &[(&str, &str)]) -> Vec<String> {
+    let mut asked = Vec::new();
+    for _ in 0..20 {
+        let (code, said) = program(at, &["check", "mine"]);
+        if code == Some(0) {
+            return asked;
+        }
+        assert!(said.matches("error").count() == 1 && said.contains(" open"), "one question at a time: {said}");
+        let path = at.join("mine/campaign.toml");
+        let text = std::fs::read_to_string(&path).unwrap();
+        let number = said.split("campaign.toml:").nth(1).unwrap();
+        let number: usize = number.split(|c: char| !c.is_ascii_digit()).next().unwrap().parse().unwrap();
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let line = &mut lines[number - 1];
+        let key = if line.contains("_UNIT") { "UNIT" } else { line.split('=').next().unwrap().trim() }.to_owned();
+        let (_, value) = answers.iter().find(|(of, _)| *of == key).unwrap_or_else(|| panic!("{key}: {said}"));
+        *line = line.replace("_UNIT", &format!("_{value}")).replacen("\"?\"", value, 1);
+        asked.push(key);
+        std::fs::write(path, lines.join("\n") + "\n").unwrap();
+    }
+    panic!("the questions have no end: {asked:?}");
+}
+
+fn found(at: &Path) -> ParametersDocument {
+    let (code, said) = program(at, &["run", "mine"]);
+    assert_eq!(code, Some(0), "{said}");
+    serde_json::from_slice(&std::fs::read(at.join("mine/out/parameters.json")).unwrap()).unwrap()
+}
+
+/// Values of the true errors, within what a calibration of forty poses determines.
+fn is_calibrated(document: &ParametersDocument) {
+    let value = |name: &str| document.parameters.iter().find(|p| p.name == name).map(|p| p.value - p.nominal).unwrap();
+    assert!((value("d_4") - 0.4).abs() < 0.1, "{}", value("d_4"));
+    assert!(document.residuals.rms < 0.03, "{}", document.residuals.rms);
+}
+
+#[test]
+fn one_semicolon_file_with_joints_is_a_campaign() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let mut text = "Pose;J1 [deg];J2 [deg];J3 [deg];J4 [deg];J5 [deg];J6 [deg];X [mm];Y [mm];Z [mm]\n".to_owned();
+    for (i, (q, p, _)) in (1..).zip(measured(at, 60)) {
+        let cells: Vec<String> =
+            q.iter().map(|v| v.to_degrees()).chain(p).map(|v| format!("{v:.5}").replace('.', ",")).collect();
+        let _ = writeln!(text, "{i};{}", cells.join(";"));
+    }
+    std::fs::write(at.join("messung.csv"), text).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "messung.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    // the file states its units: the instrument alone is asked for
+    assert_eq!(
+        answer(at, &[("name", "\"tracker\""), ("expanded_uncertainty_um", "20")]),
+        ["name", "expanded_uncertainty_um"]
+    );
+    is_calibrated(&found(at));
+}
+
+#[test]
+fn a_log_and_an_export_of_six_degrees_of_freedom_are_a_campaign() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let mut log = "t,joint_2,joint_1,joint_3,joint_4,joint_5,joint_6\n".to_owned();
+    let mut export = "X  [mm],Y  [mm],Z  [mm],U(95) X  [mm],U(95) Y  [mm],U(95) Z  [mm],Q0 ,Q1 ,Q2 ,Q3\n".to_owned();
+    for (i, (q, p, o)) in (0..).zip(measured(at, 60)) {
+        let _ = writeln!(log, "{},{},{},{},{},{},{}", 5 * i, q[1], q[0], q[2], q[3], q[4], q[5]);
+        let cells: Vec<String> = p.iter().chain(&[0.02; 3]).chain(&o).map(f64::to_string).collect();
+        let _ = writeln!(export, "{}", cells.join(","));
+    }
+    std::fs::write(at.join("joints.csv"), log).unwrap();
+    std::fs::write(at.join("probe.csv"), export).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "joints.csv", "probe.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    let answers = [
+        ("name", "\"tracker\""),
+        ("expanded_uncertainty_um", "20"),
+        ("expanded_rotation_uncertainty_deg", "0.01"),
+        ("UNIT", "rad"),
+    ];
+    let asked = answer(at, &answers);
+    assert_eq!(asked.len(), 4, "{asked:?}");
+    is_calibrated(&found(at));
+}
+
+#[test]
+fn labels_and_poses_join_an_export_and_a_log() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let (mut log, mut export) = ("pose;J1;J2;J3;J4;J5;J6\n".to_owned(), "Name,X,Y,Z\n".to_owned());
+    for (i, (q, p, _)) in (1..).zip(measured(at, 60)) {
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.5}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i};{}", cells.join(";"));
+        let _ = writeln!(export, "SMR-{i},{:.4},{:.4},{:.4}", p[0], p[1], p[2]);
+    }
+    std::fs::write(at.join("log.csv"), log).unwrap();
+    std::fs::write(at.join("points.csv"), export).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv", "log.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    let answers = [("name", "\"tracker\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\""), ("UNIT", "deg")];
+    assert_eq!(answer(at, &answers).len(), 4);
+    let text = std::fs::read_to_string(at.join("mine/campaign.toml")).unwrap();
+    assert!(text.contains("label = \"{target}-{pose}\"") && text.contains("by = [\"pose\"]"), "{text}");
+    is_calibrated(&found(at));
+    // a file of which nothing is known, and a folder that is there
+    std::fs::write(at.join("notes.txt"), "no numbers here\n").unwrap();
+    let (code, said) = program(at, &["init", "other", "--robot", "ur5e", "--from", "notes.txt"]);
+    assert!(code == Some(2) && !at.join("other").exists(), "{said}");
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv"]);
+    assert!(code == Some(2) && said.contains("is there already"), "{said}");
+}

@@ -1,0 +1,176 @@
+//! One language for all tables: columns by name, number or expression, constants, filters, several files.
+
+use crate::support::scratch::{Scratch, copy_sample, ends};
+use etalon::documents::ParametersDocument;
+use etalon::formats::table::{coordinates, numbers, texts};
+use etalon::formats::{Export, TableLayout, observations_with};
+
+fn layout(toml: &str) -> TableLayout {
+    let stated: etalon::campaign::ObservationsDefinition =
+        toml::from_str(&format!("file = \"o.csv\"\n{toml}")).unwrap_or_else(|e| panic!("{toml}: {e}"));
+    stated.layout()
+}
+
+fn said(text: &str, toml: &str) -> String {
+    observations_with("o.csv", text, &layout(toml)).unwrap_err().to_string()
+}
+
+#[test]
+fn the_same_table_however_it_is_laid_out() {
+    let plain = "pose,target,kind,x_mm,y_mm,u_mm\n1,A,point,1.5,2.5,0.01\n2,A,point,3.5,4.5,0.02\n";
+    let right = observations_with("o.csv", plain, &TableLayout::default()).unwrap();
+    for (text, stated) in [
+        // no header, columns by number, constants, expanded uncertainties
+        (
+            "1;1,5;2,5;0,02\n2;3,5;4,5;0,04\n",
+            "delimiter = \";\"\ndecimal = \",\"\nheader = false\ncoverage_factor = 2\nkind = \"point\"\ntarget = \"A\"\n\
+             columns = { pose = 1, x_mm = 2, y_mm = 3, u_mm = 4 }",
+        ),
+        // computed columns; a title above the header; comments; rows that are left out
+        (
+            "report\npose|x_t|x dif|Y [m]|U95 um|flag\n# a comment\n1|2|0.5|0.0025|20|0\n1|99|0.5|0.0025|20|1\n2|4|0.5|0.0045|40|0\n",
+            "delimiter = \"|\"\nheader = [\"x_t\", \"U95\"]\ncomment = \"#\"\ncoverage_factor = 2\nwithout = { flag = 1 }\n\
+             constants = { target = \"A\", kind = \"point\" }\n\
+             columns = { x_mm = \"x_t - x dif\", y_m = \"Y [m]\", u_um = \"U95 um\" }",
+        ),
+        (
+            "p\ta\tx\ty\tmode\n1\tA\t0.75\t2.5\tgood\n2\tA\t1.75\t4.5\tgood\n3\tA\t1.75\t4.5\tbad\n",
+            "delimiter = \"tab\"\nheader = 1\nonly = { mode = [\"good\", \"best\"] }\nkind = \"point\"\n\
+             columns = { pose = \"p\", target = \"a\", x_mm = \"2 * x\", y_mm = \"y\", u_mm = \"0.01 * p\" }",
+        ),
+    ] {
+        let read = observations_with("o.csv", text, &layout(stated)).unwrap_or_else(|e| panic!("{stated}: {e}"));
+        assert_eq!(coordinates(&read).unwrap(), coordinates(&right).unwrap(), "{stated}");
+        for (a, b) in numbers(&read, "u_mm").unwrap().iter().zip(numbers(&right, "u_mm").unwrap()) {
+            assert!((a - b).abs() < 1e-15, "{stated}: {a} {b}");
+        }
+        for name in ["target", "kind", "pose", "cycle"] {
+            assert_eq!(texts(&read, name).unwrap(), texts(&right, name).unwrap(), "{name} {stated}");
+        }
+    }
+}
+
+#[test]
+fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
+    let text = "pose,target,x_mm,y_mm\n1,A,nan,2.5\n2,A,N/A,\n3,A,1.5,2.5\n";
+    let read = observations_with("o.csv", text, &TableLayout::default()).unwrap();
+    let x = numbers(&read, "x_mm").unwrap();
+    assert!(x[0].is_nan() && x[1].is_nan() && x[2] == 1.5, "{x:?}");
+    // a computed value of a missing one is missing
+    let computed = observations_with("o.csv", text, &layout("columns = { z_mm = \"x_mm + y_mm\" }")).unwrap();
+    let z = numbers(&computed, "z_mm").unwrap();
+    assert!(z[0].is_nan() && z[1].is_nan() && z[2] == 4.0, "{z:?}");
+    for (stated, part) in [
+        ("columns = { z_mm = \"x_mm + y_mn\" }", "did you mean `y_mm`"),
+        ("columns = { z_mm = 9 }", "there are 4 columns, none of them is number 9"),
+        ("columns = { z_mm = \"x_mm / 0\" }", "is computed as inf"),
+        ("columns = { z = 1 }", "`z` is not a column of observations"),
+        ("only = { quality = 1 }", "the header names no `quality`"),
+        ("only = { target = \"B\" }", "leave no row"),
+        ("target = \"A\"", "`target` is stated, and the table has such a column"),
+        ("missing = [\"none\"]", "`nan` is not a number"),
+    ] {
+        let said = said(text, stated);
+        assert!(said.contains(part), "{stated}: {said}");
+    }
+}
+
+#[test]
+fn exports_have_computed_columns_and_filters_too() {
+    let read = |format: &str, text: &str| {
+        let export: Export = toml::from_str(&format!("file = \"e.csv\"\nunit = \"mm\"\nformat = {format}\n"))
+            .unwrap_or_else(|e| panic!("{format}: {e}"));
+        let (points, problems) = export.format.read("e.csv", &text.into(), export.unit);
+        (points.iter().map(|p| (p.xyz_mm, p.refused.clone())).collect::<Vec<_>>(), problems.to_string())
+    };
+    let text = "x_t;y_t;z_t;x_dif;y_dif;z_dif;deleted\n10;20;30;0,5;0,25;-1;0\n1;1;1;0;0;0;1\n";
+    let (points, problems) = read(
+        "{ delimiter = \";\", decimal = \",\", header = 1, columns = { x = \"x_t - x_dif\", y = \"y_t - y_dif\", z = \"z_t - z_dif\" }, \
+         without = { deleted = 1 } }",
+        text,
+    );
+    assert_eq!(points[0], ([9.5, 19.75, 31.0], None), "{problems}");
+    assert_eq!(points[1].1.as_deref(), Some("left out: `deleted` is `1`"));
+    // without a header
+    let (points, problems) =
+        read("{ delimiter = \"blank\", columns = { x = \"25.4 * $2\", y = 3, z = \"$1\" } }", "1 2 3\n4 5 6\n");
+    assert_eq!(points[1].0, [127.0, 6.0, 4.0], "{problems}");
+    // slips: a wrong name, and a cell that is no number
+    let format = "{ delimiter = \";\", decimal = \",\", header = 1, columns = { x = \"x_t - x_diff\", y = \"y_t\", z = \"z_t\" } }";
+    let (_, problems) = read(format, text);
+    assert!(problems.contains("did you mean `x_dif`"), "{problems}");
+    let (_, problems) = read(&format.replace("x_diff", "x_dif"), &text.replace("0,5", "half"));
+    assert!(problems.contains("`half` is not a number") && problems.contains("e.csv:2"), "{problems}");
+}
+
+fn parameters(scratch: &Scratch) -> ParametersDocument {
+    serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn several_tables_of_observations_are_one() {
+    let whole = copy_sample("probe-poses");
+    ends(&whole, "run", 0, &[]);
+    let parts = copy_sample("probe-poses");
+    let text = std::fs::read_to_string(parts.path().join("observations.csv")).unwrap();
+    let (head, rows) = text.split_once('\n').unwrap();
+    let half = rows.match_indices('\n').nth(rows.lines().count() / 2).unwrap().0 + 1;
+    std::fs::write(parts.path().join("a.csv"), format!("{head}\n{}", &rows[..half])).unwrap();
+    // the second file has semicolons, decimal commas and headings of its own
+    let second = rows[half..].replace(',', ";").replace('.', ",");
+    let head = head.replace("q1_deg", "J1").replace(',', ";");
+    std::fs::write(parts.path().join("b.csv"), format!("{head}\n{second}")).unwrap();
+    let stated = std::fs::read_to_string(parts.path().join("campaign.toml")).unwrap();
+    let (before, after) = stated.split_once("[observations]").unwrap();
+    let after = after.split_once("\n[").map_or("", |(_, after)| after);
+    let tables = "[[observations]]\nfile = \"a.csv\"\n[[observations]]\nfile = \"b.csv\"\ndelimiter = \";\"\ndecimal = \",\"\n\
+                  columns = { q1_deg = \"J1\" }\n";
+    std::fs::write(parts.path().join("campaign.toml"), format!("{before}{tables}\n[{after}")).unwrap();
+    ends(&parts, "check", 0, &[]);
+    ends(&parts, "run", 0, &[]);
+    assert_eq!(parameters(&parts).parameters, parameters(&whole).parameters);
+    // an error of the second file names it and its line
+    let wrong = second.replacen(';', ";=x", 2).replacen(";=x", ";", 1);
+    std::fs::write(parts.path().join("b.csv"), format!("{head}\n{wrong}")).unwrap();
+    ends(&parts, "check", 2, &["b.csv:2"]);
+    // an error that is found in all rows together: a target that nobody measures in that way
+    let lost = second.replacen(";probe;", ";;", 1);
+    std::fs::write(parts.path().join("b.csv"), format!("{head}\n{lost}")).unwrap();
+    ends(&parts, "check", 2, &["b.csv"]);
+}
+
+#[test]
+fn tests_of_poses_read_tables_in_any_layout() {
+    let plain = copy_sample("pose-test");
+    ends(&plain, "run", 0, &[]);
+    let own = copy_sample("pose-test");
+    for name in ["poses.csv", "commanded.csv", "reference.csv"] {
+        let text = std::fs::read_to_string(own.path().join(name)).unwrap();
+        let text = text.replace("x_mm", "X").replace(',', ";").replace('.', ",");
+        std::fs::write(own.path().join(name), text).unwrap();
+    }
+    own.replace(
+        "campaign.toml",
+        "[poses]\n",
+        "[poses]\ndelimiter = \";\"\ndecimal = \",\"\ncolumns = { x_mm = \"X\", approach = \"Anfahrt\" }\n",
+    );
+    ends(&own, "run", 0, &[]);
+    let document = |scratch: &Scratch| std::fs::read_to_string(scratch.path().join("out/iso9283.json")).unwrap();
+    let characteristics = |text: String| text.split_once("\"poses\"").map(|(_, rest)| rest.to_owned()).unwrap();
+    assert_eq!(characteristics(document(&plain)), characteristics(document(&own)));
+    // the command
+    let program = |scratch: &Scratch, more: &[&str]| {
+        let arguments =
+            [&["iso9283", "pose", "poses.csv", "--commanded", "commanded.csv", "--json"][..], more].concat();
+        let output =
+            std::process::Command::new(crate::support::program()).args(arguments).current_dir(scratch.path()).output();
+        let output = output.unwrap();
+        (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (right, said) = program(&plain, &[]);
+    let options = ["--delimiter", "semicolon", "--decimal", "comma", "--column", "x_mm=X"];
+    let (found, said_too) = program(&own, &options);
+    assert!(!right.is_empty() && right == found, "{said} {said_too}");
+    let (_, said) = program(&own, &[]);
+    assert!(said.contains("--delimiter"), "{said}");
+}
