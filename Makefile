@@ -14,6 +14,9 @@
 # make thesis  the tables and figures of the thesis, printed and computed side by side: target/thesis/thesis.html and thesis.md
 # make test-slurm run campaigns on a Slurm cluster of two nodes on this machine, and kill one (needs root, slurm-wlm and munge)
 # make test-linuxcnc load exported kinematics into LinuxCNC and compare its joint positions (needs root; installs linuxcnc-uspace of Debian)
+# make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
+# make book    make a book of docs/ with mdBook: target/book/index.html
+# make dist    write an archive, a Debian package and checksums of the program: target/dist
 # make samples make the synthetic samples again from their truth
 # make help    this text
 SHELL := /bin/bash
@@ -34,7 +37,7 @@ CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc thesis bench bench-fit bench-import samples help clean
+.PHONY: all report compare test quick unit attack test-slurm test-linuxcnc thesis bench bench-fit bench-import samples python book dist help clean
 
 # names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
 unexport CAMPAIGNS
@@ -131,6 +134,31 @@ test-linuxcnc: $(ETALON)
 
 samples: $(ETALON)
 	for truth in samples/*/truth.toml; do $(ETALON) simulate -- "$${truth%/truth.toml}" || exit; done
+
+# the wheel has its own libraries: it is built beside those of the program
+PYTHON_BUILD := $(abspath $(CARGO_TARGET_DIR))/python
+# `make python WHEEL="--profile dev --no-default-features"` builds one that is neither fast nor has report.pdf, in a fifth of the time
+WHEEL ?= --release
+
+python:
+	[ -x $(PYTHON_BUILD)/venv/bin/python ] || python3 -m venv $(PYTHON_BUILD)/venv
+	$(PYTHON_BUILD)/venv/bin/pip install --quiet 'maturin>=1.9,<2'
+	rm -rf $(PYTHON_BUILD)/wheels
+	CARGO_TARGET_DIR=$(PYTHON_BUILD)/target $(PYTHON_BUILD)/venv/bin/maturin build $(WHEEL) --locked --manifest-path python/Cargo.toml --out $(PYTHON_BUILD)/wheels
+	$(PYTHON_BUILD)/venv/bin/pip install --quiet --force-reinstall --no-deps $(PYTHON_BUILD)/wheels/*.whl
+	$(PYTHON_BUILD)/venv/bin/pip install --quiet numpy pytest
+	$(PYTHON_BUILD)/venv/bin/pip install --quiet scipy polars pandas pyarrow jsonschema taplo || echo "some peers could not be installed: tests with them are skipped"
+	$(PYTHON_BUILD)/venv/bin/pytest -q -p no:cacheprovider python/tests
+	ls $(PYTHON_BUILD)/wheels
+
+MDBOOK := $(or $(shell command -v mdbook),$(abspath $(CARGO_TARGET_DIR))/tools/bin/mdbook)
+
+book:
+	[ -x $(MDBOOK) ] || cargo install --quiet --locked --root $(abspath $(CARGO_TARGET_DIR))/tools mdbook
+	$(MDBOOK) build docs --dest-dir $(abspath $(CARGO_TARGET_DIR))/book
+
+dist: $(ETALON)
+	.ci/dist $(ETALON) $(CARGO_TARGET_DIR)/dist
 
 clean:
 	@for c in $(EACH); do [ ! -f "$$c/campaign.toml" ] || rm -rf -- "$$c/out" || exit; done

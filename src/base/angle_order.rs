@@ -5,7 +5,8 @@ use crate::pose::Pose;
 use std::fmt;
 use std::str::FromStr;
 
-/// In which order three angles turn a body, and whether about its own axes, as they are after each turn, or about those of the world.
+/// Order in which three angles turn a body, about its own (moving) axes or about the fixed axes of
+/// the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AngleOrder {
     axes: [usize; 3],
@@ -31,8 +32,8 @@ impl AngleOrder {
         order.into_iter().fold(Pose::identity(), turn)
     }
 
-    /// The angles (rad) that turn a body to this orientation: the second one in [−π/2, π/2], or in [0, π] where the first and third turn about the
-    /// same axis.
+    /// Angles (rad) that turn a body to this orientation. The second angle is in [−π/2, π/2], or in
+    /// [0, π] where the first and third turn about the same axis.
     pub fn angles(self, body: &Pose) -> [f64; 3] {
         let r = &body.rotation;
         let [i, j, k] = if self.fixed { [self.axes[2], self.axes[1], self.axes[0]] } else { self.axes };
@@ -67,11 +68,7 @@ impl FromStr for AngleOrder {
 
     fn from_str(text: &str) -> std::result::Result<Self, Message> {
         let found = Self::all().into_iter().find(|order| order.to_string() == text);
-        found.ok_or_else(|| {
-            Message::error(format!("`{text}` is not an order of three angles")).expected(
-                "\"zyx\", \"xyz\", \"zyz\" .. about the axes of the body, or \"fixed xyz\" .. about those of the world",
-            )
-        })
+        found.ok_or_else(|| crate::error!("angle-order-unknown", text))
     }
 }
 

@@ -217,13 +217,10 @@ impl Pose {
         let off = |i: usize, j: usize| (dot(rotation[i], rotation[j]) - unit(i, j)).abs();
         let worst = (0..9).map(|k| off(k / 3, k % 3)).fold(0.0, f64::max);
         if rows.iter().any(|v| !v.is_finite()) || worst >= ORTHONORMAL {
-            let what =
-                format!("the rotation matrix is not orthonormal: rows times rows differ from 1 and 0 by {worst:.4}");
-            return Err(Message::error(what).expected("r11 to r33, row by row: body in world"));
+            return Err(crate::error!("rotation-not-orthonormal", off = format!("{worst:.4}")));
         }
         if dot(cross(rotation[0], rotation[1]), rotation[2]) < 0.0 {
-            let message = Message::error("the rotation matrix mirrors: its determinant is -1");
-            return Err(message.hint("check the signs of its columns"));
+            return Err(crate::error!("rotation-mirrors"));
         }
         // rounded elements are made a rotation again
         Ok(Self::from_quaternion(Self { rotation, ..Self::identity() }.quaternion()))

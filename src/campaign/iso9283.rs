@@ -59,7 +59,7 @@ pub struct PosesDefinition {
     /// `cycle,target,x_mm,y_mm[,z_mm]`.
     #[schemars(with = "Option<String>")]
     pub reference: Option<Spanned<String>>,
-    /// What separates the columns of the tables.
+    /// Separator of the columns of the tables.
     #[schemars(extend("default" = ","))]
     pub delimiter: Option<Delimiter>,
     /// Decimal mark of the tables.
@@ -68,15 +68,17 @@ pub struct PosesDefinition {
     /// Encoding of their characters, where no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
-    /// Rows before the data of each table, the last of which names the columns: a number, `false` for none, or words of the row.
+    /// Rows before the data of each table; the last one names the columns: a number, `false` for
+    /// none, or words of the row.
     #[serde(default = "one_row")]
     #[schemars(extend("default" = 1))]
     pub header: Header,
-    /// Where each column comes from that is called otherwise in the tables: a heading, a number from 1, or an expression (`x_t - x_dif`). A
-    /// table that has no such heading is read without it.
+    /// Source of each column that has another name in the tables: a heading, a number from 1, or an
+    /// expression (`x_t - x_dif`). A table without the heading is read without the column.
     #[serde(default)]
     pub columns: BTreeMap<String, ColumnSource>,
-    /// Rows that are left out: those with one of these cells in one of these columns of the attained poses.
+    /// Rows of the attained poses to leave out: rows with one of these cells in one of these
+    /// columns.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
     /// Number of cycles in one set of a drift test; without it there is no drift.
@@ -90,7 +92,7 @@ pub struct PosesDefinition {
 }
 
 impl PosesDefinition {
-    /// How a table is laid out; rows are left out of the attained poses alone.
+    /// Layout of a table; rows are left out of the attained poses alone.
     pub fn layout(&self, attained: bool) -> TableLayout {
         TableLayout {
             delimiter: self.delimiter.unwrap_or(Delimiter::Comma),

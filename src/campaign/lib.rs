@@ -278,7 +278,8 @@ fn open_question(name: &str, text: &str) -> Option<etalon_base::message::Message
     Some(message.at(Place::line(name, at + 1, line)))
 }
 
-/// Keys of `campaign.toml` that this campaign needs and does not state: a test by ISO 9283 needs less than an identification.
+/// Keys of `campaign.toml` that this campaign needs and does not state. A test by ISO 9283 needs
+/// fewer keys than an identification.
 fn missing_keys(text: &str) -> Vec<&'static str> {
     let all = toml_file::Stated::of(text);
     let stated = |key: &&str| all.find(&[key]).is_some();
@@ -314,7 +315,15 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
 /// # Ok::<(), etalon_base::message::Problems>(())
 /// ```
 pub fn read_robot(path: &Path) -> Result<RobotFile> {
-    let (robot, problems) = RobotFile::recover(path, &files::read_text(path)?);
+    parse_robot(path, &files::read_text(path)?)
+}
+
+/// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is looked for beside it.
+///
+/// # Errors
+/// Those of [`read_robot`].
+pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
+    let (robot, problems) = RobotFile::recover(path, text);
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 

@@ -238,7 +238,8 @@ pub struct ObservationsDefinition {
     pub sheet: Option<String>,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// Rows before the data, the last of which names the columns: a number, `false` for none, or words of the row.
+    /// Rows before the data; the last one names the columns: a number, `false` for none, or words of
+    /// the row.
     #[serde(default = "one_row")]
     #[schemars(extend("default" = 1))]
     pub header: Header,
@@ -247,7 +248,8 @@ pub struct ObservationsDefinition {
     /// Cells that mean "not measured", beside empty ones.
     #[serde(default)]
     pub missing: Missing,
-    /// Where each column comes from that is called otherwise in the file: a heading, a number from 1, or an expression (`x_t - x_dif`).
+    /// Source of each column that has another name in the file: a heading, a number from 1, or an
+    /// expression (`x_t - x_dif`).
     #[serde(default)]
     pub columns: BTreeMap<String, ColumnSource>,
     /// Columns with the same value in all rows, e.g. `kind = "distance"`.

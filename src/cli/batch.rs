@@ -9,7 +9,6 @@ use etalon_base::message::printable;
 use etalon_documents::to_json;
 use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, Presentation};
 use std::fmt::Write;
-use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -48,15 +47,14 @@ impl Batch {
         let since = self.newer_than.as_ref().map(age).transpose();
         let since = since.map_err(|e| anyhow::anyhow!("the file of `--newer-than` cannot be read: {e}"))?;
         let wanted = if self.documents { Wanted::Documents } else { Wanted::Reports };
-        let (shown, ended) = (std::io::stderr().is_terminal(), AtomicUsize::new(0));
+        let ended = AtomicUsize::new(0);
         let said = |entry: &BatchEntry| {
             let ended = ended.fetch_add(1, Ordering::Relaxed) + 1;
             if let Some(message) = &entry.message {
                 let how = if entry.ended == BatchEnd::Skipped { "skipped" } else { "failed" };
                 say(format_args!("{how}: {}\n{message}\n", printable(&entry.campaign)));
-            } else if shown {
-                progress(ended, campaigns.len());
             }
+            progress(ended, campaigns.len());
         };
         let table = self.to.join("batch.parquet");
         let Batched { document, figures } =

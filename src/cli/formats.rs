@@ -1,6 +1,6 @@
 //! Command `etalon formats`.
 
-use super::{Verdict, print};
+use super::{Verdict, next_step, print};
 use etalon_base::message::Result;
 use etalon_documents::FormatsDocument;
 use etalon_formats::propose_file;
@@ -29,6 +29,7 @@ impl Formats {
                 print(texts.join("\n"))?;
             }
         }
+        next_step(self.json, "paste these lines into campaign.toml; `etalon check FOLDER` tries them");
         Ok(Verdict::Met)
     }
 }

@@ -1,5 +1,6 @@
 //! Command `etalon identify`.
 
+use super::given::Given;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, remark};
@@ -14,13 +15,14 @@ use crate::stages::solved::Solved;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, warning};
-use etalon_campaign::{Exclude, read_robot};
+use etalon_campaign::{Exclude, RobotFile, read_robot};
 use etalon_documents::to_json;
-use etalon_documents::{Effect, parameters_document};
+use etalon_documents::{Effect, ParametersDocument, parameters_document};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use etalon_identify::{Effects, Prior, ResidualKind, Settings, Systematic, weigh};
 use etalon_report::Faces;
 use etalon_robots::Robot;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Plausible standard uncertainties of a coordinate; other values indicate another unit.
@@ -85,10 +87,36 @@ pub struct IdentifyCommand {
 
 impl IdentifyCommand {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)?;
+        self.check()?;
         let robot_file = read_robot(&self.robot)?;
-        let mut observed = self.format.read(&self.observations)?;
+        let observed = self.format.read(&self.observations)?;
+        let described = robot_file.description_path();
+        let inputs = files::sha256_of([&self.robot, &self.observations].into_iter().chain(&described))?;
+        let document = self.identified(&robot_file, observed, &inputs)?;
+        if !self.json {
+            remark(&document.messages);
+        }
+        answer(&Faces::identification(&document), self.json.then(|| to_json(&document)).transpose()?)
+    }
+
+    /// The answer from a table in memory.
+    pub(super) fn in_memory(&self, given: &Given) -> anyhow::Result<ParametersDocument> {
+        self.check()?;
+        let observed = self.format.parse(given.table.name, given.table.text)?;
+        self.identified(given.robot, observed, &given.inputs())
+    }
+
+    fn check(&self) -> Result<(), Problems> {
+        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)
+    }
+
+    fn identified(
+        &self,
+        robot_file: &RobotFile,
+        mut observed: TableFile,
+        inputs: &BTreeMap<String, String>,
+    ) -> anyhow::Result<ParametersDocument> {
         let mut messages = self.leave_rows_out(&mut observed)?;
         let observed = observed;
         let here = |problems: Problems| observed.place(problems);
@@ -119,13 +147,7 @@ impl IdentifyCommand {
         let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };
         let mut solved = Solved::new(robot.as_ref(), &sets, &settings, &Systematic::default())?;
         solved.judge(robot.as_ref(), &sets, &settings, messages);
-        let described = robot_file.description_path();
-        let inputs = files::sha256_of([&self.robot, &self.observations].into_iter().chain(&described))?;
-        let document = parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, &inputs);
-        if !self.json {
-            remark(&document.messages);
-        }
-        answer(&Faces::identification(&document), self.json.then(|| to_json(&document)).transpose()?)
+        Ok(parameters_document(robot.as_ref(), &settings, &solved.before, &solved.found, inputs))
     }
 
     /// Rules of `--exclude`.

@@ -2,12 +2,12 @@
 
 mod from;
 
-use super::{Verdict, print_written};
+use super::{Verdict, next_step, print_written, shell_word};
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::Problems;
 use etalon_campaign::{parse, read_urdf};
-use etalon_robots::{Joint, Quantity};
+use etalon_robots::{Joint, LongestChain, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
@@ -29,11 +29,13 @@ pub struct Init {
     /// (five-bar, xy-theta, hexapod, delta ...).
     #[arg(long, value_name = "NAME", conflicts_with_all = ["synthetic", "urdf"])]
     robot: Option<String>,
-    /// Propose the whole campaign from these files: exports, logs, tables with both, observations. They are copied into the folder; `etalon
-    /// check` asks for what they do not state. With --robot or --urdf
+    /// Propose the whole campaign from these files: exports, logs, tables with both, observations.
+    ///
+    /// The files are copied into the folder, and `etalon check` asks for what they do not state.
+    /// Needs --robot or --urdf.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "synthetic")]
     from: Vec<PathBuf>,
-    /// Print the names of the files written as JSON
+    /// Print the names of the files written as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -66,7 +68,30 @@ impl Init {
             texts[0].1 = CAMPAIGN.replace(SYNTHETIC, MADE).into_bytes();
             texts.push(("truth.toml", TRUTH.into()));
         }
-        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
+        self.write(&texts)
+    }
+
+    /// Writes the files, and says what comes next.
+    fn write(&self, texts: &[(&str, Vec<u8>)]) -> anyhow::Result<Verdict> {
+        let schemas = etalon_campaign::schemas();
+        let text = |(name, text): &(&str, Vec<u8>)| match schemas.iter().any(|(of, _)| of == name) {
+            true => ((*name).to_owned(), [format!("#:schema ./{}\n", schema_file(name)).as_bytes(), text].concat()),
+            false => ((*name).to_owned(), text.clone()),
+        };
+        let schema = |(name, text): &(&'static str, String)| (schema_file(name), text.clone().into_bytes());
+        let all: Vec<(String, Vec<u8>)> = texts.iter().map(text).chain(schemas.iter().map(schema)).collect();
+        print_written(files::write_new(&self.folder, &all)?, self.json)?;
+        let folder = shell_word(&self.folder);
+        match self.synthetic {
+            true => next_step(self.json, format_args!("`etalon simulate {folder}` writes the exports and the log")),
+            false => next_step(
+                self.json,
+                format_args!(
+                    "copy the exports and the log into {folder}; `etalon formats FILE` proposes how to read each; \
+                     `etalon check {folder}`"
+                ),
+            ),
+        }
         Ok(Verdict::Met)
     }
 
@@ -101,8 +126,7 @@ impl Init {
             ("robot.toml", robot),
             (name.as_str(), text),
         ];
-        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
-        Ok(Verdict::Met)
+        self.write(&texts)
     }
 
     /// Creates a campaign for a robot of the built-in table.
@@ -114,8 +138,7 @@ impl Init {
         let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
         let texts =
             [("campaign.toml", campaign("[\"json\"]", &columns, targets)), ("robot.toml", robot.text().into_bytes())];
-        print_written(files::write_new(&self.folder, &texts)?, self.json)?;
-        Ok(Verdict::Met)
+        self.write(&texts)
     }
 }
 
@@ -131,19 +154,40 @@ struct Described {
     joints: Vec<String>,
 }
 
+/// Names of the robots of the table.
+pub fn known_names() -> Result<Vec<String>, Problems> {
+    let Known { robots } = parse("robots.toml", ROBOTS)?;
+    Ok(robots.into_iter().map(|robot| robot.name).collect())
+}
+
+/// The robot.toml of a robot of the table.
+pub fn known_text(name: &str) -> Result<String, Problems> {
+    Ok(known_robot(name)?.text())
+}
+
+/// The robot.toml of a chain of a URDF file.
+pub fn urdf_text(file: &str, chain: &LongestChain) -> String {
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    format!(
+        "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
+         # bending = [{}]    # joints that bend under the masses of the URDF\n",
+        quoted(file),
+        quoted(&chain.base_link),
+        quoted(&chain.tool_link),
+        quoted(&chain.joints[0].name),
+    )
+}
+
+/// Where the schema of an input file is in the folder of a campaign, for editors.
+fn schema_file(name: &str) -> String {
+    format!("schemas/{name}.schema.json")
+}
+
 /// The chain of a URDF file with the most moving joints.
 fn described(path: &Path) -> anyhow::Result<Described> {
     let (chain, text) = read_urdf(path)?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let quoted = |text: &str| toml::Value::from(text).to_string();
-    let robot = format!(
-        "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
-         # bending = [{}]    # joints that bend under the masses of the URDF\n",
-        quoted(&name),
-        quoted(&chain.base_link),
-        quoted(&chain.tool_link),
-        quoted(&chain.joints[0].name),
-    );
+    let robot = urdf_text(&name, &chain);
     let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
     let key = |joint: &Joint| format!("{}_{}", joint.name, unit(joint.quantity));
     let joints = chain.joints.iter().map(key).collect();
@@ -151,11 +195,11 @@ fn described(path: &Path) -> anyhow::Result<Described> {
 }
 
 /// The robot of this name in the table.
-fn known_robot(name: &str) -> anyhow::Result<KnownRobot> {
+fn known_robot(name: &str) -> Result<KnownRobot, Problems> {
     let Known { mut robots } = parse("robots.toml", ROBOTS)?;
     let Some(at) = robots.iter().position(|robot| robot.name == name) else {
         let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
-        return Err(Problems::from(error!("robot-not-in-table", name, names)).into());
+        return Err(error!("robot-not-in-table", name, names).into());
     };
     Ok(robots.swap_remove(at))
 }

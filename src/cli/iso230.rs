@@ -50,10 +50,7 @@ enum Controller {
 impl Iso230 {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let file = TableFile::read(&self.table)?;
-        let positions = positions(&file).map_err(|problems| file.place(problems))?;
-        let document = AxisDocument::new(&positions);
-        let deviations: Vec<Deviation> = document.positions.iter().map(Deviation::from).collect();
-        axis_tables::plausible(&deviations).map_err(|problems| file.place(problems))?;
+        let (document, deviations) = evaluate(&file)?;
         let header = |units: &str| axis_tables::header([], units, "the measured positions", file.text().as_bytes());
         match self.compensation {
             Some(Controller::Linuxcnc) => print(axis_tables::linuxcnc(&deviations)?)?,
@@ -71,6 +68,15 @@ impl Iso230 {
         }
         Ok(Verdict::Met)
     }
+}
+
+/// The answer from a table, and the deviations that a compensation table is made of.
+pub(super) fn evaluate(file: &TableFile) -> Result<(AxisDocument, Vec<Deviation>)> {
+    let positions = positions(file).map_err(|problems| file.place(problems))?;
+    let document = AxisDocument::new(&positions);
+    let deviations: Vec<Deviation> = document.positions.iter().map(Deviation::from).collect();
+    axis_tables::plausible(&deviations).map_err(|problems| file.place(problems))?;
+    Ok((document, deviations))
 }
 
 /// Positions in ascending order, each with its runs in both directions.

@@ -3,6 +3,7 @@
 mod plan;
 mod stream;
 
+use super::given::Table;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, check_positive, remark};
@@ -11,7 +12,7 @@ use crate::stages::iso9283::{limits, load};
 use etalon_base::message::Problems;
 use etalon_base::{error, warning};
 use etalon_campaign::Limits;
-use etalon_documents::{Characteristics, DecisionRule, to_json};
+use etalon_documents::{Characteristics, DecisionRule, Iso9283Document, Iso9283StreamDocument, to_json};
 use etalon_report::Faces;
 use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use plan::PlanOptions;
@@ -52,7 +53,7 @@ enum Test {
         options: PoseOptions,
         #[command(flatten)]
         format: TableFormat,
-        /// Seed of the bootstrap intervals
+        /// Seed of the bootstrap intervals.
         #[arg(long, default_value_t = 1)]
         seed: u64,
         /// Print JSON: a list with one object per pose, or one object for all other tests.
@@ -202,13 +203,31 @@ impl PoseOptions {
         seed: u64,
         json: bool,
     ) -> anyhow::Result<Verdict> {
+        self.check()?;
+        let tables = PoseTables::read([Some(poses), commanded, self.reference.as_deref()], read)?;
+        let document = self.evaluate(&tables, commanded.is_some(), seed)?;
+        remark(&document.messages);
+        let all = self.all || self.drift_set.is_some();
+        let data = match all {
+            true => to_json(&document)?,
+            false => to_json(&document.poses)?,
+        };
+        let poses = Some(if all { document } else { document.of_poses() });
+        answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
+    }
+
+    fn check(&self) -> Result<(), Problems> {
         check_positive("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         if self.drift_set.is_some_and(|size| size < 2) {
-            return Err(Problems::from(error!("drift-set-too-small")).into());
+            return Err(error!("drift-set-too-small").into());
         }
-        let tables = PoseTables::read([Some(poses), commanded, self.reference.as_deref()], read)?;
+        Ok(())
+    }
+
+    /// The answer from tables that are read.
+    fn evaluate(&self, tables: &PoseTables, commanded: bool, seed: u64) -> Result<Iso9283Document, Problems> {
         let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
             expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
             drift_set: self.drift_set,
@@ -228,17 +247,37 @@ impl PoseOptions {
         };
         // a pose without such a value is undecided
         document.limits = limits(&stated, &document.poses).unwrap_or_default();
-        if commanded.is_none() {
+        if !commanded {
             document.messages.push(warning!("commanded-missing"));
         }
-        remark(&document.messages);
-        let all = self.all || self.drift_set.is_some();
-        let data = match all {
-            true => to_json(&document)?,
-            false => to_json(&document.poses)?,
-        };
-        let poses = Some(if all { document } else { document.of_poses() });
-        answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
+        Ok(document)
+    }
+}
+
+impl Iso9283 {
+    /// The answer of `pose` from tables in memory: attained poses, commanded ones, reference targets.
+    pub(super) fn poses_in_memory(
+        &self,
+        attained: &Table,
+        commanded: Option<&Table>,
+        reference: Option<&Table>,
+    ) -> Result<Iso9283Document, Problems> {
+        let ByOptions { pose, seed, .. } = &self.by_options;
+        pose.check()?;
+        let parse = |table: Option<&Table>| table.map(Table::parse).transpose();
+        let tables = PoseTables::of(attained.parse()?, parse(commanded)?, parse(reference)?);
+        pose.evaluate(&tables, commanded.is_some(), *seed)
+    }
+
+    /// The answer of `path` from tables in memory: a recording, commanded poses, a commanded path.
+    pub(super) fn path_in_memory(
+        &self,
+        recording: &Table,
+        commanded: Option<&Table>,
+        path: Option<&Table>,
+    ) -> Result<Iso9283StreamDocument, Problems> {
+        let ByOptions { motion, seed, .. } = &self.by_options;
+        motion.in_memory(recording, commanded, path, *seed)
     }
 }
 

@@ -8,17 +8,23 @@ mod batch;
 mod check;
 mod compare;
 mod compensate;
+mod completions;
 mod explain;
 mod export;
 mod fit;
 mod fit_text;
 mod formats;
+mod given;
+mod groups;
 mod identify;
+pub mod in_memory;
 mod init;
 mod iso230;
 mod iso9283;
 mod kinematics;
+mod man;
 mod plan;
+mod progress;
 mod recommend;
 mod report;
 mod run;
@@ -31,15 +37,17 @@ mod validate;
 mod verify;
 
 use crate::stages::table_file;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
 use etalon_report::Faces;
+use progress::progress;
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fmt::Display;
-use std::io::{ErrorKind, IsTerminal, Write};
-use std::process::ExitCode;
+use std::io::{ErrorKind, Write};
+use std::path::Path;
 
 /// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and
 /// a report out.
@@ -84,6 +92,8 @@ enum Command {
     Simulate(simulate::Simulate),
     Study(study::StudyCommand),
     Schema(schema::Schema),
+    Completions(completions::Completions),
+    Man(man::Man),
 }
 
 /// Outcome of a command.
@@ -100,9 +110,28 @@ impl Verdict {
     }
 }
 
+/// The command line with its help, in which commands are grouped by task.
+pub fn command() -> clap::Command {
+    groups::grouped(Arguments::command())
+}
+
+/// Runs the program with these arguments, the first of which is its name; returns the exit code.
+pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let mut command = command();
+    let matches = command.try_get_matches_from_mut(arguments);
+    let read = matches.and_then(|found| Arguments::from_arg_matches(&found).map_err(|e| e.format(&mut command)));
+    match read {
+        Ok(arguments) => {
+            let _bar = progress::Bar::start();
+            run(arguments.command)
+        }
+        Err(error) => refuse(&error),
+    }
+}
+
 /// Runs one command; errors go to stderr.
-pub fn run(arguments: Arguments) -> ExitCode {
-    let result = match arguments.command {
+fn run(command: Command) -> u8 {
+    let result = match command {
         Command::Init(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Formats(command) => command.run(),
@@ -127,36 +156,41 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Simulate(command) => command.run(),
         Command::Study(command) => command.run(),
         Command::Schema(command) => command.run(),
+        Command::Completions(command) => command.run(),
+        Command::Man(command) => command.run(),
     };
     match result {
-        Ok(Verdict::Met) => ExitCode::SUCCESS,
-        Ok(Verdict::LimitNotMet) => ExitCode::from(1),
-        Ok(Verdict::NotRun) => ExitCode::from(2),
+        Ok(Verdict::Met) => 0,
+        Ok(Verdict::LimitNotMet) => 1,
+        Ok(Verdict::NotRun) => 2,
         Err(error) => {
             match error.downcast_ref::<etalon_base::message::Problems>() {
                 Some(problems) => say(problems),
                 None => say(format_args!("error: {error:#}")),
             }
-            ExitCode::from(2)
+            2
         }
     }
 }
 
 /// Prints errors of the arguments, or the requested help. Names in the arguments cannot control the
 /// terminal.
-pub fn refuse(error: &clap::Error) -> ExitCode {
+fn refuse(error: &clap::Error) -> u8 {
     let text = error.render().to_string();
     match printable_lines(&text) {
         shown if shown == text => drop(error.print()),
         shown => drop(write!(std::io::stderr().lock(), "{shown}")),
     }
-    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
 /// Prints data to stdout; a reader who has closed it is not an error.
 fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(data.as_ref()).and_then(|()| out.flush()) {
+    let write = || {
+        let mut out = std::io::stdout().lock();
+        out.write_all(data.as_ref()).and_then(|()| out.flush())
+    };
+    match progress::beside(write) {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(anyhow::Error::new(e).context("stdout cannot be written")),
         _ => Ok(()),
     }
@@ -201,14 +235,6 @@ fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &
     format!("pose,{}\n", columns.join(",")) + &rows.map(row).collect::<String>()
 }
 
-/// Shows the progress of a long command in the last line of a terminal.
-fn progress(ended: usize, of: usize) {
-    let mut stderr = std::io::stderr().lock();
-    if stderr.is_terminal() {
-        let _ = write!(stderr, "\r{ended} of {of}{}", if ended == of { "\n" } else { "" });
-    }
-}
-
 /// Prints messages to stderr: those that need action first, with similar rows merged.
 fn remark(messages: &[Message]) {
     let mut grouped = Problems(messages.to_vec()).grouped().0;
@@ -226,5 +252,23 @@ fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
 
 /// Prints text to stderr; names in it cannot control the terminal. A closed stderr is not an error.
 fn say(text: impl Display) {
-    let _ = writeln!(std::io::stderr().lock(), "{}", printable_lines(&text.to_string()));
+    let text = printable_lines(&text.to_string());
+    progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));
+}
+
+/// Says on stderr which command comes next; a program that asked for JSON is told nothing.
+fn next_step(json: bool, step: impl Display) {
+    if !json {
+        say(format_args!("next: {step}"));
+    }
+}
+
+/// A path as a word of a shell's command line.
+fn shell_word(path: &Path) -> String {
+    let text = path.display().to_string();
+    let plain = |c: char| c.is_alphanumeric() || "/._-+,@".contains(c);
+    match !text.is_empty() && text.chars().all(plain) {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
 }

@@ -1,5 +1,6 @@
 //! Command `etalon plan`.
 
+use super::given::Given;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::{Verdict, answer, check_positive, pose_table, progress, remark};
@@ -135,22 +136,10 @@ impl PlanCommand {
         files::refuse_overwriting(written, self.inputs())?;
         self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
-        let (robot, Candidates { observations, beyond }) = read(&robot_file, &self.candidates)?;
-        let settings = self.settings();
-        let request = Request {
-            positions: self.positions,
-            criterion: self.index.0,
-            single: self.single,
-            start: self.start.clone(),
-            starts: self.starts as u64,
-            seed: self.seed,
-            nodes: self.nodes,
-        };
-        let planned = plan(robot.as_ref(), &observations, &settings, &request, &progress)
-            .map_err(|error| Problems(beyond.iter().cloned().chain(remedied(error).0).collect()))?;
-        let study = self.study(robot.as_ref(), &robot_file, &observations, &planned)?;
-        let mut document = self.document(robot.as_ref(), &observations, &planned, study)?;
-        document.messages.splice(0..0, beyond);
+        let (robot, candidates) = read(&robot_file, &self.candidates)?;
+        let elsewhere = self.workspace.as_ref().map(|path| read(&robot_file, path)).transpose()?;
+        let everywhere = elsewhere.map(|(_, all)| all.observations);
+        let document = self.planned(robot.as_ref(), candidates, everywhere, files::sha256_of(self.inputs())?)?;
         if let Some(path) = &self.poses {
             files::write(path, csv(robot.as_ref(), &document).as_bytes())?;
         }
@@ -163,6 +152,41 @@ impl PlanCommand {
             remark(&document.messages);
         }
         answer(&faces, self.json.then(|| to_json(&document)).transpose()?)
+    }
+
+    /// The answer from candidates in memory. Nothing is written.
+    pub(super) fn in_memory(&self, given: &Given) -> anyhow::Result<PlanDocument> {
+        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        let file = TableFile::parse(given.table.name, given.table.text)?;
+        let (robot, candidates) = candidates_of(given.robot, &file)?;
+        self.planned(robot.as_ref(), candidates, None, given.inputs())
+    }
+
+    fn planned(
+        &self,
+        robot: &dyn Robot,
+        candidates: Candidates,
+        everywhere: Option<Vec<Observation>>,
+        inputs: BTreeMap<String, String>,
+    ) -> anyhow::Result<PlanDocument> {
+        let Candidates { observations, beyond } = candidates;
+        let settings = self.settings();
+        let request = Request {
+            positions: self.positions,
+            criterion: self.index.0,
+            single: self.single,
+            start: self.start.clone(),
+            starts: self.starts as u64,
+            seed: self.seed,
+            nodes: self.nodes,
+        };
+        let planned = plan(robot, &observations, &settings, &request, &progress)
+            .map_err(|error| Problems(beyond.iter().cloned().chain(remedied(error).0).collect()))?;
+        let everywhere = everywhere.as_ref().unwrap_or(&observations);
+        let study = self.study(robot, [&observations, everywhere], &planned)?;
+        let mut document = self.document(robot, &observations, &planned, (study, inputs))?;
+        document.messages.splice(0..0, beyond);
+        Ok(document)
     }
 
     /// Input files.
@@ -185,14 +209,11 @@ impl PlanCommand {
     fn study(
         &self,
         robot: &dyn Robot,
-        robot_file: &RobotFile,
-        observations: &[Observation],
+        [observations, everywhere]: [&[Observation]; 2],
         planned: &Plan,
     ) -> anyhow::Result<Option<StudyDocument>> {
         let (Some(path), Some(noise_um)) = (&self.truth, self.standard_uncertainty_um) else { return Ok(None) };
         let truth = true_values(robot, &read_true_parameters(path)?)?;
-        let elsewhere = self.workspace.as_ref().map(|path| read(robot_file, path)).transpose()?;
-        let everywhere = elsewhere.as_ref().map_or(observations, |(_, all)| &all.observations);
         let setting = Setting { truth, everywhere, runs: STUDY_RUNS, draws: STUDY_DRAWS, seed: self.seed };
         let studies = study(robot, planned, observations, &self.settings(), &setting).map_err(remedied)?;
         Ok(study_document(robot, &studies, &setting.truth, noise_um, everywhere.len()))
@@ -201,7 +222,11 @@ impl PlanCommand {
 
 /// Reads a table of candidates: its robot with the named targets, and its configurations.
 pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot>, Candidates)> {
-    let file = TableFile::read(path)?;
+    candidates_of(robot_file, &TableFile::read(path)?)
+}
+
+/// The same of a table that is read already.
+fn candidates_of(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
@@ -217,15 +242,14 @@ impl PlanCommand {
         robot: &dyn Robot,
         observations: &[Observation],
         planned: &Plan,
-        study: Option<StudyDocument>,
-    ) -> anyhow::Result<PlanDocument> {
+        (study, inputs): (Option<StudyDocument>, BTreeMap<String, String>),
+    ) -> Result<PlanDocument> {
         let pose = |c: usize| observations[planned.members[c][0]].pose;
         let configuration = |k: &usize| joint_values(robot, &observations[*k]);
         let chosen = planned.chosen.iter().map(|&c| PlannedPose {
             pose: pose(c),
             configurations: planned.members[c].iter().map(configuration).collect(),
         });
-        let inputs = files::sha256_of(self.inputs())?;
         let compared = (!self.compare.is_empty()).then(|| {
             let value = index_of(planned, observations, self.index.0, &self.compare);
             let better_by_percent = 100.0 * (planned.index / value - 1.0);

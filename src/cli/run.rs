@@ -1,6 +1,6 @@
 //! Command `etalon run`.
 
-use super::{Verdict, print_with, remark, say};
+use super::{Verdict, next_step, print_with, remark, say, shell_word};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
 use etalon_base::message::printable;
@@ -50,6 +50,10 @@ impl Run {
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
             say("no controller file is written: this result cannot be the robot");
         }
+        let next = identified.as_ref().map(|_| {
+            let folder = shell_word(&self.campaign);
+            format!("`etalon recommend {folder}` says which parameters deserve to be loaded; controller files are in the output folder")
+        });
         let data = match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");
@@ -61,6 +65,8 @@ impl Run {
             (true, None, None, Some(streams)) => to_json(streams)?,
             (true, None, None, None) => to_json(&tested.compliance)?,
         };
-        print_with(data, Verdict::of(met))
+        let verdict = print_with(data, Verdict::of(met))?;
+        next.filter(|_| met).inspect(|next| next_step(self.json, next));
+        Ok(verdict)
     }
 }

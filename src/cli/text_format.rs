@@ -73,14 +73,15 @@ pub(super) struct TableFormat {
     /// Sheet of a workbook (.xlsx) that contains the table.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
     sheet: Option<String>,
-    /// Where a column comes from that is called otherwise in the file: a heading (q1_deg=J1), its number (q1_deg=3), or an expression of
-    /// columns ("x_mm=x_t - x_dif"); may be repeated
+    /// Source of a column that has another name in the file; may be repeated.
+    ///
+    /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif").
     #[arg(long = "column", value_name = "NAME=HEADING")]
     columns: Vec<String>,
-    /// The table has no header: columns are given by number, --column q1_deg=3
+    /// The table has no header: columns are given by number (--column q1_deg=3).
     #[arg(long)]
     no_header: bool,
-    /// The target of all rows, of a table without such a column
+    /// Target of all rows of a table without such a column.
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
     /// `row` if the number of the data row is the number of the pose, for a table without such a
@@ -100,12 +101,23 @@ impl TableFormat {
         self.table(path, true)
     }
 
+    /// The table in a text.
+    pub fn parse(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
+        TableFile::parse_with(name, text, &self.layout(false)?)
+    }
+
     fn table(&self, path: &Path, lenient: bool) -> Result<TableFile, Problems> {
+        let layout = self.layout(lenient)?;
+        let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
+        TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
+    }
+
+    fn layout(&self, lenient: bool) -> Result<TableLayout, Problems> {
         let column = |text: &String| match text.split_once('=') {
             Some((name, source)) => Ok((name.trim().to_owned(), source_of(source.trim()))),
             None => Err(Problems::from(error!("column-option-malformed", text))),
         };
-        let layout = TableLayout {
+        Ok(TableLayout {
             delimiter: word("--delimiter", &self.delimiter)?,
             decimal: word("--decimal", &self.decimal)?,
             columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,
@@ -114,9 +126,7 @@ impl TableFormat {
             target: self.target.clone(),
             pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
             ..TableLayout::default()
-        };
-        let encoding = self.encoding.as_deref().map(|name| word("--encoding", name)).transpose()?;
-        TableFile::observations(path, &etalon_formats::bytes_of(path)?, layout, encoding, self.sheet.as_deref())
+        })
     }
 }
 

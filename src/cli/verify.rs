@@ -1,5 +1,6 @@
 //! Command `etalon verify`.
 
+use super::given::Given;
 use super::identify::{check_uncertainty, unread};
 use super::plan::read as candidates_of;
 use super::report::Reports;
@@ -15,9 +16,10 @@ use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, read_robot};
-use etalon_documents::{ParametersDocument, Presentation, to_json};
+use etalon_documents::{ParametersDocument, Presentation, VerificationDocument, to_json};
 use etalon_identify::plan::candidates::Candidates;
 use etalon_report::Faces;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Check whether identified parameters still apply, from a few measured poses.
@@ -73,24 +75,46 @@ impl Verify {
         let document = read_parameters(&self.parameters)?;
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
         let observed = self.format.read(observations)?;
-        let here = |problems: Problems| observed.place(problems);
-        let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
-        only_points(&observed)?;
-        let mut messages: Vec<Message> = unread(robot.as_ref(), &observed).into_iter().collect();
-        joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
-        let measured = positions::observations(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
-        let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
-        let calibration = EarlierCalibration::new(robot.as_mut(), &document, stated_mm)?;
-        let mut found = verify(calibration, measured, inputs)?;
-        found.messages.splice(0..0, messages);
+        let found = self.verified(&robot_file, &document, &observed, inputs)?;
         if !self.json {
             remark(&found.messages);
         }
         let faces = Faces::verification(&found, self.reports.over(Presentation::default())?)?;
         self.reports.write(&faces)?;
         answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
+    }
+
+    /// The answer from observations in memory. Nothing is written.
+    pub(super) fn in_memory(
+        &self,
+        given: &Given,
+        document: &ParametersDocument,
+    ) -> anyhow::Result<VerificationDocument> {
+        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
+        let observed = self.format.parse(given.table.name, given.table.text)?;
+        Ok(self.verified(given.robot, document, &observed, given.inputs())?)
+    }
+
+    fn verified(
+        &self,
+        robot_file: &RobotFile,
+        document: &ParametersDocument,
+        observed: &TableFile,
+        inputs: BTreeMap<String, String>,
+    ) -> Result<VerificationDocument, Problems> {
+        let here = |problems: Problems| observed.place(problems);
+        let mut robot = robot_file.build(&kinds::targets(&observed.table).map_err(here)?).map_err(here)?;
+        only_points(observed)?;
+        let mut messages: Vec<Message> = unread(robot.as_ref(), observed).into_iter().collect();
+        joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
+        let measured = positions::observations(robot.as_ref(), &observed.table, &mut messages).map_err(here)?;
+        let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
+        let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+        let mut found = verify(calibration, measured, inputs)?;
+        found.messages.splice(0..0, messages);
+        Ok(found)
     }
 }
 

@@ -227,7 +227,12 @@ pub fn read_parameters(path: &Path) -> Result<ParametersDocument> {
     Ok(read_parameters_and_run(path)?.0)
 }
 
-/// The same with the documents beside it, all of one run.
+/// Reads the text of a `parameters.json`; `name` stands for its file.
+pub fn parse_parameters(name: &str, text: &str) -> Result<ParametersDocument> {
+    checked(Path::new(name), text.as_bytes())
+}
+
+/// Reads `parameters.json` with the documents beside it, all of one run.
 pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Option<Documents>)> {
     let run = Documents::open(path.parent().unwrap_or(Path::new(""))).ok();
     let bytes = match &run {

@@ -70,6 +70,17 @@ impl TableFile {
         Self::of(path, text, |name, text| etalon_formats::observations_with(name, text, &layout))
     }
 
+    /// A table that is in memory as CSV; `name` stands for its file.
+    pub fn parse(name: &str, text: &str) -> Result<Self> {
+        Self::of(Path::new(name), text.to_owned(), etalon_formats::observations)
+    }
+
+    /// The same in another layout.
+    pub fn parse_with(name: &str, text: &str, layout: &TableLayout) -> Result<Self> {
+        let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, layout);
+        Self::of(Path::new(name), text.to_owned(), table)
+    }
+
     /// A text of another form, which `table` makes a table of, given the file's name and the text.
     pub fn read_with(path: &Path, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         Self::of(path, files::text(path, files::read(path)?)?, table)

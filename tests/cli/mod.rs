@@ -1,6 +1,7 @@
 //! The command line: what README.md and docs/ show is what the program prints, and every command does what it says.
 
 mod axis_table;
+mod book;
 mod checklist;
 mod compare;
 mod compensate;
@@ -21,6 +22,7 @@ mod reports;
 mod streams;
 mod study;
 mod tables;
+mod talk;
 mod verdict;
 
 use crate::support::scratch::copy_sample;
@@ -53,12 +55,36 @@ fn judged(shown: &str, limit: &str, verdict: &str) -> bool {
     rows(shown).iter().any(|row| row.starts_with(&format!("{limit} ")) && row.ends_with(&format!(" {verdict}")))
 }
 
+/// Schemas that `etalon init mine` writes for editors.
+const SCHEMAS: &str = "mine/schemas/campaign.toml.schema.json\nmine/schemas/robot.toml.schema.json\n";
+
+/// The files that an editor is given name schemas that are there, and that are those of the program.
+#[test]
+fn init_names_the_schemas_of_its_files() {
+    let folder = tempfile::tempdir().unwrap();
+    for options in [&["init", "mine", "--synthetic"][..], &["init", "arm", "--robot", "ur5e"]] {
+        assert!(etalon(folder.path(), options).status.success());
+        for name in ["campaign.toml", "robot.toml"] {
+            let campaign = folder.path().join(options[1]);
+            let text = std::fs::read_to_string(campaign.join(name)).unwrap();
+            let schema = text.lines().next().and_then(|line| line.strip_prefix("#:schema ./")).expect("a first line");
+            let stated = std::fs::read(campaign.join(schema)).unwrap();
+            assert!(stated == etalon(folder.path(), &["schema", name]).stdout, "{schema}");
+        }
+    }
+}
+
 #[test]
 fn init_takes_the_robot_of_a_urdf() {
     let folder = tempfile::tempdir().unwrap();
     let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm/arm.urdf");
     let made = etalon(folder.path(), &["init", "mine", "--urdf", urdf.to_str().unwrap()]);
-    assert_eq!(text(&made.stdout), "mine/campaign.toml\nmine/robot.toml\nmine/arm.urdf\n", "{}", text(&made.stderr));
+    assert_eq!(
+        text(&made.stdout),
+        format!("mine/campaign.toml\nmine/robot.toml\nmine/arm.urdf\n{SCHEMAS}"),
+        "{}",
+        text(&made.stderr)
+    );
     let robot = std::fs::read_to_string(folder.path().join("mine/robot.toml")).unwrap();
     assert!(robot.contains("base_link = \"base_link\"") && robot.contains("tool_link = \"tool\""), "{robot}");
     // as it is, it lacks its files alone; with those of the sample, whose labels are these, it is calibrated
@@ -145,7 +171,7 @@ fn init_has_the_geometry_of_robots() {
 fn init_writes_a_campaign_that_only_lacks_its_files() {
     let folder = tempfile::tempdir().unwrap();
     let made = etalon(folder.path(), &["init", "mine"]);
-    assert_eq!(text(&made.stdout), "mine/campaign.toml\nmine/robot.toml\n");
+    assert_eq!(text(&made.stdout), format!("mine/campaign.toml\nmine/robot.toml\n{SCHEMAS}"));
     let checked = etalon(folder.path(), &["check", "mine"]);
     let said = text(&checked.stderr);
     assert_eq!(checked.status.code(), Some(2));
@@ -166,7 +192,8 @@ fn a_synthetic_campaign_simulates_checks_and_runs() {
         assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
         text(&output.stdout)
     };
-    assert_eq!(done(&["init", "--synthetic", "mine"]), "mine/campaign.toml\nmine/robot.toml\nmine/truth.toml\n");
+    let written = format!("mine/campaign.toml\nmine/robot.toml\nmine/truth.toml\n{SCHEMAS}");
+    assert_eq!(done(&["init", "--synthetic", "mine"]), written);
     assert_eq!(done(&["simulate", "mine"]), "exports/world.txt\nexports/poses.txt\nencoders.csv\n");
     // the template's dialect: a header row, and 29 poses of K and L in 3 repeats below it
     let checked = done(&["check", "mine"]);
@@ -207,7 +234,9 @@ fn every_command_that_answers_does_so_in_json() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
     let files = |arguments: &[&str]| answer::<etalon::documents::WrittenDocument>(at, arguments, 0).files;
-    assert_eq!(files(&["init", "--synthetic", "c", "--json"]), ["c/campaign.toml", "c/robot.toml", "c/truth.toml"]);
+    let written = files(&["init", "--synthetic", "c", "--json"]);
+    assert_eq!(written[..3], ["c/campaign.toml", "c/robot.toml", "c/truth.toml"]);
+    assert_eq!(written[3..], SCHEMAS.replace("mine/", "c/").lines().collect::<Vec<_>>());
     assert_eq!(files(&["simulate", "c", "--json"]), ["exports/world.txt", "exports/poses.txt", "encoders.csv"]);
     answer::<etalon::documents::AccuracyDocument>(at, &["run", "c", "--json"], 0);
     let mut reports = vec!["c/out/report.html", "c/out/report.pdf", "c/out/report.xlsx"];

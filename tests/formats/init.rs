@@ -150,5 +150,5 @@ fn labels_and_poses_join_an_export_and_a_log() {
     let (code, said) = program(at, &["init", "other", "--robot", "ur5e", "--from", "notes.txt"]);
     assert!(code == Some(2) && !at.join("other").exists(), "{said}");
     let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv"]);
-    assert!(code == Some(2) && said.contains("is there already"), "{said}");
+    assert!(code == Some(2) && said.contains("error[file-exists]"), "{said}");
 }

@@ -270,7 +270,7 @@ fn no_cell_that_is_written_is_a_formula() {
     // nor does a simulation write one
     let scratch = copy_sample("column-arm");
     scratch.replace("truth.toml", "label = \"floor_1\"", &format!("label = \"{formula}\""));
-    ends(&scratch, "simulate", 2, &["the label `=cmd|'/C calc'!A0` of a [[point]] would be a formula"]);
+    ends(&scratch, "simulate", 2, &["error[point-label-formula]"]);
     // a remark is carried along
     let scratch = copy_sample("draw-wire");
     let table = std::fs::read_to_string(scratch.path().join("observations.csv")).unwrap();

@@ -184,20 +184,24 @@ fn a_ball_that_bears_the_coordinates_of_another_is_named() {
     }
 }
 
+/// Nothing checks six parameters from six coordinates: least squares alone gives no result, and beside tolerances the robot stays nominal.
 #[test]
-fn as_many_parameters_as_coordinates_are_no_result() {
+fn as_many_parameters_as_coordinates_are_said_to_be_unchecked() {
     let scratch = copy_sample("pose-test");
     let rows = ["SMR_1,374,0,630", "SMR_2,374,0,500"].map(|row| format!("1,1,{row},0,0,0,0,0,0\n")).concat();
     let header = "pose,cycle,target,x_mm,y_mm,z_mm,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n";
     std::fs::write(scratch.path().join("o.csv"), header.to_owned() + &rows).unwrap();
-    let done = std::process::Command::new(crate::support::program())
-        .args(["identify", "--robot", "robot.toml", "--observations", "o.csv"])
-        .current_dir(scratch.path())
-        .output()
-        .unwrap();
-    let said = String::from_utf8(done.stderr).unwrap();
-    assert_eq!(done.status.code(), Some(1), "{said}");
-    assert!(said.contains("6 coordinates of the calibration poses determine 6 parameters, and none is left"), "{said}");
+    for (prior, code) in [("none", 1), ("tolerances", 0)] {
+        let done = std::process::Command::new(crate::support::program())
+            .args(["identify", "--robot", "robot.toml", "--observations", "o.csv", "--prior", prior])
+            .current_dir(scratch.path())
+            .output()
+            .unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(code), "{prior}: {said}");
+        let unchecked = "6 coordinates of the calibration poses determine 6 parameters, and none is left";
+        assert!(said.contains(unchecked), "{prior}: {said}");
+    }
 }
 
 #[test]

@@ -28,7 +28,7 @@ struct Part {
     document: FormatsDocument,
     /// Lines of the campaign.
     lines: String,
-    /// What the lines state.
+    /// Keys and values of the lines.
     stated: toml::Table,
 }
 
@@ -108,7 +108,7 @@ fn head(parts: &[Part], controllers: &str) -> String {
     )
 }
 
-/// Which poses identify and which validate.
+/// Lines that split the poses into calibration and validation.
 fn split(poses: usize) -> String {
     match poses >= ENOUGH {
         true => format!(
@@ -121,7 +121,7 @@ fn split(poses: usize) -> String {
     }
 }
 
-/// How the exports meet the log.
+/// Lines that join the exports with the log.
 fn join(log: &Part, exports: &[&Part], targets: &[String]) -> String {
     let logged = |key: &str| log.columns().iter().any(|name| name.starts_with(key));
     let measured = |of: &str| exports.iter().all(|part| part.names(of));
@@ -175,7 +175,7 @@ impl Part {
         Ok(Self { path: path.to_owned(), name, document, lines, stated })
     }
 
-    /// Whether its rows state orientations, or its format does.
+    /// `true` if the rows or the format of the file state orientations.
     fn has_orientations(&self) -> bool {
         let named = self.document.format.as_deref().and_then(Format::named);
         let of_format =
@@ -201,7 +201,7 @@ impl Part {
         names
     }
 
-    /// Whether the rows of the file name this, in a column or in their labels.
+    /// `true` if the rows of the file name `of`, in a column or in their labels.
     fn names(&self, of: &str) -> bool {
         self.columns().iter().any(|name| name.starts_with(of)) || self.lines.contains(&format!("{{{of}}}"))
     }
@@ -277,7 +277,8 @@ impl Part {
     }
 }
 
-/// The lines with the joints named as the robot's: by headings that are their names, else in the order of the file.
+/// Names the joints of the lines as the robot does: by their headings, otherwise in the order of
+/// the file.
 fn joints_named(mut lines: String, document: &FormatsDocument, robot: &RobotFiles) -> String {
     let columns = document.columns.iter().filter_map(|column| {
         let number: usize = column.taken_for.strip_prefix("joint ")?.parse().ok()?;

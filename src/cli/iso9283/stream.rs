@@ -1,5 +1,6 @@
 //! Command `etalon iso9283 path`.
 
+use super::super::given::Table;
 use super::super::table_file::TableFile;
 use super::super::text_format::{TextFormat, word};
 use super::super::{Verdict, answer, remark};
@@ -77,8 +78,10 @@ impl StreamOptions {
         let inputs = [Some(file), commanded, self.path.as_deref()].into_iter().flatten().map(Path::to_owned);
         files::refuse_overwriting(&self.write_poses, &inputs.collect::<Vec<_>>())?;
         let recording = self.recording(file)?;
-        let poses = commanded.map(poses).transpose()?;
-        let path = self.path.as_deref().map(|path| read_path(path, file, &recording)).transpose()?;
+        let poses = commanded.map(|path| poses(&TableFile::read(path)?)).transpose()?;
+        let of = file.display().to_string();
+        let path =
+            self.path.as_deref().map(|path| stated_path(&TableFile::read(path)?, &of, &recording)).transpose()?;
         let settings = stated.settings(poses, path, seed);
         let document = Iso9283StreamDocument::evaluate(&recording, &settings)?;
         if let Some(path) = &self.write_poses {
@@ -91,6 +94,23 @@ impl StreamOptions {
             Iso9283NamedStream { name, file: file.display().to_string(), band_mm: self.band_mm, stream: document };
         let streams = Iso9283StreamsDocument { schema: String::new(), streams: vec![stream] };
         answer(&Faces::test(&Characteristics { streams: Some(streams), ..Characteristics::default() }), json)
+    }
+
+    /// The answer from a recording, commanded poses and a commanded path in memory.
+    pub fn in_memory(
+        &self,
+        recorded: &Table,
+        commanded: Option<&Table>,
+        path: Option<&Table>,
+        seed: u64,
+    ) -> Result<Iso9283StreamDocument> {
+        let stated = TestStatement { path: path.is_some(), ..self.stated() };
+        stated.check(|key| format!("--{}", key.replace('_', "-")))?;
+        let table = recorded.parse()?;
+        let recording = recording(table.named(), self.rate_hz).map_err(|p| table.place(p))?;
+        let poses = commanded.map(|table| poses(&table.parse()?)).transpose()?;
+        let path = path.map(|path| stated_path(&path.parse()?, recorded.name, &recording)).transpose()?;
+        Iso9283StreamDocument::evaluate(&recording, &stated.settings(poses, path, seed))
     }
 
     fn stated(&self) -> TestStatement<'_> {
@@ -127,13 +147,11 @@ impl StreamOptions {
     }
 }
 
-fn read_path(path: &Path, of: &Path, recording: &Recording) -> Result<CommandedPath> {
-    let table = TableFile::read(path)?;
-    commanded_path(table.named(), &of.display().to_string(), recording).map_err(|p| table.place(p))
+fn stated_path(table: &TableFile, of: &str, recording: &Recording) -> Result<CommandedPath> {
+    commanded_path(table.named(), of, recording).map_err(|p| table.place(p))
 }
 
-fn poses(path: &Path) -> Result<Vec<CommandedPose>> {
-    let table = TableFile::read(path)?;
+fn poses(table: &TableFile) -> Result<Vec<CommandedPose>> {
     commanded_poses(table.named()).map_err(|p| table.place(p))
 }
 

@@ -28,15 +28,17 @@ pub(crate) struct PreparedTest {
 }
 
 impl PoseTables {
-    /// Those of a command, attained, commanded and reference, each by the same reader.
+    /// Tables of a command: attained, commanded and reference, each by the same reader.
     pub fn read(files: [Option<&Path>; 3], read: &dyn Fn(&Path) -> Result<TableFile>) -> Result<Self> {
         let [attained, commanded, reference] = files;
-        let none = || Message::error("there is no table of attained poses");
-        Ok(Self {
-            attained: read(attained.ok_or_else(none)?)?,
-            commanded: commanded.map(read).transpose()?,
-            reference: reference.map(read).transpose()?,
-        })
+        let none = || etalon_base::error!("table-to-evaluate-missing");
+        let (commanded, reference) = (commanded.map(read).transpose()?, reference.map(read).transpose()?);
+        Ok(Self::of(read(attained.ok_or_else(none)?)?, commanded, reference))
+    }
+
+    /// Tables that have been read before.
+    pub fn of(attained: TableFile, commanded: Option<TableFile>, reference: Option<TableFile>) -> Self {
+        Self { attained, commanded, reference }
     }
 
     /// Those of a campaign; everything that does not read is reported.

@@ -53,3 +53,12 @@ output-is-input = `{ $output }` würde die Eingabe `{ $input }` überschreiben
 cannot-write-folder = der Ordner `{ $folder }` kann nicht geschrieben werden: { $reason }
 
 cannot-encode = { $format } kann nicht geschrieben werden: { $reason }
+
+angle-order-unknown = `{ $text }` ist keine Reihenfolge von drei Winkeln
+    .expected = "zyx", "xyz", "zyz" .. um die Achsen des Körpers, oder "fixed xyz" .. um die Achsen der Welt
+
+rotation-not-orthonormal = die Rotationsmatrix ist nicht orthonormal: Produkte ihrer Zeilen weichen um { $off } von 1 und 0 ab
+    .expected = r11 bis r33, zeilenweise: Körper in Welt
+
+rotation-mirrors = die Rotationsmatrix spiegelt: ihre Determinante ist -1
+    .hint = die Vorzeichen ihrer Spalten prüfen

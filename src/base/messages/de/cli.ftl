@@ -194,3 +194,7 @@ proposal-not-toml = der Vorschlag für `{ $name }` ist nicht lesbar: { $error }
 
 nothing-recognised = in `{ $name }` wird nichts erkannt
     .hint = `etalon formats { $path }` nennt, was seine Spalten sein können
+
+table-to-evaluate-missing = die auszuwertende Tabelle fehlt
+
+option-refused = { $reason }

@@ -114,3 +114,24 @@ cannot-write-folder = cannot write the folder `{ $folder }`: { $reason }
 # Do: Report the error: the input should not be able to cause it.
 # Example: a value that JSON cannot hold
 cannot-encode = cannot write { $format }: { $reason }
+
+# Means: The text names no order of three angles.
+# Matters: Three angles turn a body differently in each order.
+# Do: State three axes in the order of the turns, with `fixed` for the axes of the world.
+# Example: `rotation = "zxz fixed"`
+angle-order-unknown = `{ $text }` is not an order of three angles
+    .expected = "zyx", "xyz", "zyz" .. about the axes of the body, or "fixed xyz" .. about the axes of the world
+
+# Means: The nine elements of a rotation matrix are not those of a rotation.
+# Matters: The columns may be exchanged, rounded, or scaled.
+# Do: Check the columns r11 to r33.
+# Example: r11 = 2
+rotation-not-orthonormal = the rotation matrix is not orthonormal: rows times rows differ from 1 and 0 by { $off }
+    .expected = r11 to r33, row by row: body in world
+
+# Means: The determinant of a rotation matrix is -1.
+# Matters: A body cannot be mirrored: a frame is left-handed or a sign is wrong.
+# Do: Check the signs of the columns.
+# Example: a matrix with one column negated
+rotation-mirrors = the rotation matrix mirrors: its determinant is -1
+    .hint = check the signs of its columns

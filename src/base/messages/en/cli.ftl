@@ -449,3 +449,15 @@ proposal-not-toml = the proposal for `{ $name }` does not read: { $error }
 # Example: a file of comments alone
 nothing-recognised = nothing of `{ $name }` is recognised
     .hint = `etalon formats { $path }` states what its columns could be
+
+# Means: A command in memory was called without the table that it evaluates.
+# Matters: There is nothing to evaluate.
+# Do: Pass the table.
+# Example: `etalon.iso9283()` in Python without a table
+table-to-evaluate-missing = the table to evaluate is missing
+
+# Means: An option of a command in memory is unknown or has a wrong value.
+# Matters: Options are checked as on the command line.
+# Do: Correct the option; `etalon COMMAND --help` lists all.
+# Example: `etalon.plan(robot, table, positions="many")` in Python
+option-refused = { $reason }

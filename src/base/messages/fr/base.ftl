@@ -53,3 +53,12 @@ output-is-input = `{ $output }` écraserait l’entrée `{ $input }`
 cannot-write-folder = impossible d’écrire le dossier `{ $folder }` : { $reason }
 
 cannot-encode = impossible d’écrire { $format } : { $reason }
+
+angle-order-unknown = `{ $text }` n’est pas un ordre de trois angles
+    .expected = « zyx », « xyz », « zyz » .. autour des axes du corps, ou « fixed xyz » .. autour des axes du monde
+
+rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits de ses lignes s’écartent de 1 et de 0 de { $off }
+    .expected = r11 à r33, ligne par ligne : corps dans le monde
+
+rotation-mirrors = la matrice de rotation est une réflexion : son déterminant est -1
+    .hint = vérifier les signes de ses colonnes

@@ -194,3 +194,7 @@ proposal-not-toml = la proposition pour `{ $name }` n’est pas lisible : { $err
 
 nothing-recognised = rien n’est reconnu dans `{ $name }`
     .hint = `etalon formats { $path }` indique ce que ses colonnes pourraient être
+
+table-to-evaluate-missing = il manque le tableau à évaluer
+
+option-refused = { $reason }

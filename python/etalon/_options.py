@@ -1,0 +1,25 @@
+"""Keyword arguments as the options of the program's commands."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def options_of(**stated: Any) -> list[str]:
+    """Return options: None is left out, True is a flag, a list repeats the option."""
+    words: list[str] = []
+    for name, value in stated.items():
+        option = "--" + name.replace("_", "-")
+        if value is None or value is False:
+            continue
+        if value is True:
+            words.append(option)
+        else:
+            for item in value if isinstance(value, (list, tuple)) else [value]:
+                words.append(f"{option}={item}")
+    return words
+
+
+def joined(values: Any) -> str | None:
+    """Return values as one text with commas, for options that take a list."""
+    return None if values is None else values if isinstance(values, str) else ",".join(str(value) for value in values)

@@ -1,0 +1,282 @@
+"""Identification, planning, verification and tests by standards, on tables."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any
+
+from . import _etalon, documents
+from ._options import joined, options_of
+from ._robot import Robot, robot_of
+from ._tables import text_of
+from .documents import load
+from .kinematics import json_of
+
+
+def identify(
+    robot: Robot | str | os.PathLike[str],
+    observations: Any,
+    *,
+    standard_uncertainty_um: float | None = None,
+    common_uncertainty_um: float | None = None,
+    rotation_uncertainty_deg: float | None = None,
+    orientation: str | None = None,
+    pose_residuals: bool = False,
+    hold: Sequence[str] = (),
+    exclude: Sequence[str] = (),
+    exclude_rows: Sequence[str] = (),
+    effects: str | Sequence[str] = "usual",
+    prior: str = "tolerances",
+    target: str | None = None,
+    pose: str | None = None,
+    columns: dict[str, str] | None = None,
+) -> documents.ParametersDocument:
+    """Identify the parameters of a robot from a table of observations.
+
+    Args:
+        robot: The robot, or what :class:`etalon.Robot` takes.
+        observations: Table with ``pose``, ``cycle``, ``target``, ``x_mm``, ``y_mm``, ``z_mm`` and a column for each joint (``q1_deg`` ...); with a
+            column ``kind`` also poses, distances, contacts, surfaces and joint values.
+        standard_uncertainty_um: Of one measured coordinate (k = 1), um; from the residuals if None.
+        common_uncertainty_um: Of a coordinate that is common to rows with the same coordinates (k = 1), um.
+        rotation_uncertainty_deg: Of a measured orientation about any axis (k = 1), deg.
+        orientation: Order of the angles ``a_deg``, ``b_deg``, ``c_deg``: ``"zyx"``, ``"fixed xyz"`` ...
+        pose_residuals: Compares poses instead of targets (planar robots).
+        hold: Names of parameters that stay nominal; ``*`` stands for any text.
+        exclude: ``"POSES: REASON"``: readings that are left out.
+        exclude_rows: ``"ROWS: REASON"``: rows that are left out, counted from 1.
+        effects: ``"usual"``, ``"all"``, or a list of zeros, geometry, gains, harmonics, backlash, coupling, bending.
+        prior: ``"tolerances"``: nominal values with tolerances are readings; ``"none"``: plain least squares.
+        target: Target of all rows, of a table without that column.
+        pose: ``"row"``: rows are numbered as poses, of a table without that column.
+        columns: Names of columns that are called otherwise in the table: ``{"q1_deg": "J1"}``.
+
+    Returns:
+        ``parameters.json`` as :class:`etalon.documents.ParametersDocument`: values and standard uncertainties (k = 1), mm and deg.
+
+    Raises:
+        Error: The table does not read, does not belong to the robot, or does not determine the parameters.
+    """
+    options = options_of(
+        standard_uncertainty_um=standard_uncertainty_um,
+        common_uncertainty_um=common_uncertainty_um,
+        rotation_uncertainty_deg=rotation_uncertainty_deg,
+        orientation=orientation,
+        pose_residuals=pose_residuals,
+        hold=list(hold),
+        exclude=list(exclude),
+        exclude_rows=list(exclude_rows),
+        effects=joined(effects),
+        prior=prior,
+        target=target,
+        pose=pose,
+        column=[f"{name}={heading}" for name, heading in (columns or {}).items()],
+    )
+    return load(_etalon.identify(robot_of(robot), text_of(observations), options))  # type: ignore[return-value]
+
+
+def plan(
+    robot: Robot | str | os.PathLike[str],
+    candidates: Any,
+    positions: int,
+    *,
+    index: str = "O1",
+    single: bool = False,
+    start: Sequence[Any] = (),
+    compare: Sequence[Any] = (),
+    starts: int = 10,
+    nodes: int = 2000,
+    seed: int = 1,
+    standard_uncertainty_um: float | None = None,
+    hold: Sequence[str] = (),
+    effects: str | Sequence[str] = "usual",
+    prior: str = "tolerances",
+) -> documents.PlanDocument:
+    """Choose the poses to measure among candidates.
+
+    Args:
+        robot: The robot, or what :class:`etalon.Robot` takes.
+        candidates: Table with ``pose``, ``target`` (of robots in space) and a column for each joint; rows of one pose are measured
+            together.
+        positions: Number of poses to choose.
+        index: What is maximised: ``O1`` to ``O5``, or ``D``, ``A``, ``E``, ``I``.
+        single: Chooses row by row instead of pose by pose.
+        start: Poses from which the choice starts.
+        compare: Poses to compare the plan with.
+        starts: Random starts of the exchange.
+        nodes: Largest number of nodes of branch and bound.
+        seed: Seed of the random starts.
+        standard_uncertainty_um: Of one coordinate (k = 1), um, for the predicted uncertainties.
+        hold: As in :func:`identify`.
+        effects: As in :func:`identify`.
+        prior: As in :func:`identify`.
+
+    Returns:
+        :class:`etalon.documents.PlanDocument`, with a bound on the best plan.
+
+    Raises:
+        Error: The table does not belong to the robot, or has too few candidates.
+    """
+    options = options_of(
+        positions=positions,
+        index=index,
+        single=single,
+        start=joined(start) or None,
+        compare=joined(compare) or None,
+        starts=starts,
+        nodes=nodes,
+        seed=seed,
+        standard_uncertainty_um=standard_uncertainty_um,
+        hold=list(hold),
+        effects=joined(effects),
+        prior=prior,
+    )
+    return load(_etalon.plan(robot_of(robot), text_of(candidates), options))  # type: ignore[return-value]
+
+
+def verify(
+    robot: Robot | str | os.PathLike[str],
+    parameters: Any,
+    observations: Any,
+    *,
+    standard_uncertainty_um: float | None = None,
+    target: str | None = None,
+    pose: str | None = None,
+) -> documents.VerificationDocument:
+    """Judge from some few measured poses whether identified parameters still hold.
+
+    Args:
+        robot: The robot, or what :class:`etalon.Robot` takes.
+        parameters: The document of :func:`identify`, or the path of a ``parameters.json``.
+        observations: Table of positions as of :func:`identify`; the targets are those of the calibration.
+        standard_uncertainty_um: Of one measured coordinate (k = 1), um; that of the calibration if None.
+        target: As in :func:`identify`.
+        pose: As in :func:`identify`.
+
+    Returns:
+        :class:`etalon.documents.VerificationDocument`; ``.verdict`` is ``valid``, ``base_moved``, ``joint`` or ``other``.
+
+    Raises:
+        Error: The table or the parameters do not belong to the robot.
+    """
+    options = options_of(standard_uncertainty_um=standard_uncertainty_um, target=target, pose=pose)
+    return load(_etalon.verify(robot_of(robot), json_of(parameters), text_of(observations), options))  # type: ignore[return-value]
+
+
+def iso9283(
+    attained: Any,
+    commanded: Any = None,
+    *,
+    reference: Any = None,
+    expanded_uncertainty_um: float | None = None,
+    ap_limit_mm: float | None = None,
+    rp_limit_mm: float | None = None,
+    decision_rule: str | None = None,
+    drift_set: int | None = None,
+    rotation_order: str | None = None,
+    seed: int = 1,
+) -> documents.Iso9283Document:
+    """Evaluate accuracy and repeatability of poses by ISO 9283.
+
+    Args:
+        attained: Table with ``pose``, ``cycle``, ``x_mm``, ``y_mm``, ``z_mm`` and, where measured, ``a_deg``, ``b_deg``, ``c_deg``; rows in the order of
+            recording.
+        commanded: Table with the same columns without ``cycle``; repeatability alone if None.
+        reference: Table of targets that stand still: ``cycle``, ``target``, ``x_mm``, ``y_mm``, ``z_mm``.
+        expanded_uncertainty_um: Of a measured coordinate (k = 2), um.
+        ap_limit_mm: Limit of the accuracy AP, mm.
+        rp_limit_mm: Limit of the repeatability RP, mm.
+        decision_rule: As ``--decision-rule`` of the program.
+        drift_set: Cycles of one set of a drift test.
+        rotation_order: Order of the rotations: ``"Rz(c) Ry(b) Rx(a)"``.
+        seed: Seed of the bootstrap intervals.
+
+    Returns:
+        :class:`etalon.documents.Iso9283Document`; ``.poses`` has AP and RP of each pose, mm.
+
+    Raises:
+        Error: A table does not read, or the tables do not belong together.
+    """
+    options = options_of(
+        expanded_uncertainty_um=expanded_uncertainty_um,
+        ap_limit_mm=ap_limit_mm,
+        rp_limit_mm=rp_limit_mm,
+        decision_rule=decision_rule,
+        drift_set=drift_set,
+        rotation_order=rotation_order,
+        seed=seed,
+        all=True,
+    )
+    return load(_etalon.iso9283(_texts(attained, commanded, reference), options))  # type: ignore[return-value]
+
+
+def iso9283_path(
+    recording: Any,
+    commanded: Any = None,
+    path: Any = None,
+    *,
+    rate_hz: float | None = None,
+    still_mm: float = 0.1,
+    still_s: float = 0.2,
+    near_mm: float = 10.0,
+    band_mm: float | None = None,
+    path_points: int = 50,
+    velocity_mm_s: float | None = None,
+    central_percent: float = 50.0,
+    seed: int = 1,
+) -> documents.Iso9283StreamDocument:
+    """Evaluate a recorded motion by ISO 9283: standstills, stabilisation, and the characteristics of a path.
+
+    Args:
+        recording: Table with ``time_s``, ``x_mm``, ``y_mm``, ``z_mm`` and, where measured, ``a_deg``, ``b_deg``, ``c_deg``.
+        commanded: Table of the poses at which the motion stands.
+        path: Table of the commanded path, a row a point.
+        rate_hz: Sampling rate, instead of the time stamps.
+        still_mm: Standing: all positions within this distance of their mean, mm.
+        still_s: Standing: for at least this time, s.
+        near_mm: Largest distance of a standstill from its pose, mm.
+        band_mm: Limit band about the attained pose, mm.
+        path_points: Command points on the path.
+        velocity_mm_s: Commanded velocity on the path, mm/s.
+        central_percent: Central part of the path over which velocities are compared, %.
+        seed: Seed of the bootstrap intervals.
+
+    Returns:
+        :class:`etalon.documents.Iso9283StreamDocument`.
+
+    Raises:
+        Error: A table does not read, or the recording does not show the motion.
+    """
+    options = options_of(
+        rate_hz=rate_hz,
+        still_mm=still_mm,
+        still_s=still_s,
+        near_mm=near_mm,
+        band_mm=band_mm,
+        path_points=path_points,
+        velocity_mm_s=velocity_mm_s,
+        central_percent=central_percent,
+        seed=seed,
+    )
+    return load(_etalon.iso9283_path(_texts(recording, commanded, path), options))  # type: ignore[return-value]
+
+
+def iso230(positions: Any) -> documents.AxisDocument:
+    """Evaluate the positioning of a linear axis by ISO 230-2:2014.
+
+    Args:
+        positions: Table with ``position_mm`` (programmed), ``measured_mm`` and ``direction`` (+1 or -1); each position at least twice in either
+            direction.
+
+    Returns:
+        :class:`etalon.documents.AxisDocument`; ``.axis`` has accuracy, repeatability and reversal, mm.
+
+    Raises:
+        Error: A position has too few runs.
+    """
+    return load(_etalon.iso230(text_of(positions)))  # type: ignore[return-value]
+
+
+def _texts(*tables: Any) -> list[str | None]:
+    return [None if table is None else text_of(table) for table in tables]

@@ -1,0 +1,105 @@
+//! Campaigns in folders.
+
+use crate::errors::{failed, json, refused};
+use etalon::cli::in_memory;
+use etalon::run::documents::parse_parameters;
+use etalon::run::pipeline::{Wanted, run_for};
+use etalon::run::{batch as batches, validation};
+use etalon::stages::monte_carlo::Draws;
+use etalon_base::folder::Durability;
+use etalon_base::message::Message;
+use etalon_campaign::Campaign;
+use etalon_documents::GivenFrames;
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Runs a campaign; returns whether every limit is met, the output folder, and the messages as JSON.
+#[pyfunction]
+pub fn run(py: Python<'_>, folder: PathBuf, reports: bool) -> PyResult<(bool, PathBuf, String)> {
+    let wanted = if reports { Wanted::Reports } else { Wanted::Documents };
+    let outcome = py.detach(|| {
+        let campaign = Campaign::read(&folder)?;
+        let outcome = run_for(&campaign, wanted, Durability::Now)?;
+        Ok((outcome.met, campaign.output()?, outcome.messages))
+    });
+    let (met, output, messages) = outcome.map_err(refused)?;
+    Ok((met, output, json(&messages)?))
+}
+
+/// Everything that is wrong with a campaign.
+#[pyfunction]
+pub fn check(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+    json(&py.detach(|| in_memory::check(&folder)))
+}
+
+/// Given parameters on the data of a campaign; nominal ones without.
+#[pyfunction]
+pub fn validate(py: Python<'_>, folder: PathBuf, parameters: Option<&str>, frames: &str) -> PyResult<String> {
+    let frames = match frames {
+        "refit" => GivenFrames::Refit,
+        "given" => GivenFrames::Given,
+        "prior" => GivenFrames::Prior,
+        other => {
+            let message = Message::error(format!("`{other}` does not say where frames come from"));
+            return Err(refused(message.expected("refit, given or prior").into()));
+        }
+    };
+    let validated = py.detach(|| {
+        let campaign = Campaign::read(&folder)?;
+        let parameters = parameters.map(|text| parse_parameters("parameters", text)).transpose()?;
+        validation::validate(&campaign, parameters.as_ref(), frames)
+    });
+    json(&validated.map_err(refused)?.accuracy)
+}
+
+/// Which parameters deserve to be loaded. `progress` is called with what is done and the whole.
+#[pyfunction]
+pub fn recommend(py: Python<'_>, folder: PathBuf, progress: Option<Py<PyAny>>) -> PyResult<String> {
+    let mut report = reporter(progress);
+    let found = py.detach(|| validation::recommend(&Campaign::read(&folder)?, &mut report));
+    json(&found.map_err(refused)?)
+}
+
+/// Distributions of the results by Monte Carlo: at most so many draws, resamples, and the seed.
+#[pyfunction]
+pub fn uncertainty(
+    py: Python<'_>,
+    folder: PathBuf,
+    draws: (usize, usize, u64),
+    progress: Option<Py<PyAny>>,
+) -> PyResult<String> {
+    let draws = Draws { most: draws.0, resamples: draws.1, seed: draws.2 };
+    let mut report = reporter(progress);
+    let found = py.detach(|| validation::uncertainty(&Campaign::read(&folder)?, draws, &mut report));
+    json(&found.map_err(refused)?)
+}
+
+/// Runs campaigns on all cores. Results are written to `batch.parquet` and `batch.html` by the command alone.
+#[pyfunction]
+pub fn batch(py: Python<'_>, folders: Vec<PathBuf>, reports: bool, progress: Option<Py<PyAny>>) -> PyResult<String> {
+    let wanted = if reports { Wanted::Reports } else { Wanted::Documents };
+    let document = py.detach(|| {
+        let campaigns = batches::folders(&folders)?;
+        let ended = AtomicUsize::new(0);
+        let said = |_: &etalon_documents::BatchEntry| {
+            report(progress.as_ref(), ended.fetch_add(1, Ordering::Relaxed) + 1, campaigns.len());
+        };
+        Ok(batches::batch(&campaigns, wanted, None, std::io::sink(), said)?.document)
+    });
+    json(&document.map_err(failed)?)
+}
+
+fn reporter(progress: Option<Py<PyAny>>) -> impl FnMut(usize, usize) + Send {
+    move |done, whole| report(progress.as_ref(), done, whole)
+}
+
+/// Calls the function of the caller; its exceptions are printed as those of a destructor are.
+fn report(progress: Option<&Py<PyAny>>, done: usize, whole: usize) {
+    let Some(progress) = progress else { return };
+    Python::attach(|py| {
+        if let Err(error) = progress.call1(py, (done, whole)) {
+            error.write_unraisable(py, None);
+        }
+    });
+}

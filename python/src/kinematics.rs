@@ -1,0 +1,149 @@
+//! Direct and inverse kinematics of arrays of joint values and poses.
+
+use crate::errors::refused;
+use crate::robot::{Robot, kinematics};
+use etalon::cli::in_memory::set_parameters;
+use etalon_base::message::Message;
+use etalon_base::pose::Pose;
+use etalon_robots::Kinematics;
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+/// Numbers of a pose: x, y, z (mm), qw, qx, qy, qz.
+const POSE: usize = 7;
+
+/// Poses (n, 7) at joint values (n, joints) in mm and deg; NaN where the robot cannot be there.
+#[pyfunction]
+#[pyo3(signature = (robot, joints, parameters=None))]
+pub fn direct<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    joints: PyReadonlyArray2<'py, f64>,
+    parameters: Option<&str>,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let mut model = robot.model()?;
+    set_parameters(model.as_mut(), parameters).map_err(refused)?;
+    let arm = kinematics(model.as_ref())?;
+    let rows = inward(arm, &joints)?;
+    let nominal = arm.nominal();
+    let poses: Vec<f64> = py.detach(|| {
+        let pose = |q: &Vec<f64>| match arm.tool_pose(&nominal, q) {
+            Some(pose) => numbers(&pose),
+            None => [f64::NAN; POSE],
+        };
+        rows.iter().flat_map(pose).collect()
+    });
+    poses.into_pyarray(py).reshape([rows.len(), POSE])
+}
+
+/// How solutions are looked for.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Search<'py> {
+    /// Joint values near which the solution is looked for; one row for all, or one for each pose.
+    near: Option<PyReadonlyArray2<'py, f64>>,
+    /// All solutions instead of the nearest.
+    all: bool,
+}
+
+/// Row of the pose for each solution, the solutions, and the reason for each pose without one.
+type Solutions<'py> = (Vec<usize>, Bound<'py, PyArray2<f64>>, Vec<(usize, String)>);
+
+/// Joint values in mm and deg at poses (n, 7).
+#[pyfunction]
+#[pyo3(signature = (robot, poses, search, parameters=None))]
+pub fn inverse<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    poses: PyReadonlyArray2<'py, f64>,
+    search: Search<'py>,
+    parameters: Option<&str>,
+) -> PyResult<Solutions<'py>> {
+    let mut model = robot.model()?;
+    set_parameters(model.as_mut(), parameters).map_err(refused)?;
+    let arm = kinematics(model.as_ref())?;
+    if search.all && arm.joints().len() > 6 {
+        let message = Message::error(format!("{} joints reach a pose in infinitely many ways", arm.joints().len()));
+        return Err(refused(message.hint("leave `all_solutions` out: the nearest is found").into()));
+    }
+    let poses = crate::fit::rows::<POSE>(&poses)?;
+    let near = search.near.as_ref().map(|near| inward(arm, near)).transpose()?;
+    let found = py.detach(|| solve(arm, poses, near.as_deref(), search.all));
+    let mut missing = Vec::new();
+    let (mut rows, mut values) = (Vec::new(), Vec::new());
+    let width = values_of(arm);
+    for (row, solutions) in found.into_iter().enumerate() {
+        match solutions {
+            Err(reason) => missing.push((row, reason)),
+            Ok(solutions) => {
+                for joints in solutions {
+                    rows.push(row);
+                    let outward = arm.joints().iter().zip(&joints).map(|(joint, q)| joint.quantity.outward(*q));
+                    values.extend(outward.chain(joints.get(arm.joints().len()).copied()));
+                }
+            }
+        }
+    }
+    let values = values.into_pyarray(py).reshape([rows.len(), width])?;
+    Ok((rows, values, missing))
+}
+
+/// The solutions of each pose, or why there is none.
+fn solve(
+    arm: &dyn Kinematics,
+    poses: &[[f64; POSE]],
+    near: Option<&[Vec<f64>]>,
+    all: bool,
+) -> Vec<Result<Vec<Vec<f64>>, String>> {
+    let nominal = arm.nominal();
+    let mut last = vec![0.0; arm.joints().len()];
+    let solved = |p: &[f64; POSE], near: &[f64]| {
+        let [x, y, z, qw, qx, qy, qz] = *p;
+        let pose = Pose { translation_mm: [x, y, z], ..Pose::from_quaternion([qw, qx, qy, qz]) };
+        if !all {
+            return Ok(vec![arm.nearest_joints(&nominal, &pose, near)?]);
+        }
+        let found = arm.all_joints(&nominal, &pose);
+        let forbidden = found.iter().find_map(|q| arm.limit_violation(&nominal, q));
+        let within: Vec<Vec<f64>> = found.into_iter().filter(|q| arm.limit_violation(&nominal, q).is_none()).collect();
+        if within.is_empty() { Err(forbidden.unwrap_or_else(|| "out of reach".to_owned())) } else { Ok(within) }
+    };
+    let mut answers = Vec::new();
+    for (row, pose) in poses.iter().enumerate() {
+        let start = near.map_or(&last, |near| if near.len() == 1 { &near[0] } else { &near[row] });
+        let answer = solved(pose, start);
+        if let Ok([first, ..]) = answer.as_deref() {
+            let joints = last.len();
+            last.copy_from_slice(&first[..joints]);
+        }
+        answers.push(answer);
+    }
+    answers
+}
+
+/// Numbers of a row of joint values: the assembly mode is behind the joints.
+fn values_of(arm: &dyn Kinematics) -> usize {
+    arm.joints().len() + usize::from(arm.has_assembly_modes())
+}
+
+/// Rows of joint values in rad and mm.
+fn inward(arm: &dyn Kinematics, joints: &PyReadonlyArray2<f64>) -> PyResult<Vec<Vec<f64>>> {
+    let (shape, width) = (joints.shape(), values_of(arm));
+    if shape[1] != width {
+        let message = Message::error(format!("joint values have the shape ({}, {})", shape[0], shape[1]));
+        let columns: Vec<String> = arm.joints().iter().map(|joint| joint.column()).collect();
+        return Err(refused(message.expected(format!("(n, {width}): {}", columns.join(", "))).into()));
+    }
+    let array = joints.as_array();
+    let row = |row: numpy::ndarray::ArrayView1<f64>| {
+        let inward = arm.joints().iter().zip(row.iter()).map(|(joint, q)| joint.quantity.inward(*q));
+        inward.chain(row.iter().skip(arm.joints().len()).copied()).collect()
+    };
+    Ok(array.rows().into_iter().map(row).collect())
+}
+
+fn numbers(pose: &Pose) -> [f64; POSE] {
+    let [x, y, z] = pose.translation_mm;
+    let [qw, qx, qy, qz] = pose.quaternion();
+    [x, y, z, qw, qx, qy, qz]
+}

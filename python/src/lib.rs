@@ -1,0 +1,38 @@
+//! The native part of the Python module `etalon`: arrays and texts in, documents as JSON out. The package in
+//! `python/etalon` makes objects of them.
+
+mod campaigns;
+mod errors;
+mod fit;
+mod kinematics;
+mod robot;
+mod tables;
+mod tasks;
+
+use pyo3::prelude::*;
+
+/// Runs the program with the arguments of a command line, the first of which is its name; returns the exit code.
+#[pyfunction]
+fn main(py: Python<'_>, arguments: Vec<String>) -> u8 {
+    py.detach(|| etalon::cli::main(arguments.into_iter().map(Into::into)))
+}
+
+#[pymodule]
+mod _etalon {
+    #[pymodule_export]
+    use super::campaigns::{batch, check, recommend, run, uncertainty, validate};
+    #[pymodule_export]
+    use super::fit::{Fitted, enclosing, fit, rigid};
+    #[pymodule_export]
+    use super::kinematics::{direct, inverse};
+    #[pymodule_export]
+    use super::main;
+    #[pymodule_export]
+    use super::robot::{Robot, robot_names};
+    #[pymodule_export]
+    use super::tables::csv;
+    #[pymodule_export]
+    use super::tasks::{identify, iso230, iso9283, iso9283_path, plan, verify};
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

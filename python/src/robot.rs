@@ -1,0 +1,108 @@
+//! Robots: from robot.toml, a URDF, or the table of known ones.
+
+use crate::errors::{failed, refused};
+use etalon::cli::in_memory::{Given, Table, known_names, known_text, urdf_text};
+use etalon_base::files;
+use etalon_base::message::Problems;
+use etalon_campaign::{RobotFile, parse_robot, read_urdf};
+use etalon_robots::{Kinematics, Robot as Model};
+use pyo3::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// A robot file that is read and checked.
+#[pyclass(frozen, module = "etalon")]
+pub struct Robot {
+    file: RobotFile,
+    /// Name of the file, for messages.
+    name: String,
+    text: String,
+}
+
+impl Robot {
+    fn of(path: &Path, text: String) -> PyResult<Self> {
+        let file = parse_robot(path, &text).map_err(refused)?;
+        let robot = Self { file, name: path.display().to_string(), text };
+        robot.model()?;
+        Ok(robot)
+    }
+
+    /// The model with one target, which has no place on the tool.
+    pub fn model(&self) -> PyResult<Box<dyn Model>> {
+        self.file.build(&["tool".to_owned()]).map_err(refused)
+    }
+
+    /// The robot and a table that a command is given.
+    pub fn given<'a>(&'a self, name: &'a str, text: &'a str) -> Given<'a> {
+        Given { robot: &self.file, stated: Table { name: &self.name, text: &self.text }, table: Table { name, text } }
+    }
+}
+
+/// The kinematics of a model.
+pub fn kinematics(model: &dyn Model) -> PyResult<&dyn Kinematics> {
+    etalon::cli::in_memory::whole_pose(model).map_err(refused)
+}
+
+#[pymethods]
+impl Robot {
+    /// Reads a robot.toml.
+    #[staticmethod]
+    fn read(path: PathBuf) -> PyResult<Self> {
+        let text = files::read_text(&path).map_err(refused)?;
+        Self::of(&path, text)
+    }
+
+    /// Reads the text of a robot.toml.
+    #[staticmethod]
+    fn parse(text: String) -> PyResult<Self> {
+        Self::of(Path::new("robot.toml"), text)
+    }
+
+    /// Takes a robot of the table.
+    #[staticmethod]
+    fn named(name: &str) -> PyResult<Self> {
+        let text = known_text(name).map_err(refused)?;
+        Self::of(Path::new("robot.toml"), text)
+    }
+
+    /// Takes a chain of a URDF file, by default the one with the most moving joints.
+    #[staticmethod]
+    fn urdf(path: PathBuf, base_link: Option<String>, tool_link: Option<String>) -> PyResult<Self> {
+        let (mut chain, _) = read_urdf(&path).map_err(refused)?;
+        chain.base_link = base_link.unwrap_or(chain.base_link);
+        chain.tool_link = tool_link.unwrap_or(chain.tool_link);
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Self::of(&path.with_file_name("robot.toml"), urdf_text(&name, &chain))
+    }
+
+    /// Name of the model: serial, urdf, five_bar ...
+    #[getter(model)]
+    fn model_name(&self) -> PyResult<String> {
+        Ok(self.model()?.model().to_owned())
+    }
+
+    /// Columns of the joint values, with their units.
+    #[getter]
+    fn joints(&self) -> PyResult<Vec<String>> {
+        Ok(self.model()?.joints().iter().map(|joint| joint.column()).collect())
+    }
+
+    /// Name, unit and nominal value of every parameter.
+    #[getter]
+    fn parameters(&self) -> PyResult<Vec<(String, &'static str, f64)>> {
+        let model = self.model()?;
+        let row = |p: &etalon_robots::Parameter| (p.name.clone(), p.quantity.unit(), p.quantity.outward(p.nominal));
+        Ok(model.parameters().iter().map(row).collect())
+    }
+
+    /// Text of the robot.toml.
+    #[getter]
+    fn toml(&self) -> &str {
+        &self.text
+    }
+}
+
+/// Names of the robots of the table.
+#[pyfunction]
+pub fn robot_names() -> PyResult<Vec<String>> {
+    known_names().map_err(|problems: Problems| failed(problems.into()))
+}

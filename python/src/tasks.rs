@@ -1,0 +1,65 @@
+//! Commands on tables in memory.
+
+use crate::errors::{failed, json};
+use crate::robot::Robot;
+use etalon::cli::in_memory::{self, Table};
+use etalon::run::documents::parse_parameters;
+use pyo3::prelude::*;
+
+/// `parameters.json` identified from a table of observations.
+#[pyfunction]
+pub fn identify(py: Python<'_>, robot: &Robot, observations: &str, options: Vec<String>) -> PyResult<String> {
+    let given = robot.given("observations", observations);
+    json(&py.detach(|| in_memory::identify(&given, &options)).map_err(failed)?)
+}
+
+/// The poses to measure among candidates.
+#[pyfunction]
+pub fn plan(py: Python<'_>, robot: &Robot, candidates: &str, options: Vec<String>) -> PyResult<String> {
+    let given = robot.given("candidates", candidates);
+    json(&py.detach(|| in_memory::plan(&given, &options)).map_err(failed)?)
+}
+
+/// Whether parameters still hold.
+#[pyfunction]
+pub fn verify(
+    py: Python<'_>,
+    robot: &Robot,
+    parameters: &str,
+    observations: &str,
+    options: Vec<String>,
+) -> PyResult<String> {
+    let given = robot.given("observations", observations);
+    let verified = py.detach(|| {
+        let parameters = parse_parameters("parameters", parameters)?;
+        in_memory::verify(&given, &parameters, &options)
+    });
+    json(&verified.map_err(failed)?)
+}
+
+/// Characteristics of poses by ISO 9283, from attained poses, commanded ones and reference targets.
+#[pyfunction]
+pub fn iso9283(py: Python<'_>, tables: [Option<String>; 3], options: Vec<String>) -> PyResult<String> {
+    let [attained, commanded, reference] = named(&tables, ["attained", "commanded", "reference"]);
+    let tables = [attained.as_ref(), commanded.as_ref(), reference.as_ref()];
+    json(&py.detach(|| in_memory::iso9283(tables, &options)).map_err(failed)?)
+}
+
+/// Characteristics of a motion by ISO 9283, from a recording, commanded poses and a commanded path.
+#[pyfunction]
+pub fn iso9283_path(py: Python<'_>, tables: [Option<String>; 3], options: Vec<String>) -> PyResult<String> {
+    let [recording, commanded, path] = named(&tables, ["recording", "commanded", "path"]);
+    let tables = [recording.as_ref(), commanded.as_ref(), path.as_ref()];
+    json(&py.detach(|| in_memory::iso9283_path(tables, &options)).map_err(failed)?)
+}
+
+/// Positioning of a linear axis by ISO 230-2.
+#[pyfunction]
+pub fn iso230(py: Python<'_>, table: &str) -> PyResult<String> {
+    let table = Table { name: "table", text: table };
+    json(&py.detach(|| in_memory::iso230(&table)).map_err(failed)?)
+}
+
+fn named<'a>(texts: &'a [Option<String>; 3], names: [&'static str; 3]) -> [Option<Table<'a>>; 3] {
+    [0, 1, 2].map(|i| texts[i].as_deref().map(|text| Table { name: names[i], text }))
+}

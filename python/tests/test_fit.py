@@ -1,0 +1,96 @@
+"""Fits against NumPy, SciPy and elements that are known."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import etalon
+from etalon import fit
+
+noise = np.random.default_rng(7)
+
+
+def test_a_plane_is_that_of_the_singular_value_decomposition():
+    points = noise.normal(size=(200, 3)) @ np.diag([50.0, 40.0, 0.02]) + [10.0, 20.0, 30.0]
+    turned = points @ np.linalg.qr(noise.normal(size=(3, 3)))[0]
+    found = fit.plane(turned)
+    centred = turned - turned.mean(axis=0)
+    normal = np.linalg.svd(centred)[2][2]
+    assert abs(abs(np.dot(found.normal, normal)) - 1) < 1e-12
+    assert found.rms_mm == pytest.approx(np.sqrt(np.mean((centred @ normal) ** 2)), rel=1e-9)
+    assert np.abs(found.residuals_mm) == pytest.approx(np.abs(centred @ normal), abs=1e-9)
+
+
+def test_a_sphere_is_that_of_scipy():
+    optimize = pytest.importorskip("scipy.optimize")
+    direction = noise.normal(size=(300, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    points = [100.0, -50.0, 20.0] + 12.7 * direction + noise.normal(0, 0.005, (300, 3))
+    found = fit.sphere(points)
+    solved = optimize.least_squares(
+        lambda p: np.linalg.norm(points - p[:3], axis=1) - p[3], [100, -50, 20, 12], xtol=1e-15, ftol=1e-15, gtol=1e-15
+    )
+    assert found.center_mm == pytest.approx(solved.x[:3], abs=1e-7)
+    assert found.radius_mm == pytest.approx(solved.x[3], abs=1e-7)
+
+
+def test_a_cylinder_without_noise_is_found():
+    angle, height = noise.uniform(0, 2 * np.pi, 100), noise.uniform(-40, 40, 100)
+    points = np.column_stack([25 * np.cos(angle), 25 * np.sin(angle), height])
+    turn = np.linalg.qr(noise.normal(size=(3, 3)))[0]
+    found = fit.cylinder(points @ turn.T + [5.0, 6.0, 7.0])
+    assert found.radius_mm == pytest.approx(25.0, abs=1e-9)
+    assert abs(np.dot(found.axis, turn[:, 2])) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_arrays_are_read_where_they_are():
+    points = noise.normal(size=(50, 3))
+    assert fit.points_of(points) is points
+    points.flags.writeable = False
+    before = points.copy()
+    fit.plane(points)
+    assert (points == before).all()
+    whole = noise.normal(size=(100, 4))
+    assert fit.plane(whole[::2, :3]).rms_mm == pytest.approx(fit.plane(whole[::2, :3].copy()).rms_mm, abs=0)
+
+
+def test_what_is_no_array_of_points_is_refused():
+    with pytest.raises(etalon.Error, match="shape"):
+        fit.plane(np.zeros((5, 4)))
+    with pytest.raises(etalon.Error) as raised:
+        fit.sphere(np.zeros((3, 3)))
+    assert raised.value.message and raised.value.messages[0].severity == "error"
+    assert str(pickle.loads(pickle.dumps(raised.value))) == str(raised.value)
+    with pytest.raises(etalon.Error):
+        fit.plane([[0, 0, 0], [1, 0, float("nan")], [0, 1, 0], [1, 1, 0]])
+    with pytest.raises(etalon.Error, match="side"):
+        fit.sphere(noise.normal(size=(20, 3)), probe_radius_mm=1.0)
+
+
+def test_a_minimum_zone_is_no_wider_than_the_form_of_least_squares():
+    angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    points = np.column_stack([np.cos(angle), np.sin(angle)]) * (10 + noise.normal(0, 0.01, (40, 1)))
+    assert fit.circle2d(points, minimum_zone=True).form_mm <= fit.circle2d(points).form_mm
+
+
+def test_documents_can_be_read_shown_and_pickled():
+    found = fit.sphere(noise.normal(size=(20, 3)))
+    assert found.to_dict()["element"] == "sphere" and found["element"] == "sphere"
+    assert "<table>" in found._repr_html_()
+    again = pickle.loads(pickle.dumps(found))
+    assert again.to_dict() == found.to_dict() and (again.residuals_mm == found.residuals_mm).all()
+    with pytest.raises(AttributeError):
+        found.no_such_member
+    with pytest.raises(AttributeError):
+        found.element = "plane"
+
+
+def test_a_rigid_transform_is_found():
+    points = noise.normal(size=(6, 3)) * 100
+    turn = np.linalg.qr(noise.normal(size=(3, 3)))[0]
+    turn *= np.sign(np.linalg.det(turn))
+    found = etalon.frames.rigid(points, points @ turn.T + [1.0, 2.0, 3.0])
+    assert found.matrix[:3, :3] == pytest.approx(turn, abs=1e-12)
+    assert found(points) == pytest.approx(points @ turn.T + [1.0, 2.0, 3.0], abs=1e-10)
+    assert found.rms_mm < 1e-10

@@ -1,0 +1,131 @@
+"""Commands on tables: against known errors, formulas of the standards, and between libraries of tables."""
+
+import numpy as np
+import pytest
+
+import etalon
+
+
+def test_known_errors_of_an_arm_are_found(arm):
+    robot, table, errors = arm
+    found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    by_name = {parameter.name: parameter for parameter in found.parameters}
+    for name, error in errors.items():
+        p = by_name[name]
+        assert abs(p.value - p.nominal - error) < 5 * p.standard_uncertainty, name
+        assert p.standard_uncertainty < abs(error) / 4, name
+    assert isinstance(found, etalon.documents.ParametersDocument)
+    assert found.to_dict()["schema"].startswith("etalon/parameters/")
+
+
+@pytest.mark.parametrize("library", ["polars", "pandas", "pyarrow"])
+def test_tables_of_libraries_give_the_same_numbers(arm, library):
+    robot, table, _ = arm
+    module = pytest.importorskip(library)
+    frame = module.table(table) if library == "pyarrow" else module.DataFrame(table)
+    if not hasattr(frame, "__arrow_c_stream__"):
+        pytest.skip(f"this {library} has no Arrow PyCapsule interface")
+    if library == "pandas":
+        pytest.importorskip("pyarrow")
+    values = [[p.value for p in etalon.identify(robot, of).parameters] for of in (table, frame)]
+    assert values[0] == values[1]
+
+
+def test_a_csv_file_gives_the_same_numbers(arm, tmp_path):
+    robot, table, _ = arm
+    rows = zip(*(list(column) for column in table.values()))
+    text = ",".join(table) + "\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n"
+    (tmp_path / "table.csv").write_text(text)
+    values = [[p.value for p in etalon.identify(robot, of).parameters] for of in (table, tmp_path / "table.csv")]
+    assert values[0] == values[1]
+
+
+def test_options_reach_the_identification(arm):
+    robot, table, _ = arm
+    renamed = {{"q1_deg": "J1"}.get(name, name): column for name, column in table.items() if name != "target"}
+    found = etalon.identify(robot, renamed, hold=["a_3"], target="SMR", columns={"q1_deg": "J1"})
+    held = next(p for p in found.parameters if p.name == "a_3")
+    assert held.value == held.nominal
+    with pytest.raises(etalon.Error, match="effects|nonsense"):
+        etalon.identify(robot, table, effects=["nonsense"])
+
+
+def test_what_is_wrong_with_a_table_is_raised_with_its_place(arm):
+    robot, table, _ = arm
+    without = {name: column for name, column in table.items() if name != "q3_deg"}
+    with pytest.raises(etalon.Error, match="q3_deg"):
+        etalon.identify(robot, without)
+    broken = dict(table, x_mm=np.where(np.arange(60) == 4, np.nan, table["x_mm"]))
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, broken)
+    assert any(message.place and message.place.get("line") == 6 for message in raised.value.messages), str(raised.value)
+    with pytest.raises(etalon.Error, match="length"):
+        etalon.identify(robot, dict(table, x_mm=[1.0]))
+    with pytest.raises(etalon.Error, match="not a table"):
+        etalon.identify(robot, 5)
+
+
+def test_parameters_are_verified(arm):
+    robot, table, _ = arm
+    found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    some = {name: np.asarray(column)[:12] for name, column in table.items()}
+    assert etalon.verify(robot, found, some).verdict == "valid"
+    moved = dict(some, q3_deg=np.asarray(some["q3_deg"]) + 0.1)
+    changed = etalon.verify(robot, found, moved)
+    assert changed.verdict == "joint", changed.to_dict()
+
+
+def test_identified_parameters_move_the_kinematics(arm):
+    robot, table, _ = arm
+    found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    joints = np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])
+    nominal = etalon.kinematics.direct(robot, joints).xyz_mm
+    identified = etalon.kinematics.direct(robot, joints, parameters=found).xyz_mm
+    assert np.linalg.norm(identified - nominal, axis=1).max() > 0.2
+
+
+def test_poses_are_planned(arm):
+    robot, table, _ = arm
+    candidates = {name: column for name, column in table.items() if name in ("pose", "target") or name.endswith("_deg")}
+    found = etalon.plan(robot, candidates, 20, nodes=10, starts=1)
+    assert len(found.chosen) == 20 and found.bound >= found.value
+
+
+def test_accuracy_and_repeatability_are_those_of_the_formulas():
+    """ISO 9283:1998, 7.2.1 and 7.2.2."""
+    noise = np.random.default_rng(5)
+    commanded = {"pose": [1, 2], "x_mm": [0.0, 100.0], "y_mm": [0.0, 50.0], "z_mm": [0.0, 20.0]}
+    points = np.array([[0.1, 0.0, 0.0], [100.0, 50.2, 20.0]])[:, None] + noise.normal(0, 0.02, (2, 30, 3))
+    attained = {"pose": np.tile([1, 2], 30), "cycle": np.repeat(np.arange(1, 31), 2)}
+    attained |= {name: points[:, :, k].T.ravel() for k, name in enumerate(["x_mm", "y_mm", "z_mm"])}
+    found = etalon.iso9283(attained, commanded)
+    for k, pose in enumerate(found.poses):
+        mean = points[k].mean(axis=0)
+        target = np.array([commanded[name][k] for name in ("x_mm", "y_mm", "z_mm")])
+        distances = np.linalg.norm(points[k] - mean, axis=1)
+        text = pose.to_json()
+        expected = (np.linalg.norm(mean - target), distances.mean() + 3 * distances.std(ddof=1))
+        for value in expected:
+            assert any(abs(number - value) < 1e-9 for number in numbers(pose.to_dict())), (value, text)
+
+
+def numbers(value):
+    """All numbers in a document."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, list):
+        return [number for item in value for number in numbers(item)]
+    return [value] if isinstance(value, float) else []
+
+
+def test_positioning_is_that_of_the_formulas():
+    """ISO 230-2:2014: repeatability of a direction 4 s, reversal |mean up - mean down|."""
+    up, down = np.array([0.001, 0.003, 0.002]), np.array([-0.002, -0.001, -0.003])
+    table = {
+        "position_mm": np.repeat([0.0, 100.0], 6),
+        "measured_mm": np.concatenate([up, down, 100 + up, 100 + down]),
+        "direction": np.tile([1, 1, 1, -1, -1, -1], 2),
+    }
+    axis = etalon.iso230(table).axis
+    assert axis.reversal_mm == pytest.approx(0.004, abs=1e-12)
+    assert axis.repeatability.forward_mm == pytest.approx(4 * up.std(ddof=1), abs=1e-12)

@@ -1,0 +1,142 @@
+//! Commands on robots and tables in memory, for programs that call etalon as a library.
+//!
+//! Options are words of the command line (`["--hold", "q1"]`); the answer is the document that `--json` prints. Nothing is
+//! printed and nothing is written.
+
+use crate::run::documents::parse_parameters;
+use crate::run::walk::{Checked, checked};
+use anyhow::Result;
+use clap::Args;
+use etalon_base::error;
+use etalon_base::message::Problems;
+use etalon_campaign::Campaign;
+use etalon_documents::{
+    AxisDocument, CheckDocument, Iso9283Document, Iso9283StreamDocument, ParametersDocument, PlanDocument,
+    VerificationDocument,
+};
+use etalon_robots::{Kinematics, Robot};
+use std::path::Path;
+
+pub use super::given::{Given, Table};
+pub use super::init::{known_names, known_text, urdf_text};
+
+/// Stands for a file in options that a table in memory replaces.
+const PLACEHOLDER: &str = "table";
+
+/// The kinematics of a robot, of a model that has them.
+///
+/// # Errors
+/// A model without kinematics of a whole pose.
+pub fn whole_pose(robot: &dyn Robot) -> std::result::Result<&dyn Kinematics, Problems> {
+    super::kinematics::whole_pose(robot)
+}
+
+/// Takes the parameters of a `parameters.json`, where one is given, as the nominal ones.
+///
+/// # Errors
+/// Parameters of another robot.
+pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> std::result::Result<(), Problems> {
+    let Some(json) = json else { return Ok(()) };
+    let document = parse_parameters("parameters", json)?;
+    let values = super::kinematics::identified(robot, &document, Path::new("parameters"))?;
+    robot.definition_mut().set_nominal(&values);
+    Ok(())
+}
+
+/// Identifies parameters, as `etalon identify`.
+///
+/// # Errors
+/// Those of the command.
+pub fn identify(given: &Given, options: &[String]) -> Result<ParametersDocument> {
+    let files = ["--robot", PLACEHOLDER, "--observations", PLACEHOLDER];
+    options_of::<super::identify::IdentifyCommand>(&files, options)?.in_memory(given)
+}
+
+/// Chooses poses to measure, as `etalon plan`.
+///
+/// # Errors
+/// Those of the command.
+pub fn plan(given: &Given, options: &[String]) -> Result<PlanDocument> {
+    let files = ["--robot", PLACEHOLDER, "--candidates", PLACEHOLDER];
+    options_of::<super::plan::PlanCommand>(&files, options)?.in_memory(given)
+}
+
+/// Judges whether parameters still hold, as `etalon verify`.
+///
+/// # Errors
+/// Those of the command.
+pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]) -> Result<VerificationDocument> {
+    let files = ["--robot", PLACEHOLDER, "--parameters", PLACEHOLDER, PLACEHOLDER];
+    options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
+}
+
+/// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses, the third reference targets.
+///
+/// # Errors
+/// Those of the command.
+pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &[String]) -> Result<Iso9283Document> {
+    let attained = needed(attained)?;
+    let files = [PLACEHOLDER, "--commanded", PLACEHOLDER];
+    let files = if commanded.is_some() { &files[..] } else { &files[..1] };
+    Ok(options_of::<super::iso9283::Iso9283>(files, options)?.poses_in_memory(attained, commanded, reference)?)
+}
+
+/// Evaluates a recorded motion, as `etalon iso9283 path`; the second table has the commanded poses, the third the commanded path.
+///
+/// # Errors
+/// Those of the command.
+pub fn iso9283_path(
+    [recording, commanded, path]: [Option<&Table>; 3],
+    options: &[String],
+) -> Result<Iso9283StreamDocument> {
+    let recording = needed(recording)?;
+    let files = ["--stream", PLACEHOLDER, "--path", PLACEHOLDER];
+    let files = if path.is_some() { &files[..] } else { &files[..2] };
+    Ok(options_of::<super::iso9283::Iso9283>(files, options)?.path_in_memory(recording, commanded, path)?)
+}
+
+/// Evaluates the positioning of an axis, as `etalon iso230`.
+///
+/// # Errors
+/// Those of the command.
+pub fn iso230(table: &Table) -> Result<AxisDocument> {
+    Ok(super::iso230::evaluate(&table.parse()?)?.0)
+}
+
+/// Finds everything that is wrong with a campaign, as `etalon check`.
+pub fn check(campaign: &Path) -> CheckDocument {
+    let (checked, problems) = find(campaign);
+    let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();
+    let joints = joints.unwrap_or_default();
+    let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
+    let messages = Problems(problems.0.into_iter().chain(messages).collect()).grouped();
+    CheckDocument::new(campaign.display().to_string(), &messages.0, sources, joints)
+}
+
+/// What the campaign's files hold, and everything that is wrong.
+pub(super) fn find(path: &Path) -> (Option<Checked>, Problems) {
+    let (campaign, mut problems) = match Campaign::recover(path) {
+        Ok(found) => found,
+        Err(problems) => return (None, problems),
+    };
+    let Some(campaign) = campaign else { return (None, problems) };
+    let mut checked = checked(&campaign);
+    problems.0.append(&mut checked.problems.0);
+    (Some(checked), problems)
+}
+
+fn needed<'t, 'a>(table: Option<&'t Table<'a>>) -> std::result::Result<&'t Table<'a>, Problems> {
+    table.ok_or_else(|| error!("table-to-evaluate-missing").into())
+}
+
+/// Options of a command, which are checked as on the command line.
+fn options_of<T: Args>(files: &[&str], options: &[String]) -> Result<T> {
+    let words = ["etalon"].into_iter().chain(files.iter().copied()).chain(options.iter().map(String::as_str));
+    let read = T::augment_args(clap::Command::new("etalon")).try_get_matches_from(words);
+    let found = read.and_then(|matches| T::from_arg_matches(&matches));
+    found.map_err(|error| {
+        let text = error.render().to_string();
+        let reason = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+        Problems::from(error!("option-refused", reason)).into()
+    })
+}
