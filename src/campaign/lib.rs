@@ -318,7 +318,8 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
     parse_robot(path, &files::read_text(path)?)
 }
 
-/// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is looked for beside it.
+/// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is
+/// looked for beside it.
 ///
 /// # Errors
 /// Those of [`read_robot`].

@@ -238,8 +238,8 @@ pub struct ObservationsDefinition {
     pub sheet: Option<String>,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// Rows before the data; the last one names the columns: a number, `false` for none, or words of
-    /// the row.
+    /// Rows before the data; the last one names the columns: a number, `false` for none, or words
+    /// of the row.
     #[serde(default = "one_row")]
     #[schemars(extend("default" = 1))]
     pub header: Header,

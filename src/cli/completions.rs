@@ -1,9 +1,9 @@
-//! `etalon completions`
+//! `etalon completions`.
 
 use super::{Verdict, print};
 use clap_complete::aot::{Shell, generate};
 
-/// Print the completions of a shell
+/// Print the completions of a shell.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "To load them:
   bash        etalon completions bash > ~/.local/share/bash-completion/completions/etalon
@@ -11,7 +11,7 @@ use clap_complete::aot::{Shell, generate};
   fish        etalon completions fish > ~/.config/fish/completions/etalon.fish
   powershell  etalon completions powershell >> $PROFILE")]
 pub struct Completions {
-    /// Shell
+    /// Shell.
     shell: Shell,
 }
 

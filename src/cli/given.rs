@@ -28,7 +28,7 @@ pub struct Given<'a> {
     pub robot: &'a RobotFile,
     /// Name and text of its robot.toml.
     pub stated: Table<'a>,
-    /// What was measured, or what may be.
+    /// Measured observations, or candidates.
     pub table: Table<'a>,
 }
 

@@ -1,7 +1,7 @@
 //! Commands on robots and tables in memory, for programs that call etalon as a library.
 //!
-//! Options are words of the command line (`["--hold", "q1"]`); the answer is the document that `--json` prints. Nothing is
-//! printed and nothing is written.
+//! Options are words of the command line (`["--hold", "q1"]`); the answer is the document that
+//! `--json` prints. Nothing is printed and nothing is written.
 
 use crate::run::documents::parse_parameters;
 use crate::run::walk::{Checked, checked};
@@ -70,7 +70,8 @@ pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]
     options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
 }
 
-/// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses, the third reference targets.
+/// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses, the
+/// third reference targets.
 ///
 /// # Errors
 /// Those of the command.
@@ -81,7 +82,8 @@ pub fn iso9283([attained, commanded, reference]: [Option<&Table>; 3], options: &
     Ok(options_of::<super::iso9283::Iso9283>(files, options)?.poses_in_memory(attained, commanded, reference)?)
 }
 
-/// Evaluates a recorded motion, as `etalon iso9283 path`; the second table has the commanded poses, the third the commanded path.
+/// Evaluates a recorded motion, as `etalon iso9283 path`; the second table has the commanded poses,
+/// the third the commanded path.
 ///
 /// # Errors
 /// Those of the command.
@@ -113,7 +115,7 @@ pub fn check(campaign: &Path) -> CheckDocument {
     CheckDocument::new(campaign.display().to_string(), &messages.0, sources, joints)
 }
 
-/// What the campaign's files hold, and everything that is wrong.
+/// Contents of the campaign's files, and all errors.
 pub(super) fn find(path: &Path) -> (Option<Checked>, Problems) {
     let (campaign, mut problems) = match Campaign::recover(path) {
         Ok(found) => found,
@@ -137,6 +139,6 @@ fn options_of<T: Args>(files: &[&str], options: &[String]) -> Result<T> {
     found.map_err(|error| {
         let text = error.render().to_string();
         let reason = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
-        Problems::from(error!("option-refused", reason)).into()
+        Problems::from(error!("option-of-call-refused", reason)).into()
     })
 }

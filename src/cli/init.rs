@@ -178,7 +178,7 @@ pub fn urdf_text(file: &str, chain: &LongestChain) -> String {
     )
 }
 
-/// Where the schema of an input file is in the folder of a campaign, for editors.
+/// Path of the schema of an input file in the folder of a campaign, for editors.
 fn schema_file(name: &str) -> String {
     format!("schemas/{name}.schema.json")
 }

@@ -255,7 +255,7 @@ impl PoseOptions {
 }
 
 impl Iso9283 {
-    /// The answer of `pose` from tables in memory: attained poses, commanded ones, reference targets.
+    /// Evaluates `pose` from tables in memory: attained poses, commanded poses, reference targets.
     pub(super) fn poses_in_memory(
         &self,
         attained: &Table,

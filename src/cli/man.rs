@@ -1,16 +1,16 @@
-//! `etalon man`
+//! `etalon man`.
 
 use super::{Verdict, print_written};
 use clap::Command;
 use etalon_base::files;
 use std::path::PathBuf;
 
-/// Write the manual pages
+/// Write the manual pages.
 #[derive(Debug, clap::Args)]
 pub struct Man {
-    /// Folder of the pages: etalon.1, and etalon-COMMAND.1 of each command
+    /// Folder of the pages: etalon.1, and etalon-COMMAND.1 of each command.
     folder: PathBuf,
-    /// Print the names of the files written as JSON
+    /// Print the names of the files written as JSON.
     #[arg(long)]
     json: bool,
 }

@@ -225,7 +225,7 @@ pub(super) fn read(robot_file: &RobotFile, path: &Path) -> Result<(Box<dyn Robot
     candidates_of(robot_file, &TableFile::read(path)?)
 }
 
-/// The same of a table that is read already.
+/// Candidates of a table that has been read before.
 fn candidates_of(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
     let here = |problems: Problems| file.place(problems);
     let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };

@@ -1,4 +1,5 @@
-//! The last line of a terminal while a command takes long: a bar where the amount of work is known, a spinner elsewhere.
+//! Progress on the last line of a terminal while a command takes long: a bar where the amount of
+//! work is known, a spinner elsewhere.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;

@@ -45,12 +45,13 @@ pub fn plausibility(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
-    Solved { before, found }: &Solved,
+    solved: &Solved,
     errors: &[PointError],
 ) -> Vec<Message> {
+    let found = &solved.found;
     let mut messages = implausible(robot, found, errors);
     messages.extend(undetermined(robot, observations, settings, found));
-    let far = far_before(robot, observations, settings, before, errors);
+    let far = far_before(robot, observations, settings, solved, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
         None => !messages.is_empty() || found.max > SPIKE * found.rms,
@@ -215,23 +216,36 @@ fn negative_value(p: &Parameter, value: f64) -> String {
     format!("`{}` is negative ({:.5} {})", p.name, p.quantity.outward(value), p.quantity.unit())
 }
 
-/// An error where the nominal robot, at `before`, is further from most measurements than its tolerances allow.
+/// Largest residual of parameters that explain the measurements, as a share of what tolerances
+/// allow.
+const EXPLAINED: f64 = 0.1;
+/// Largest residual that noise leaves, in standard uncertainties of a coordinate.
+const NOISE: f64 = 3.5;
+
+/// Returns an error where the nominal robot is further from most measurements than its tolerances
+/// allow, and the identified parameters do not explain the measurements within their tolerances.
+/// Few poses in a small volume may place base and targets of the nominal robot anywhere.
 fn far_before(
     robot: &dyn Robot,
     observations: &[Observation],
     settings: &Settings,
-    before: &[f64],
+    Solved { before, found }: &Solved,
     errors: &[PointError],
 ) -> Option<Message> {
     if observations.is_empty() {
         // what tolerances allow is known of positions
         return None;
     }
-    let left: Vec<f64> = errors.iter().filter(|e| e.set == PoseSet::Calibration).map(|e| norm(e.before_mm)).collect();
+    let calibration = || errors.iter().filter(|e| e.set == PoseSet::Calibration);
+    let left: Vec<f64> = calibration().map(|e| norm(e.before_mm)).collect();
     let rms_mm = rms(left.iter().copied());
     let noise_mm = settings.coordinate_uncertainty_mm();
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
-    (median(left)? > allowed_mm)
+    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE * noise_mm);
+    let explained = rms(calibration().map(|e| norm(e.after_mm))) < explained_mm
+        && settings.prior != Prior::None
+        && beyond_tolerance(robot, found).is_none();
+    (median(left)? > allowed_mm && !explained)
         .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
 }
 

@@ -4,7 +4,7 @@
 //! not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2). What is not stable is found once, by all poses, and held in
 //! every fold.
 
-use super::cross_validation::{ALL, SIGNIFICANCE, Study};
+use super::cross_validation::{ALL, SIGNIFICANCE, Study, Tried};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
@@ -30,6 +30,18 @@ pub fn recommend(
     check_set_up(robot, &sets.calibration, &settings)?;
     let study = Study::new(robot, &sets, settings)?;
     Recommendation { study: &study }.document(inputs, messages, report)
+}
+
+/// Largest error at left-out poses of the proven parameters alone, over the error of all parameters.
+const COSTS: f64 = 1.05;
+
+/// Rule by which parameters of the accepted effects are loaded.
+#[derive(Clone, Copy)]
+enum Choice {
+    /// Their change from nominal is proven, and they are stable.
+    Proven,
+    /// They are stable.
+    Stable,
 }
 
 /// What is recommended by a study.
@@ -60,24 +72,32 @@ impl Recommendation<'_> {
         let model = study.of_effects(&chosen);
         let full = study.identify(&model)?;
         let stability = self.stability(&model, &full)?;
-        let choose = |found: &Identification| {
-            let load = self.load(found, &stability);
+        let choose = |choice: Choice, found: &Identification| {
+            let load = self.load(found, &stability, choice);
             study.held(move |i| load.contains(&i))
         };
-        let recommended = study.tried(&model, Some(&choose))?;
+        let tried = |choice: Choice| study.tried(&model, Some(&|found: &Identification| choose(choice, found)));
+        let (mut choice, mut recommended) = (Choice::Proven, tried(Choice::Proven)?);
+        let error_mm = |tried: &Tried| tried.statistics().rms;
+        if error_mm(&recommended) > COSTS * error_mm(&all) {
+            let stable = tried(Choice::Stable)?;
+            if error_mm(&stable) < error_mm(&recommended) {
+                (choice, recommended) = (Choice::Stable, stable);
+            }
+        }
         report(most, most);
         let held_out =
             HeldOutErrors { none: none.statistics(), all: all.statistics(), recommended: recommended.statistics() };
-        let parameters = self.verdicts(&all.found, &full, &stability)?;
+        let parameters = self.verdicts([&all.found, &full], &stability, choice)?;
         messages.extend(self.unstable(&stability));
-        let settings = study.holding(choose(&full));
+        let settings = study.holding(choose(choice, &full));
         let document = parameters_document(study.robot, &settings, &study.before, &recommended.found, inputs);
         messages
             .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
-            meaning: meaning(&chosen, &parameters, &held_out),
+            meaning: meaning(&chosen, choice, &parameters, &held_out),
             poses: study.poses,
             folds: study.first_cut().len(),
             repeats: study.folds.len() / study.first_cut().len(),
@@ -116,10 +136,15 @@ impl Recommendation<'_> {
         etalon_identify::stability(study.robot, calibration, model, found, (&of_robot, &left_out)).map_err(remedied)
     }
 
-    /// Parameters that are proven and stable.
-    fn load(&self, found: &Identification, stability: &[Stability]) -> Vec<usize> {
+    /// Parameters to load: stable, and proven if the choice asks for it.
+    fn load(&self, found: &Identification, stability: &[Stability], choice: Choice) -> Vec<usize> {
         let unstable = |i: &usize| stability.iter().any(|s| s.parameter == *i && !s.is_stable());
-        self.proven(found).into_iter().filter(|i| !unstable(i)).collect()
+        let of_robot = || found.free.iter().copied().filter(|&i| self.study.effects[i].is_some());
+        let wanted = match choice {
+            Choice::Proven => self.proven(found),
+            Choice::Stable => of_robot().collect(),
+        };
+        wanted.into_iter().filter(|i| !unstable(i)).collect()
     }
 
     /// A warning that names the parameters that are not stable.
@@ -175,11 +200,11 @@ impl Recommendation<'_> {
     /// The verdict on each parameter that can be identified; those of the model that is recommended are judged in it.
     fn verdicts(
         &self,
-        all: &Identification,
-        model: &Identification,
+        [all, model]: [&Identification; 2],
         stability: &[Stability],
+        choice: Choice,
     ) -> Result<Vec<ParameterVerdict>> {
-        let (of_all, of_model, load) = (self.changes(all), self.changes(model), self.load(model, stability));
+        let (of_all, of_model, load) = (self.changes(all), self.changes(model), self.load(model, stability, choice));
         let study = self.study;
         let settings = study.holding(study.held(|i| all.status[i] == Status::Identified));
         // of the first cut alone: every pose is left out once
@@ -218,7 +243,7 @@ struct Change {
 }
 
 /// The recommendation in sentences.
-fn meaning(chosen: &[Effect], parameters: &[ParameterVerdict], errors: &HeldOutErrors) -> Vec<String> {
+fn meaning(chosen: &[Effect], choice: Choice, parameters: &[ParameterVerdict], errors: &HeldOutErrors) -> Vec<String> {
     let word = |effect: &Effect| match effect {
         Effect::Zeros => "zeros of the joints",
         Effect::Geometry => "geometry",
@@ -237,10 +262,16 @@ fn meaning(chosen: &[Effect], parameters: &[ParameterVerdict], errors: &HeldOutE
     let rms = |s: &Statistics| format!("{:.4}", s.rms);
     vec![
         first,
-        format!(
-            "load {load} of {}: their change from nominal is proven, alone or together",
-            count(parameters.len(), "parameter")
-        ),
+        match choice {
+            Choice::Proven => format!(
+                "load {load} of {}: their change from nominal is proven, alone or together",
+                count(parameters.len(), "parameter")
+            ),
+            Choice::Stable => format!(
+                "load {load} of {}, all that are stable: those whose change from nominal is proven leave larger errors without the others",
+                count(parameters.len(), "parameter")
+            ),
+        },
         format!(
             "error at poses that were left out (root mean square): {} mm with nominal parameters, {} mm with all, {} mm with those recommended",
             rms(&errors.none),

@@ -308,15 +308,17 @@ fn c_code(file: &File) -> Option<f64> {
     let (inputs, hexapod) = (file.validation()[0].joints.len(), file.ran.robot.model() == "hexapod");
     let (start, call) = match hexapod {
         true => (
-            "in[N] = 0; in[N+1] = 0; in[N+2] = 400; in[N+3] = in[N+7] = in[N+11] = 1;",
+            "for (i = 0; i < 12; i++) in[N+i] = 0; in[N+2] = 400; in[N+3] = in[N+7] = in[N+11] = 1;",
             "if (!etalon_direct(in, in + N)) return 1; for (i = 0; i < 12; i++) out[i] = in[N + i];",
         ),
         false => ("", "etalon_direct(in, out);"),
     };
+    // a delta moves its platform without turning it
+    let outputs = if file.ran.robot.model().starts_with("delta") { 3 } else { 12 };
     let main = format!(
         "#include \"etalon_kinematics.c\"\n#include <stdio.h>\nenum {{ N = {inputs} }};\nint main(void) {{ double in[64] = {{0}}, out[12] = {{0}}; int i;\n\
          for (;;) {{ for (i = 0; i < N; i++) if (scanf(\"%lf\", in + i) != 1) return 0;\n{start} {call}\n\
-         for (i = 0; i < 12; i++) printf(\"%.17g \", out[i]);\nprintf(\"\\n\"); }}\n}}\n"
+         for (i = 0; i < {outputs}; i++) printf(\"%.17g \", out[i]);\nprintf(\"\\n\"); }}\n}}\n"
     );
     std::fs::write(folder.join("etalon_kinematics.c"), &file.bytes).unwrap();
     std::fs::write(folder.join("main.c"), main).unwrap();

@@ -37,7 +37,8 @@ fn parameters_that_matter_together_are_loaded() {
     assert!(errors.recommended.rms < 1.1 * errors.all.rms && errors.all.rms < 0.1 * errors.none.rms, "{errors:?}");
 }
 
-/// Of every kind of observation: poses that were used and poses that were not have errors of one measure.
+/// Of every kind of observation: poses that were used and poses that were not have errors of one measure. With n parameters from N readings the
+/// first are smaller by √(1 − n/N), and the others larger by √(1 + n/N') where N' readings are left in (Seber & Lee, Linear Regression Analysis).
 #[test]
 fn every_kind_of_observation_is_judged() {
     for sample in ["contacts", "draw-wire", "probe-poses", "surfaces", "second-encoders", "turntable", "two-arms"] {
@@ -46,8 +47,12 @@ fn every_kind_of_observation_is_judged() {
         let accepted: Vec<_> = answer.steps.iter().filter(|s| s.accepted).collect();
         assert!(accepted.len() > 1, "{sample}: {:?}", answer.steps);
         for step in accepted {
-            let ratio = step.held_out_rms_mm / step.rms_mm;
-            assert!((0.8..1.5).contains(&ratio), "{sample}: {step:?}");
+            let readings = answer.recommended.residuals.count as f64;
+            let left_in = readings * (1.0 - 1.0 / answer.folds as f64);
+            let n = step.identified as f64;
+            let expected = ((1.0 + n / left_in) / (1.0 - n / readings)).sqrt();
+            let ratio = step.held_out_rms_mm / step.rms_mm / expected;
+            assert!((0.75..1.33).contains(&ratio), "{sample}: {ratio:.2} of {expected:.2}, {step:?}");
         }
     }
 }

@@ -197,4 +197,4 @@ nothing-recognised = in `{ $name }` wird nichts erkannt
 
 table-to-evaluate-missing = die auszuwertende Tabelle fehlt
 
-option-refused = { $reason }
+option-of-call-refused = { $reason }

@@ -460,4 +460,4 @@ table-to-evaluate-missing = the table to evaluate is missing
 # Matters: Options are checked as on the command line.
 # Do: Correct the option; `etalon COMMAND --help` lists all.
 # Example: `etalon.plan(robot, table, positions="many")` in Python
-option-refused = { $reason }
+option-of-call-refused = { $reason }

@@ -197,4 +197,4 @@ nothing-recognised = rien n’est reconnu dans `{ $name }`
 
 table-to-evaluate-missing = il manque le tableau à évaluer
 
-option-refused = { $reason }
+option-of-call-refused = { $reason }
