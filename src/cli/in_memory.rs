@@ -70,8 +70,8 @@ pub fn verify(given: &Given, parameters: &ParametersDocument, options: &[String]
     options_of::<super::verify::Verify>(&files, options)?.in_memory(given, parameters)
 }
 
-/// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses, the
-/// third reference targets.
+/// Evaluates attained poses, as `etalon iso9283 pose`; the second table has the commanded poses,
+/// the third reference targets.
 ///
 /// # Errors
 /// Those of the command.

@@ -97,7 +97,7 @@ fn outcome(seed: u64) -> Outcome {
 fn drawn_arms_are_identified() {
     let (first, count) = (number("ETALON_FIRST", 0), number("ETALON_ARMS", 60));
     let all: Vec<Outcome> = (first..first + count).into_par_iter().map(outcome).collect();
-    for o in all.iter().filter(|o| !(o.ratio <= NEAR) || !o.refused.is_empty()) {
+    for o in all.iter().filter(|o| o.ratio.is_nan() || o.ratio > NEAR || !o.refused.is_empty()) {
         println!("{} {:?}", o.text, o.refused);
     }
     let near = |from: usize| {
