@@ -32,7 +32,7 @@ struct Element<'a> {
     text: Cow<'a, str>,
 }
 
-/// One element of a [`Tree`].
+/// One element of a [`Elements`].
 #[derive(Clone, Copy)]
 pub struct Node<'t, 'a> {
     tree: &'t Elements<'a>,

@@ -1,6 +1,6 @@
 //! Recommend: which effects the data prove by the poses that are left out, and which parameters deserve to be loaded.
 //!
-//! Parameters are chosen within every fold of the [cross-validation](super::cross_validation) again, so that the error stated for the choice has
+//! Parameters are chosen within every fold of the cross-validation again, so that the error stated for the choice has
 //! not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2). What is not stable is found once, by all poses, and held in
 //! every fold.
 
