@@ -66,9 +66,15 @@ impl Recommendation<'_> {
         };
         let none = study.tried(&study.of_effects(&[]), None)?;
         one_more();
-        let (steps, chosen) = study.steps(&none, &mut one_more)?;
+        let (steps, mut chosen) = study.steps(&none, &mut one_more)?;
         let all = study.tried(&study.of_effects(&ALL), None)?;
         one_more();
+        // one effect may explain little without the others
+        let left_mm = steps.iter().rfind(|step| step.accepted).map(|step| step.held_out_rms_mm);
+        let together = left_mm.is_some_and(|left_mm| left_mm > COSTS * all.statistics().rms);
+        if together {
+            chosen = ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).collect();
+        }
         let model = study.of_effects(&chosen);
         let full = study.identify(&model)?;
         let stability = self.stability(&model, &full)?;
@@ -97,7 +103,7 @@ impl Recommendation<'_> {
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
-            meaning: meaning(&chosen, choice, &parameters, &held_out),
+            meaning: meaning((&chosen, together), choice, &parameters, &held_out),
             poses: study.poses,
             folds: study.first_cut().len(),
             repeats: study.folds.len() / study.first_cut().len(),
@@ -243,7 +249,12 @@ struct Change {
 }
 
 /// The recommendation in sentences.
-fn meaning(chosen: &[Effect], choice: Choice, parameters: &[ParameterVerdict], errors: &HeldOutErrors) -> Vec<String> {
+fn meaning(
+    (chosen, together): (&[Effect], bool),
+    choice: Choice,
+    parameters: &[ParameterVerdict],
+    errors: &HeldOutErrors,
+) -> Vec<String> {
     let word = |effect: &Effect| match effect {
         Effect::Zeros => "zeros of the joints",
         Effect::Geometry => "geometry",
@@ -257,6 +268,7 @@ fn meaning(chosen: &[Effect], choice: Choice, parameters: &[ParameterVerdict], e
     let load = parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count();
     let first = match words[..] {
         [] => "no effect makes poses better that were left out: load nothing".to_owned(),
+        _ if together => format!("identify {}: together they make poses better that were left out", words.join(", ")),
         _ => format!("identify {}: each makes poses better that were left out", words.join(", ")),
     };
     let rms = |s: &Statistics| format!("{:.4}", s.rms);

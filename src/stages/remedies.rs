@@ -120,7 +120,9 @@ mod tests {
         let changes = vec![("in inches".to_owned(), Origin::Unit), ("`q1` reversed".to_owned(), Origin::Named)];
         let found = hint(Some(SetUpError { changes, stated_mm: 9.0, changed_mm: 1.0 }));
         assert!(
-            found.starts_with("with in inches (`unit` of the export) (as well with `q1` reversed), the"),
+            found.starts_with(
+                "with in inches (`unit` of the export) (as well with `q1` reversed), an identification leaves 1.000 mm"
+            ),
             "{found}"
         );
         assert_eq!(hint(None), check(&cause));
