@@ -26,16 +26,16 @@ def load(text: str) -> Document:
 class AccuracySet(Record):
     """Errors over one set of poses."""
     count: int
-    """Points or poses whose errors are counted."""
+    """Number of points or poses whose errors are counted."""
     errors: list[ErrorStatistics]
     """One per quantity: position, x, y, z, orientation."""
     name: str
     """`calibration` or `validation`."""
     poses: int
-    """Poses in it."""
+    """Number of poses."""
 
 class Approach(Record):
-    """The runs to one position from one side."""
+    """Runs to one position from one direction."""
     estimator_mm: float
     """Estimator of the unidirectional positioning repeatability si, with n − 1."""
     mean_mm: float
@@ -43,14 +43,14 @@ class Approach(Record):
     repeatability_mm: float
     """Unidirectional positioning repeatability Ri = 4 si."""
     runs: int
-    """Runs, n."""
+    """Number of runs n."""
 
 class AxisPosition(Record):
-    """One position of the axis, approached from both sides."""
+    """One position of the axis, approached from both directions."""
     backward: "Approach"
-    """In negative direction (↓)."""
+    """Approach in negative direction (↓)."""
     forward: "Approach"
-    """In positive direction (↑)."""
+    """Approach in positive direction (↑)."""
     mean_mm: float
     """Mean bidirectional positioning deviation x̄i = (x̄i↑ + x̄i↓) / 2."""
     position_mm: float
@@ -63,7 +63,7 @@ class AxisPosition(Record):
 class AxisPositioning(Record):
     """Positioning of an axis."""
     accuracy: "Directions"
-    """Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si), of both directions together over ↑ and ↓."""
+    """Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si); the bidirectional value is over ↑ and ↓."""
     mean_reversal_mm: float
     """Mean reversal error B̄, the mean of all Bi."""
     mean_systematic_mm: float
@@ -73,18 +73,18 @@ class AxisPositioning(Record):
     reversal_mm: float
     """Reversal error B = max |Bi|."""
     systematic: "Directions"
-    """Systematic positioning error E = max x̄i − min x̄i, of both directions together over all x̄i↑ and x̄i↓."""
+    """Systematic positioning error E = max x̄i − min x̄i; the bidirectional value is over all x̄i↑ and x̄i↓."""
 
 class BallResult(Record):
-    """One ball that does not move, measured repeatedly: distances of the readings from their mean (thesis, eq. 2.7
-    to 2.10).
+    """A stationary ball that is measured repeatedly: distances of the readings from their mean (thesis, eq. 2.7 to
+    2.10).
     """
     count: int
-    """Readings."""
+    """Number of readings."""
     mean_mm: float
     """Mean distance."""
     name: str
-    """Its name."""
+    """Name of the ball."""
     repeatability_mm: float
     """Mean plus three standard deviations."""
     standard_deviation_mm: float
@@ -93,167 +93,182 @@ class BallResult(Record):
 class BatchEntry(Record):
     """One campaign of a batch."""
     campaign: str
-    """The folder as the user named it."""
+    """Folder, as the user named it."""
     computed: bool
-    """Whether it was run; else nothing of it has changed since its last run."""
+    """`true` if the campaign was run; `false` if nothing has changed since its last run."""
     date: str | None
-    """When it was measured."""
+    """Date of the measurement."""
     ended: Any
-    """How it ended."""
+    """Outcome."""
     message: str | None
-    """Why it failed or was skipped."""
+    """Reason of a failure or omission."""
     name: str
-    """The campaign's name."""
+    """Name of the campaign."""
     output: str | None
-    """Its output folder."""
+    """Output folder of the campaign."""
     robot: str | None
     """Name of the robot, or of its model."""
 
 class BudgetSource(Record):
-    """What one source contributes to the standard uncertainties."""
+    """Contribution of one source to the standard uncertainties."""
     source: Any
-    """The source."""
+    """Source."""
     standard_uncertainties: list[float]
-    """Its contribution to the standard uncertainty of each parameter, in the order and units of the covariance:
-    their squares add up.
+    """Contributions to the standard uncertainty of each parameter, in the order and units of the covariance; the
+    squares add up over all sources.
     """
 
 class CandidatePlace(Record):
-    """One candidate on the map of figure 4.7."""
+    """One candidate on the map (thesis, fig. 4.7)."""
     at_mm: list[float]
-    """Where the first target of the nominal robot is in its first configuration."""
+    """Position of the first target of the nominal robot in the first configuration."""
     chosen: bool
-    """Whether it was chosen."""
+    """`true` if the candidate was chosen."""
     configurations: int
     """Number of configurations."""
     pose: int | str
     """Name of the pose."""
 
+class CompareBetween(Record):
+    """Between-series component of two campaigns in which the model misfits."""
+    birge_ratio: float
+    """Birge ratio √(Δᵀ (C₁ + C₂)⁻¹ Δ / m) for m parameters, at least 1, by which intervals of changes of parameters
+    are enlarged.
+    """
+    parameters: int
+    """Number of robot parameters that both campaigns identified."""
+    to: int
+    """Number of the later campaign."""
+
 class CompareChange(Record):
-    """How a quantity changed between two campaigns."""
+    """Change of a quantity between two campaigns."""
     change: float
-    """Later minus earlier."""
+    """Later minus earlier value."""
     high: float | None
-    """Upper end."""
+    """Upper end of the interval."""
     low: float | None
-    """Lower end of the 95 % interval of the change, or of the ratio where there is one; null where there is none."""
+    """Lower end of the 95 % interval of the ratio, or of the change if there is no ratio; null if unknown."""
     p: float | None
-    """Probability of a change at least as large where nothing changed; null without uncertainties."""
+    """Probability of a change at least this large if nothing changed; null without uncertainties."""
     p_family: float | None
-    """The same, corrected for the number of quantities in the family (parameters: Westfall & Young; others: Holm)."""
+    """Probability `p`, corrected for the number of quantities in the family (parameters: Westfall & Young; others:
+    Holm).
+    """
     ratio: float | None
-    """Later over earlier, for quantities whose intervals are those of the ratio (RP, and RT, of which it is that of
-    the middles of both intervals); null for others.
+    """Later over earlier value, for quantities with an interval for the ratio (RP and RT; for RT the ratio of the
+    interval midpoints). Null for other quantities.
     """
     significant: bool | None
-    """Whether the corrected probability is below 5 %."""
+    """`true` if the corrected probability is below 5 %."""
     to: int
-    """Number of the later one."""
+    """Number of the later campaign."""
 
 class CompareTogether(Record):
-    """All robot parameters of two campaigns together."""
+    """Joint test of all robot parameters of two campaigns."""
     degrees_of_freedom: float | None
-    """Degrees of freedom of the covariances; null where they are stated and not estimated."""
+    """Degrees of freedom of the covariances; null if the uncertainties are stated rather than estimated."""
     f: float
-    """Δᵀ (C₁ + C₂)⁻¹ Δ over the number of parameters: about 1 where nothing changed."""
+    """Δᵀ (C₁ + C₂)⁻¹ Δ divided by the number of parameters; about 1 if nothing changed."""
     p: float
-    """Probability of a value at least as large where nothing changed."""
+    """Probability of a value at least this large if nothing changed."""
     parameters: int
-    """Parameters that both identified."""
+    """Number of parameters that both campaigns identified."""
     significant: bool
-    """Whether that is below 5 %."""
+    """`true` if `p` is below 5 %."""
     to: int
-    """Number of the later one."""
+    """Number of the later campaign."""
 
 class CompareTrend(Record):
     """One quantity over the campaigns."""
     changes: list[CompareChange]
-    """Every campaign against the first and against the previous one, where both have the quantity."""
+    """Changes of every campaign from the first and from the previous campaign, where both have the quantity."""
     family: Any
-    """With which others it is tested."""
+    """Family with which the quantity is tested."""
     name: str
     """Name of the parameter, or the quantity in words."""
     unit: str
     """`mm`, `deg` or `1`."""
     values: list[CompareValue]
-    """One for each campaign."""
+    """One value per campaign."""
 
 class CompareValue(Record):
-    """The quantity in one campaign; null where it has none."""
+    """Value of the quantity in one campaign; null if absent."""
     high: float | None
     """Upper end of the 95 % interval."""
     low: float | None
     """Lower end of the 95 % interval."""
     standard_uncertainty: float | None
-    """Its standard uncertainty (k = 1); null where there is only an interval."""
+    """Standard uncertainty (k = 1); null if only an interval is known."""
     value: float | None
-    """The value."""
+    """Value."""
 
 class ComparedCampaign(Record):
     """One campaign."""
     conditions: "Conditions"
     """Conditions as stated."""
     coverage_factor: float | None
-    """Its coverage factor."""
+    """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
     """Date as stated."""
     degrees_of_freedom: float | None
-    """Degrees of freedom of these; null where they are stated and not estimated."""
+    """Degrees of freedom of the standard uncertainties; null if the uncertainties are stated rather than estimated."""
     expanded_uncertainty_um: float | None
     """Expanded uncertainty of one coordinate."""
     folder: str
     """Folder as the user named it."""
     identified: list[str]
-    """Parameters of the robot that were identified."""
+    """Identified parameters of the robot."""
     instrument: str | None
     """Measuring instrument."""
     name: str
     """Name of the campaign."""
     robot: str | None
-    """Name of the robot, where its file states one."""
+    """Name of the robot, if its file states one."""
     synthetic: str | None
-    """Whether its data are synthetic."""
+    """Explanation of synthetic data; absent for measured data."""
     uncertainties_from: Any
-    """What standard uncertainties of parameters rest on."""
+    """Basis of the standard uncertainties of the parameters."""
 
 class ComparedPoses(Record):
-    """Other poses and their index."""
+    """Poses for comparison, and their index."""
     better_by_percent: float
-    """By how many per cent the chosen poses are better."""
+    """Improvement of the chosen poses over these poses (%)."""
     poses: list[int | str]
-    """The poses."""
+    """Poses."""
     value: float
-    """Their index."""
+    """Index of the poses."""
 
 class CompensatedTarget(Record):
-    """A target and what to command for it."""
+    """A target and the command that reaches it."""
     command_quaternion: list[float]
     """Orientation to command: unit quaternion w, x, y, z."""
     command_xyz_mm: list[float]
-    """Position to command, mm."""
+    """Position to command (mm)."""
     joints: list[float]
-    """Joint values of the command in mm and deg, in the order of the columns."""
+    """Joint values of the command (mm or deg), in the order of the columns."""
     quaternion: list[float]
-    """Orientation that is wanted: unit quaternion w, x, y, z."""
+    """Desired orientation: unit quaternion w, x, y, z."""
     residual_deg: float
-    """Angle of its orientation from the one that is wanted, deg."""
+    """Remaining orientation error (deg)."""
     residual_mm: float
-    """Position of the identified robot there, with the command as it is written, minus the one that is wanted, mm."""
+    """Remaining position error (mm): position of the identified robot with the command as written minus the desired
+    position.
+    """
     same_configuration: bool
-    """The command is in the configuration (working mode, assembly mode, configuration data) that the target has
-    without compensation.
+    """`true` if the command has the configuration of the uncompensated target: working mode, assembly mode or
+    configuration data.
     """
     target: str
     """Name of the target."""
     xyz_mm: list[float]
-    """Position that is wanted, mm."""
+    """Desired position (mm)."""
 
 class Conditions(Record):
-    """Conditions of a test (ISO 9283:1998, 6 and 12). A report lists what is absent as "not stated"."""
+    """Conditions of a test (ISO 9283:1998, 6 and 12). A report shows missing entries as "not stated"."""
     controller: str | None
     """Make, type and software version of the controller."""
     deviations: list[str] | None
-    """Deviations from the standard; an empty list states that there are none."""
+    """Deviations from the standard; an empty list states that there were no deviations."""
     environment: str | None
     """Room, air, vibrations, electromagnetic fields."""
     humidity_percent: float | None
@@ -263,77 +278,79 @@ class Conditions(Record):
     laboratory: str | None
     """Name and address of the laboratory."""
     load_centre_mm: list[float] | None
-    """Centre of mass of the load from the mechanical interface."""
+    """Centre of mass of the load, relative to the mechanical interface."""
     load_kg: float | None
     """Mass of the load at the mechanical interface."""
     measurement_point: str | None
-    """The point of robot or tool that was measured."""
+    """Measured point of the robot or tool."""
     mounting: str | None
-    """How and on what the robot is mounted."""
+    """Mounting of the robot."""
     place: str | None
-    """Where the measurements were made, if not in the laboratory."""
+    """Place of the measurements, if outside the laboratory."""
     robot: str | None
-    """The robot in words."""
+    """Description of the robot."""
     robot_maker: str | None
-    """Its manufacturer."""
+    """Manufacturer of the robot."""
     robot_received: str | None
-    """Date on which it was received for the test."""
+    """Date on which the robot was received for the test."""
     robot_serial_number: str | None
-    """Its serial number."""
+    """Serial number of the robot."""
     robot_state: str | None
-    """Its state: repaired, adjusted, as found."""
+    """State of the robot: repaired, adjusted, as found."""
     robot_type: str | None
-    """Its type."""
+    """Type of the robot."""
     traceability: str | None
-    """To which standards the instrument's calibration is traceable, and through which laboratory."""
+    """Standards to which the instrument's calibration is traceable, and the laboratory that establishes
+    traceability.
+    """
     velocities_mm_s: list[float] | None
     """Path velocities of the test."""
     velocities_percent: list[float] | None
-    """Velocities of the test in per cent of the rated velocity."""
+    """Velocities of the test (% of the rated velocity)."""
     warm_up_minutes: float | None
     """Duration of motion before the test."""
 
 class ContactSummary(Record):
-    """How well the robot finds a measured point again."""
+    """Repeatability of the robot in returning to a measured point."""
     coverage_factor: float
-    """The half width in standard deviations."""
+    """Half-width in standard deviations."""
     repeatability_um: float
-    """Half width of the interval within which one coordinate repeats."""
+    """Half-width of the interval within which one coordinate repeats."""
 
 class ControllerErrors(Record):
     """Position errors at one set of poses."""
     identified: "PositionErrors"
-    """With all identified parameters."""
+    """Errors with all identified parameters."""
     nominal: "PositionErrors"
-    """With nominal parameters of the robot."""
+    """Errors with nominal parameters of the robot."""
     set: str
     """`calibration` or `validation`."""
     written: "PositionErrors"
-    """With the values that are written."""
+    """Errors with the written values."""
 
 class ControllerFiles(Record):
-    """Values that files of one or more formats hold."""
+    """Values in the files of one or more formats."""
     errors: list[ControllerErrors]
-    """Position errors, one entry for each set of poses: `calibration`, `validation`."""
+    """Position errors, one entry per set of poses: `calibration`, `validation`."""
     formats: list[str]
     """Names of the formats."""
     left_out: list[str]
-    """Identified parameters that the formats do not hold; they were at nominal when the others were identified
+    """Identified parameters that the formats do not hold. They were at nominal when the others were identified
     again.
     """
     values: list[WrittenParameter]
-    """All parameters as the files hold them."""
+    """All parameters with their values in the files."""
 
 class CurvePoint(Record):
     """One point of the curve."""
     condition: float
-    """Condition number with columns divided by their norms."""
+    """Condition number with columns scaled to unit length."""
     configurations: int
-    """Configurations in them."""
+    """Number of configurations of these candidates."""
     positions: int
-    """Candidates chosen."""
+    """Number of candidates chosen."""
     value: float
-    """The index."""
+    """Index."""
 
 class DesignError(Record):
     """Error of one quantity over the workspace."""
@@ -347,13 +364,13 @@ class DesignError(Record):
     """`mm` or `deg`."""
 
 class DesignParameter(Record):
-    """A parameter as repeated calibrations identify it."""
+    """A parameter in repeated calibrations."""
     actual: float
     """True value."""
     mean: "Spread"
     """Mean over the runs of a draw."""
     name: str
-    """Name."""
+    """Name of the parameter."""
     nominal: float
     """Nominal value."""
     three_standard_deviations: "Spread"
@@ -362,81 +379,119 @@ class DesignParameter(Record):
     """`mm`, `deg` or `1`."""
 
 class DetectionPower(Record):
-    """The least motions that the observations would have detected."""
+    """Smallest movements that the observations would have detected."""
     least: list[LeastDetectable]
-    """One each: `shift` and `rotation` of the base in the direction that shows least, and every joint."""
+    """One entry each for `shift` and `rotation` of the base in the least observable direction, and for every joint."""
     naming: float
-    """The probability with which the right joint is named."""
+    """Probability with which the right joint is named."""
     probability: float
-    """The probability with which they would."""
+    """Probability of detection."""
 
 class Directions(Record):
-    """A quantity of both directions together, and of each."""
+    """A quantity of both directions together, and of each direction."""
     backward_mm: float
-    """Unidirectional, in negative direction (↓)."""
+    """Unidirectional value in negative direction (↓)."""
     both_mm: float
-    """Bidirectional."""
+    """Bidirectional value."""
     forward_mm: float
-    """Unidirectional, in positive direction (↑)."""
+    """Unidirectional value in positive direction (↑)."""
 
 class DistributionEntry(Record):
-    """The distribution of one result."""
+    """Distribution of one result."""
     agrees: bool | None
-    """Whether value ± 1.96 times the linear uncertainty has the same ends, to half of its second digit (JCGM 101,
-    8.1) and twice the standard deviation of an end by so many draws.
+    """`true` if value ± 1.96 linear uncertainties agrees with the interval of the draws. The tolerance is half of
+    the second significant digit (JCGM 101, 8.1) plus twice the standard deviation of an interval end.
     """
     bootstrap: float | None
-    """Standard deviation over the resamples; absent where there are none."""
+    """Standard deviation over the resamples; absent without resamples."""
     interval_95: list[float] | None
-    """2.5 % of the draws are below, 2.5 % above; absent for errors."""
+    """2.5th and 97.5th percentiles of the draws; absent for errors."""
     linear: float | None
-    """Standard uncertainty by linear propagation of what is stated: what the draws are compared with."""
+    """Standard uncertainty by linear propagation of the stated uncertainties, for comparison with the draws."""
     mean: float | None
-    """Mean of the draws; absent for errors, which are sizes: draws add their scatter to the readings', and sizes
-    grow by it.
-    """
+    """Mean of the draws. Absent for errors: draws add scatter to the scatter of the readings, which increases sizes."""
     name: str
-    """Name of the parameter or figure."""
+    """Name of the parameter or statistic."""
     standard_deviation: float
-    """Their standard deviation."""
+    """Standard deviation of the draws."""
     standard_uncertainty: float | None
-    """Standard uncertainty that the report states, which contains what the model leaves out."""
+    """Standard uncertainty in the report, including unmodelled errors."""
     unit: str
     """`mm`, `deg` or `1`."""
     value: float
-    """The result of the campaign."""
+    """Result of the campaign."""
+
+class EffectProof(Record):
+    """Benefit of an effect of the robot at calibration poses that are left out of the identification."""
+    effect: Any
+    """Effect."""
+    gain_over_u: float | None
+    """Decrease of the mean square error over its standard uncertainty."""
+    is_identified: bool
+    """`true` if the effect is identified; `false` if its benefit is proved, but it is not identified."""
+    joints: list[str]
+    """Joints of the effect's parameters."""
+    p_value: float | None
+    """Probability of the F statistic of the effect."""
+    robot_key: str | None
+    """Line of robot.toml that describes the effect; absent if robot.toml contains it."""
+    with_mm: float
+    """Root-mean-square position error at poses that were left out, with the effect (mm)."""
+    without_mm: float
+    """Root-mean-square position error at poses that were left out, without the effect (mm)."""
 
 class EffectStep(Record):
-    """An effect that was tried beside those accepted before it."""
+    """Trial of an effect in addition to the effects accepted before."""
     accepted: bool
-    """Whether it is part of the recommended model."""
+    """`true` if the effect is part of the recommended model."""
     effect: Any
-    """The effect; absent of base and targets alone, with which it begins."""
+    """Effect; absent in the first step, with base and targets alone."""
     f: float | None
-    """F statistic of what it explains more than the step before."""
+    """F statistic of the improvement over the previous step."""
     gain_over_u: float | None
-    """By how much their mean square became smaller, over its standard uncertainty."""
+    """Decrease of the mean square error at poses that were left out, over its standard uncertainty."""
     held_out_rms_mm: float
-    """Root mean square position error at poses that were left out, mm."""
+    """Root-mean-square position error at poses that were left out (mm)."""
     identified: int
-    """Parameters that are identified with it."""
+    """Number of identified parameters in this step."""
     p_value: float | None
-    """Its p value, if residuals were independent."""
+    """Probability of the F statistic if residuals were independent."""
     rms_mm: float
-    """Root mean square of the residuals of all calibration poses, mm."""
+    """Root-mean-square position error of the calibration poses, all of which are used for identification (mm);
+    comparable with `held_out_rms_mm`.
+    """
 
 class ErrorStatistics(Record):
-    """Statistics of one error before and after."""
+    """Statistics of one error before and after calibration."""
     after: "Statistics"
-    """With the identified parameters."""
+    """Errors with the identified parameters."""
     before: "Statistics"
-    """With nominal parameters and only base and targets fitted."""
+    """Errors with nominal parameters; only base and targets are fitted."""
     expanded_uncertainty: float | None
-    """Expanded uncertainty (k = 2) of one error, by what the instrument measures; absent where it is not known."""
+    """Expanded uncertainty (k = 2) of one error due to the instrument; absent if unknown."""
     quantity: str
     """`position`, `x`, `y`, `z` or `orientation`."""
     unit: str
     """`mm` or `deg`."""
+
+class Explanation(Record):
+    """Explanation of one message."""
+    action: str
+    """Next action."""
+    example: str
+    """Input that causes the message."""
+    expected: str | None
+    """Expected value or state; null if the text contains it."""
+    hint: str | None
+    """Hint of the message; null without a hint of its own."""
+    id: str
+    """Id of the message."""
+    meaning: str
+    """Meaning of the message."""
+    reason: str
+    """Consequence of the message."""
+    text: str
+    """English text; arguments are in braces."""
 
 class Feature(Record):
     """One fitted element, in the coordinates of the exports."""
@@ -451,7 +506,7 @@ class Feature(Record):
     name: str
     """Name in the campaign."""
     point_mm: list[float]
-    """A point of the element: centroid, or centre of the circle."""
+    """Point of the element: centroid, or centre of a circle."""
     points: int
     """Number of points."""
     radius_mm: float | None
@@ -459,83 +514,87 @@ class Feature(Record):
     rms_mm: float
     """Root mean square of the orthogonal distances."""
     standard_uncertainty_mm: float | None
-    """Standard uncertainty of the radius, or of the point along the normal of a plane, from the residuals."""
+    """Standard uncertainty from the residuals: of the radius, or of the point along the normal of a plane."""
 
 class FigureBudget(Record):
-    """The standard uncertainty of a figure, and what it is made of (GUM 5.1.2)."""
+    """Standard uncertainty of a figure, and its contributions (GUM 5.1.2)."""
     contributions: list[FigureContribution]
-    """What each source contributes: squares add up."""
+    """Contribution of each source; the squares add up."""
     figure: Any
-    """Which."""
+    """Figure."""
     standard_uncertainty_mm: float
-    """Its standard uncertainty (k = 1), mm."""
+    """Standard uncertainty of the figure (mm, k = 1)."""
 
 class FigureContribution(Record):
-    """What a source contributes to the standard uncertainty of a figure."""
+    """Contribution of one source to the standard uncertainty of a figure."""
     source: Any
-    """The source."""
+    """Source."""
     standard_uncertainty_mm: float
-    """Its contribution, mm."""
+    """Contribution (mm)."""
 
 class Finding(Record):
-    """One error or warning. What does not apply is null."""
+    """One error or warning. Members that do not apply are null."""
+    arguments: Record
+    """Arguments of the text in the catalogue."""
     column: int | None
-    """At which character of the line, from 1."""
+    """Column of the problem in the line (characters, from 1)."""
     expected: str | None
-    """What was expected there."""
+    """Expected content at this place."""
     file: str | None
-    """In which file."""
+    """File of the problem."""
     hint: str | None
-    """What to do."""
+    """Next action."""
+    id: str
+    """Id in the catalogue of messages; `etalon explain ID` explains it."""
     line: int | None
-    """In which line, from 1."""
+    """Line of the problem, from 1."""
     text: str | None
-    """The line itself."""
+    """Text of the line."""
     what: str
-    """What is wrong, in one sentence."""
+    """Problem, in one English sentence."""
 
 class FitContacts(Record):
-    """The points that hold a minimum zone, numbered from 1 in the order they were read."""
+    """Contact points of a minimum zone, numbered from 1 in the order of reading."""
     lower: list[int]
-    """On the other side, or on the inner one."""
+    """Contacts on the opposite side, or on the inner element."""
     multipliers: FitMultipliers | None
-    """Of a sphere, cylinder or cone: Lagrange multipliers of `upper` and `lower`, in their order. They are positive
-    (zero for a contact that is not needed), one in sum on each side, and the mean gradients of the distance by
-    the parameters of the element agree (Karush-Kuhn-Tucker).
+    """For a sphere, cylinder or cone: Lagrange multipliers of `upper` and `lower`, in the same order. They are non-
+    negative (zero for a redundant contact) and sum to one on each side; the weighted gradients of the distance
+    with respect to the element's parameters are equal on both sides (Karush-Kuhn-Tucker).
     """
     proof: Any
-    """What was proved: `global` (no other element of the kind has a narrower zone), `local` (no neighbouring one
-    has) or `none`.
+    """Extent of the proof: `global` (narrowest of all elements of the kind), `local` (narrowest among neighbouring
+    elements) or `none`.
     """
     upper: list[int]
-    """On the side of the normal, to the left of a line, or on the outer circle, sphere, cylinder or cone."""
+    """Contacts on the side of the normal, to the left of a line, or on the outer circle, sphere, cylinder or cone."""
     verified: bool
-    """Whether it was proved that no other place has a narrower zone."""
+    """`true` if the zone is proved to be the narrowest of all."""
 
 class FitFlatness(Record):
-    """The minimum zone of the plane that a circle in space lies in."""
+    """Minimum zone of the plane of a circle in space."""
     contacts: "FitContacts"
-    """The points that hold it."""
+    """Contact points of the zone."""
     flatness_mm: float
-    """Its width."""
+    """Width of the zone."""
 
 class FitMultipliers(Record):
     """Lagrange multipliers of contact points."""
     lower: list[float]
-    """Of the lower or inner points."""
+    """Multipliers of the lower or inner points."""
     upper: list[float]
-    """Of the upper or outer points."""
+    """Multipliers of the upper or outer points."""
 
 class FitProbe(Record):
-    """The probe whose centres were fitted, and the fit before compensation."""
+    """Probe whose centres were fitted, and the fit before compensation."""
     radius_mm: float
     """Radius of the probe."""
     side: str
     """`inside`, `outside` or `towards`."""
     side_from: str | None
-    """What the side was derived from, where the file states it."""
+    """Statement of the file from which the side was derived."""
     towards: list[float] | None
-    """For a plane or line the direction from it to the probe."""
+    """For a plane or line: direction from the element to the probe."""
     uncompensated_minor_radius_mm: float | None
     """Radius of the tube of a torus before compensation."""
     uncompensated_point_mm: list[float]
@@ -544,169 +603,184 @@ class FitProbe(Record):
     """Radius before compensation."""
 
 class FitSolver(Record):
-    """How a fit was found."""
+    """Solver of a fit."""
     condition: float | None
-    """Condition number of the Jacobian with columns of length one."""
+    """Condition number of the Jacobian with columns scaled to unit length."""
     degrees_of_freedom: int
     """Equations minus parameters."""
     iterations: int
-    """Steps taken; 0 where the solution is closed."""
+    """Number of steps; 0 for closed-form solutions."""
     method: str
     """Algorithm."""
     termination: Any
-    """Why it stopped."""
+    """Reason of the termination."""
 
 class FitStated(Record):
-    """What a file states of a feature, and how far the fit is from it."""
+    """Values that a file states for a feature, and their differences from the fit."""
     apex_angle_deg: float | None
     """Stated full angle of a cone."""
     apex_angle_less_stated_deg: float | None
-    """Fitted less stated full angle."""
+    """Fitted minus stated full angle."""
     direction: list[float] | None
     """Stated normal or direction."""
     direction_apart_deg: float | None
-    """Angle between stated and fitted direction."""
+    """Angle between the stated and the fitted direction."""
     id: str
     """Id of the feature in the file."""
     minor_radius_less_stated_mm: float | None
-    """Fitted less stated radius of the tube."""
+    """Fitted minus stated radius of the tube."""
     minor_radius_mm: float | None
     """Stated radius of the tube of a torus."""
     point_apart_mm: float | None
-    """Distance of the stated point from the fitted centre, axis, line or plane."""
+    """Distance between the stated point and the fitted centre, axis, line or plane."""
     point_mm: list[float] | None
     """Stated location or point of the axis."""
     radius_less_stated_mm: float | None
-    """Fitted less stated radius."""
+    """Fitted minus stated radius."""
     radius_mm: float | None
     """Stated radius."""
 
 class FitUncertainty(Record):
     """Standard uncertainties (k = 1) of the quantities of a fit."""
     apex_angle_deg: float | None
-    """Of the full angle of a cone."""
+    """Standard uncertainty of the full angle of a cone."""
     direction_deg: float | None
-    """Of the normal or axis, about its most uncertain direction."""
+    """Standard uncertainty of the normal or axis about its most uncertain direction."""
     minor_radius_mm: float | None
-    """Of the radius of the tube."""
+    """Standard uncertainty of the radius of the tube."""
     point_mm: float
-    """Of the point or centre, in its most uncertain direction."""
+    """Standard uncertainty of the point or centre in its most uncertain direction."""
     radius_mm: float | None
-    """Of the radius."""
+    """Standard uncertainty of the radius."""
+
+class FormatsColumn(Record):
+    """A column and its proposed contents."""
+    heading: str | None
+    """Heading in the file."""
+    number: int
+    """Number of the column, from 1."""
+    taken_for: str
+    """Proposed contents of the column."""
+    unit: str | None
+    """Unit in the heading."""
+    why: str
+    """Evidence for the contents."""
 
 class FramePose(Record):
     """Pose of a frame in the coordinates of the exports."""
     covariance: list[list[float]] | None
-    """Covariance, from the uncertainty of the points that make the frame, of a small shift along (mm) and then a
-    small rotation about (rad) the axes of the world; of a planar world the shift is that at the height of the
-    targets. Absent where the exports state the frame.
+    """Covariance from the uncertainty of the points that define the frame: of a small shift along the axes of the
+    world (mm), followed by a small rotation about them (rad). In a planar world the shift is that at the height
+    of the targets. Absent if the exports state the frame.
     """
     cycle: int | None
-    """Cycle number; absent where the frame holds for all."""
+    """Cycle number; absent if the frame applies to all cycles."""
     export_T_world: "Pose"
-    """`export_T_world`."""
+    """Pose of the world in the coordinates of the exports."""
     pose: int | str | None
-    """Name of the pose; absent where the frame holds for all."""
+    """Name of the pose; absent if the frame applies to all poses."""
 
 class GeometricQuantity(Record):
-    """One quantity, found from points that were measured for it."""
+    """One quantity, determined from points that were measured for it."""
     identified: float | None
-    """Value that the identification of the same campaign found, where there is one."""
+    """Value from the identification of the same campaign, if available."""
     identified_standard_uncertainty: float | None
-    """Its standard uncertainty; absent where it was held."""
+    """Standard uncertainty of the identified value; absent if the parameter was held."""
     name: str
     """Name of the parameter."""
     nominal: float
     """Nominal value."""
     repeats: RepeatStatistics | None
-    """How repeats scatter, where there are any."""
+    """Scatter of repeats, if there are any."""
     standard_uncertainty: float
-    """Standard uncertainty (k = 1) of `value`, frames included."""
+    """Standard uncertainty of `value` (k = 1), including frames."""
     unit: str
     """`mm` or `1`."""
     value: float
-    """Value found; the mean of repeats."""
+    """Measured value; the mean of repeats."""
 
 class GeometricStep(Record):
     """Residuals of one fit."""
     count: int
-    """Residuals."""
+    """Number of residuals."""
     coverage_deg: float | None
-    """Arc that has points, of circles."""
+    """For a circle: arc that is covered by points."""
     enlarged_by: float
-    """By how much points' uncertainties were enlarged because residuals scatter more than expected; else 1."""
+    """Factor by which the points' uncertainties were increased because residuals scatter more than expected;
+    otherwise 1.
+    """
     expected_mm: float
-    """What the instrument's stated uncertainty makes of it."""
+    """Standard deviation expected from the instrument's stated uncertainty."""
     max_mm: float
     """Largest residual."""
     name: str
-    """What was fitted."""
+    """Fitted feature."""
     norm_mm: float
-    """Root of the sum of squares."""
+    """Root of the sum of squared residuals."""
     standard_deviation_mm: float
     """Standard deviation of a residual."""
 
 class GivenSummary(Record):
-    """How given parameters were judged."""
+    """Judgement of given parameters."""
     frames: Any
-    """Whether base and targets were given too."""
+    """Origin of base and targets."""
     p_value: float | None
-    """Probability of errors as large as these, if parameters, base and targets are what they were given as, within
-    their uncertainty and that of the measurement; absent where base and targets were fitted.
+    """Probability of errors at least this large if the given parameters, base and targets are right within their
+    uncertainty and that of the measurement. Absent if base and targets were fitted.
     """
 
 class GreedySummary(Record):
-    """The thesis' way."""
+    """Greedy choice of the thesis."""
     curve: list[CurvePoint]
-    """Index and condition while candidates are added, beyond the number asked for."""
+    """Index and condition number while candidates are added, beyond the required number."""
     knee_configurations: int | None
-    """Configurations from which on the index hardly grows: where the curve is farthest above its chord."""
+    """Number of configurations at the knee of the curve, where it is farthest above its chord."""
     poses: list[int | str]
-    """Poses in the order of choosing."""
+    """Poses in the order of the choice."""
     value: float
-    """Their index."""
+    """Index of the poses."""
 
 class HeldOutErrors(Record):
-    """Errors at poses that were left out of the identification, which chose its parameters without them."""
+    """Errors at poses that were left out of both the choice and the identification of parameters."""
     all: "Statistics"
-    """With all parameters."""
+    """Errors with all parameters."""
     none: "Statistics"
-    """With nominal parameters, base and targets fitted."""
+    """Errors with nominal parameters; base and targets are fitted."""
     recommended: "Statistics"
-    """With those that are recommended."""
+    """Errors with the recommended parameters."""
 
 class InfluenceEntry(Record):
-    """What the identification would change by without a pose."""
+    """Change of the identification if a pose is omitted."""
     change_over_u: float
-    """Its change, over that."""
+    """Change of the parameter over its standard uncertainty."""
     cooks_distance: float | None
-    """Cook's distance of all its readings; absent where the other poses do not determine all parameters."""
+    """Cook's distance of all readings of the pose; absent if the other poses do not determine all parameters."""
     parameter: str
-    """The parameter that changes most over its standard uncertainty by the residuals."""
+    """Parameter with the largest change relative to its standard uncertainty from the residuals."""
     pose: int | str
-    """The pose."""
+    """Pose."""
 
 class Iso9283Approach(Record):
     """Visits by one approach."""
     cycles: int
-    """Visits."""
+    """Number of visits."""
     deviation_mm: list[float] | None
-    """Barycentre minus commanded position; null where none was commanded."""
+    """Barycentre minus commanded position; null if no position was commanded."""
     enclosing_radius_mm: float | None
-    """Radius of the smallest sphere (planar robots: circle) that holds its positions."""
+    """Radius of the smallest sphere (planar robots: circle) that encloses the positions of this approach."""
     mean_mm: list[float]
     """Barycentre."""
     name: str
-    """The column `approach`, or the previous pose."""
+    """Value of the column `approach`, or the previous pose."""
     rp_mm: float | None
     """RP within this approach; null with a single visit."""
 
 class Iso9283Arrival(Record):
-    """One arrival, from the first entry into the limit band on."""
+    """One arrival, from the first entry into the limit band."""
     away_mm: list[float]
     """Distances from the standstill."""
     cycle: int
-    """Which visit of that pose it is, from 1."""
+    """Number of the visit of that pose, from 1."""
     pose: int | str
     """Name of the pose."""
     time_s: list[float]
@@ -715,9 +789,9 @@ class Iso9283Arrival(Record):
 class Iso9283Compliance(Record):
     """Compliance in one direction."""
     compliance_mm_n: float
-    """Displacement along the force by force."""
+    """Slope of the displacement along the force over the force."""
     cycles: int
-    """Repeats."""
+    """Number of repeats."""
     direction: str
     """`+x`, `-x` ..."""
     force_n: float
@@ -727,9 +801,9 @@ class Iso9283Compliance(Record):
     off_line_mm: float
     """Largest distance of a reading from the line."""
     readings: int
-    """Readings under load."""
+    """Number of readings under load."""
     standard_uncertainty_mm_n: float | None
-    """Its standard uncertainty from the scatter about the line; null with a single reading."""
+    """Standard uncertainty of the compliance from the scatter about the line; null with a single reading."""
 
 class Iso9283Corner(Record):
     """A corner of the commanded path (8.5)."""
@@ -738,26 +812,28 @@ class Iso9283Corner(Record):
     cr_mm: float
     """CR: round-off."""
     position_mm: list[float]
-    """The commanded corner: x, y and, where there is one, z."""
+    """Commanded corner: x, y and, if spatial, z."""
     stabilisation_mm: float | None
-    """Length along the second leg until it is kept within the limit band; null without a band, and where it is not."""
+    """Length along the second leg until the path stays within the limit band; null without a band, and if the path
+    never stays within it.
+    """
 
 class Iso9283Distance(Record):
     """Distance between two poses (7.3)."""
     ad_angles_deg: list[float]
-    """AD of the angles that exist, in the order a, b, c."""
+    """AD of the measured angles, in the order a, b, c."""
     ad_axes_mm: list[float]
-    """AD_x, AD_y and, where there is one, AD_z."""
+    """AD_x, AD_y and, if spatial, AD_z."""
     ad_mm: float
     """AD_p: mean attained minus commanded distance."""
     cycles: int
-    """Cycles that have both."""
+    """Number of cycles with both poses."""
     poses: list[int | str]
     """The two poses."""
     rd_angles_deg: list[float]
-    """RD of the angles that exist."""
+    """RD of the measured angles."""
     rd_axes_mm: list[float]
-    """RD_x, RD_y and, where there is one, RD_z."""
+    """RD_x, RD_y and, if spatial, RD_z."""
     rd_mm: float
     """RD_p: three standard deviations."""
 
@@ -766,67 +842,67 @@ class Iso9283Drift(Record):
     ap_mm: list[float]
     """AP of each set."""
     dap_mm: float
-    """|AP at the start - AP at the end|."""
+    """|AP at the start − AP at the end|."""
     drp_mm: float
-    """|RP at the start - RP at the end|."""
+    """|RP at the start − RP at the end|."""
     pose: int | str
     """Name of the pose."""
     rp_mm: list[float]
     """RP of each set."""
     settled_after: int | None
-    """Number of sets after which AP had settled."""
+    """Number of sets until AP settled."""
 
 class Iso9283Ellipsoid(Record):
-    """Ellipsoid about the mean position, flat in directions without scatter."""
+    """Ellipsoid about the mean position; flat in directions without scatter."""
     axes: list[list[float]]
-    """Their unit vectors."""
+    """Unit vectors of the semi-axes."""
     semi_axes_mm: list[float]
-    """Semi-axes, the longest first."""
+    """Semi-axes, descending."""
 
 class Iso9283Epoch(Record):
     """One measurement of the reference targets."""
     cycle: int
-    """Cycle from which on it holds."""
+    """First cycle to which the measurement applies."""
     moved_mm: float
-    """Largest movement of a target since the first."""
+    """Largest displacement of a target since the first measurement."""
     rms_mm: float
-    """Root mean square distance that is left when the targets are carried back."""
+    """Root mean square distance of the targets after drift compensation."""
 
 class Iso9283Interval(Record):
-    """Two-sided interval of 95 %."""
+    """Two-sided 95 % interval."""
     high_mm: float
     """Upper end."""
     low_mm: float
     """Lower end."""
 
 class Iso9283Item(Record):
-    """One line of the programme."""
+    """One line of the test programme."""
     characteristic: str
-    """What is tested."""
+    """Tested characteristic."""
     clause: str
-    """Clause."""
+    """Clause of the standard."""
     cycles: int
-    """Cycles for each velocity."""
+    """Number of cycles for each velocity."""
     read: bool
-    """Whether the line was read in the standard's text; otherwise it is general knowledge."""
+    """`true` if the line was verified against the standard's text, `false` if it is general knowledge."""
     velocities_percent: list[int]
-    """Per cent of the rated velocity."""
+    """Velocities (% of the rated velocity)."""
     visits: str
     """Poses of a cycle in order, or the path."""
 
 class Iso9283NamedStream(Record):
-    """One of them."""
+    """A recorded motion."""
     band_mm: float | None
-    """Limit band, where one is stated."""
+    """Limit band, if stated."""
     file: str
-    """File as the campaign names it."""
+    """File, as the campaign names it."""
     name: str
     """Name in the campaign."""
     stream: "Iso9283StreamDocument"
-    """The characteristics of the recording."""
+    """Characteristics of the recording."""
 
 class Iso9283OutOfPlane(Record):
-    """A pose whose mean lies out of the plane of three others (thesis 2.4)."""
+    """A pose and its distance from the plane of three other poses (thesis, 2.4)."""
     distance_mm: float
     """Distance from the plane."""
     pose: int | str
@@ -835,64 +911,66 @@ class Iso9283OutOfPlane(Record):
 class Iso9283Path(Record):
     """A commanded path and its passes (8)."""
     at_along_mm: float
-    """Where on the path AT_p is attained."""
+    """Position of AT_p along the path."""
     at_angles_deg: list[float]
-    """AT of the angles that exist, in the order a, b, c."""
+    """AT of the measured angles, in the order a, b, c."""
     at_interval: Iso9283Interval | None
     """95 % interval of AT_p by parametric bootstrap over the passes; null with fewer than three."""
     at_mm: float
-    """AT_p (8.2): largest distance of the mean path from the commanded one."""
+    """AT_p (8.2): largest distance between the mean path and the commanded path."""
     corners: list[Iso9283Corner]
     """Corners of the commanded path."""
     incomplete: int
-    """Passes that were begun and not ended."""
+    """Number of unfinished passes."""
     length_mm: float
     """Length of the commanded path."""
     passes: int
-    """Passes through all command points."""
+    """Number of passes through all command points."""
     points: list[Iso9283PathPoint]
-    """The command points."""
+    """Command points."""
     reorientation: bool
-    """Whether commanded angles change along it: AT is then that of 8.4."""
+    """`true` if commanded angles change along the path; AT is then evaluated by 8.4."""
     rt_along_mm: float | None
-    """Where on the path RT_p is attained."""
+    """Position of RT_p along the path."""
     rt_angles_deg: list[float]
-    """RT of the angles that exist; empty with a single pass."""
+    """RT of the measured angles; empty with a single pass."""
     rt_interval: Iso9283Interval | None
-    """95 % interval of the RT_p of infinitely many passes. RT_p may be above it: the largest of many values that
-    scatter is too large.
+    """95 % interval of the RT_p of infinitely many passes. RT_p may exceed it, because the largest of many scattered
+    values is biased upwards.
     """
     rt_mm: float | None
-    """RT_p (8.3): largest mean radius + 3 s; null with a single pass."""
+    """RT_p (8.3): largest mean radius plus three standard deviations; null with a single pass."""
     velocity: Iso9283Velocity | None
-    """Velocity, where the commanded one is stated."""
+    """Velocity, if the commanded velocity is stated."""
 
 class Iso9283PathPoint(Record):
     """One command point."""
     along_mm: float
-    """Length of the path up to here."""
+    """Length of the path up to this point."""
     commanded_mm: list[float]
-    """Commanded position: x, y and, where there is one, z."""
+    """Commanded position: x, y and, if spatial, z."""
     deviation_mm: float
-    """Distance between the two."""
+    """Distance between mean attained and commanded position."""
     mean_mm: list[float]
-    """Mean attained position in its normal plane."""
+    """Mean attained position in the normal plane of the point."""
     rt_mm: float | None
-    """Mean radius + 3 s of the passes; null with a single one."""
+    """Mean radius plus three standard deviations of the passes; null with a single pass."""
 
 class Iso9283Places(Record):
-    """Poses, or a path."""
+    """A list of poses, or a path."""
     joints: list[Record | None]
-    """Joint values of each, where a robot is stated; null where it does not get there."""
+    """Joint values at each place if a robot is stated; null if out of reach."""
     name: str
-    """Name of the list, and of the files that hold it."""
+    """Name of the list, and of its files."""
     points: list[Record]
-    """`x_mm`, `y_mm` and, where they exist, `z_mm`, `a_deg`, `b_deg`, `c_deg` of each, numbered from 1."""
+    """Coordinates of each place, numbered from 1: `x_mm`, `y_mm` and, if applicable, `z_mm`, `a_deg`, `b_deg`,
+    `c_deg`.
+    """
     purpose: str
-    """What it is for."""
+    """Purpose of the list."""
 
 class Iso9283Pose(Record):
-    """Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent."""
+    """Accuracy and repeatability of one pose. Coordinates that the robot lacks are absent."""
     ap_a_deg: float | None
     """AP_a."""
     ap_b_deg: float | None
@@ -900,91 +978,97 @@ class Iso9283Pose(Record):
     ap_c_deg: float | None
     """AP_c."""
     ap_conformity: Any
-    """AP judged by the stated limit."""
+    """Conformity of AP with the stated limit."""
     ap_interval: Iso9283Interval | None
-    """95 % interval of AP by parametric bootstrap, and with the instrument's uncertainty where that is stated; null
-    with fewer than three visits.
+    """95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if stated; null with fewer
+    than three visits.
     """
     ap_interval_analytic: Iso9283Interval | None
-    """95 % interval of AP in closed form, of the sampling alone."""
+    """95 % interval of AP in closed form, from the sampling alone."""
     ap_mm: float | None
-    """AP_p (7.2.1); null where no position was commanded, as its coordinates."""
+    """AP_p (7.2.1); this and its coordinates are null if no position was commanded."""
     ap_x_mm: float | None
-    """AP_x: mean minus commanded."""
+    """AP_x: mean minus commanded position."""
     ap_y_mm: float | None
     """AP_y."""
     ap_z_mm: float | None
     """AP_z."""
     cycles: int
-    """Visits counted."""
+    """Number of evaluated visits."""
     ellipsoid: Iso9283Ellipsoid | None
-    """Where the next position lies with 95 % probability; null with fewer than five visits (planar robots: four)."""
+    """Ellipsoid that contains the next position with a probability of 95 %; null with fewer than five visits (planar
+    robots: four).
+    """
     enclosing_circle_radius_mm: float | None
-    """Radius of the smallest circle that holds their projections into xy."""
+    """Radius of the smallest circle that encloses the projections onto the xy plane."""
     enclosing_radius_mm: float | None
-    """Radius of the smallest sphere (planar robots: circle) that holds all positions."""
+    """Radius of the smallest sphere (planar robots: circle) that encloses all positions."""
     mean_radius_mm: float | None
     """Mean distance from the barycentre."""
     noise_mm: list[float] | None
-    """Standard deviation of one reading, by coordinate."""
+    """Standard deviation of one reading along each coordinate."""
     pose: int | str
     """Name of the pose."""
     quarter_rule_met: bool | None
-    """Whether both are at most a quarter (clause 6)."""
+    """`true` if both ratios are at most a quarter (clause 6)."""
     rp_a_deg: float | None
     """RP_a: three standard deviations."""
     rp_along_x_mm: float | None
-    """The same of x alone."""
+    """RP along x alone."""
     rp_along_y_mm: float | None
-    """The same of y alone."""
+    """RP along y alone."""
     rp_along_z_mm: float | None
-    """The same of z alone."""
+    """RP along z alone."""
     rp_b_deg: float | None
     """RP_b."""
     rp_c_deg: float | None
     """RP_c."""
     rp_conformity: Any
-    """RP likewise."""
+    """Conformity of RP with the stated limit."""
     rp_interval: Iso9283Interval | None
-    """95 % interval of RP, likewise."""
+    """95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if stated; null with fewer
+    than three visits.
+    """
     rp_interval_analytic: Iso9283Interval | None
-    """95 % interval of RP in closed form, of the sampling alone."""
+    """95 % interval of RP in closed form, from the sampling alone."""
     rp_mm: float | None
-    """RP_l (7.2.2): mean radius and three standard deviations; null with a single visit, as all that follows."""
+    """RP_l (7.2.2): mean radius plus three standard deviations; this and all further values are null with a single
+    visit.
+    """
     rp_without_noise_mm: float | None
-    """RP without the instrument's noise, where visits were read several times."""
+    """RP without the instrument's noise, if visits were read several times."""
     rp_x_mm: float | None
     """RP_x: three standard deviations."""
     rp_xy_mm: float | None
-    """The same of the projections into xy (thesis, table 2.1)."""
+    """RP of the projections onto the xy plane (thesis, table 2.1)."""
     rp_y_mm: float | None
     """RP_y."""
     rp_z_mm: float | None
     """RP_z."""
     sd_radius_mm: float | None
-    """Standard deviation of that distance."""
+    """Standard deviation of the distance from the barycentre."""
     uncertainty_over_ap: float | None
-    """The instrument's expanded uncertainty of a position (k = 2) over AP, where it is stated."""
+    """Expanded uncertainty of the instrument for a position (k = 2) over AP, if stated."""
     uncertainty_over_rp: float | None
-    """The instrument's expanded uncertainty over RP."""
+    """Expanded uncertainty of the instrument over RP."""
 
 class Iso9283Posing(Record):
     """Moves from one pose to another (9)."""
     distance_mm: float
     """Mean attained distance."""
     moves: int
-    """How many."""
+    """Number of moves."""
     posing_s: float
     """Mean posing time."""
     to: int | str
-    """Where they end."""
+    """Pose at the end."""
 
 class Iso9283Settling(Record):
     """Arrivals at one pose (7.4, 7.5)."""
     arrivals: int
-    """Arrivals that settled."""
+    """Number of arrivals that settled."""
     overshoot_mm: float
-    """Largest overshoot; zero where no arrival left the limit band again."""
+    """Largest overshoot; zero if no arrival left the limit band again."""
     pose: int | str
     """Name of the pose."""
     stabilisation_s: float
@@ -993,69 +1077,69 @@ class Iso9283Settling(Record):
 class Iso9283Standstill(Record):
     """A standstill."""
     cycle: int | None
-    """Which visit of that pose it is, from 1."""
+    """Number of the visit of that pose, from 1."""
     from_s: float
-    """First sample."""
+    """Time of the first sample."""
     mean_deg: list[float]
-    """Means of the angles that exist, in the order a, b, c."""
+    """Means of the measured angles, in the order a, b, c."""
     mean_mm: list[float]
-    """Mean position of the middle half: x, y and, where there is one, z."""
+    """Mean position of the middle half: x, y and, if measured, z."""
     noise_mm: float | None
-    """Mean radius and three standard deviations of the samples of the middle half: noise of instrument and hold."""
+    """Noise of instrument and hold: mean radius plus three standard deviations of the samples of the middle half."""
     overshoot_mm: float | None
     """Overshoot of the arrival (7.5); null without a limit band."""
     pose: int | str | None
-    """Number of the pose that is visited; null where it is near none."""
+    """Name of the visited pose; null if no pose is near."""
     posing_s: float | None
     """Posing time from the previous standstill (9); null without a limit band."""
     samples: int
-    """Samples."""
+    """Number of samples."""
     stabilisation_s: float | None
-    """Stabilisation time of the arrival (7.4); null without a limit band, and where the band is never entered or
-    kept.
+    """Stabilisation time of the arrival (7.4); null without a limit band, and if the position does not enter or stay
+    within the band.
     """
     to_s: float
-    """Last sample."""
+    """Time of the last sample."""
 
 class Iso9283Unreached(Record):
     """A place that the stated robot does not reach."""
     places: str
     """Name of the list."""
     point: int
-    """Number of the point in it, from 1."""
+    """Number of the point in the list, from 1."""
     reason: str
-    """Why."""
+    """Reason."""
 
 class Iso9283Variation(Record):
-    """One pose approached in several ways (7.2.3)."""
+    """A pose that was approached in several ways (7.2.3)."""
     approaches: list[Iso9283Approach]
-    """Every approach by itself."""
+    """Characteristics of each approach."""
     between: list[str]
-    """The two that are farthest apart."""
+    """Approaches with the largest distance."""
     pose: int | str
     """Name of the pose."""
     vap_angles_deg: list[float]
-    """vAP of the angles that exist, in the order a, b, c."""
+    """vAP of the measured angles, in the order a, b, c."""
     vap_mm: float
-    """vAP_p: largest distance between barycentres of two approaches."""
+    """vAP_p: largest distance between the barycentres of two approaches."""
 
 class Iso9283Velocity(Record):
     """Velocity over the central part of the path (8.6)."""
     av_percent: float
-    """AV."""
+    """AV: path velocity accuracy."""
     commanded_mm_s: float
-    """Commanded."""
+    """Commanded velocity."""
     fv_mm_s: float
-    """FV: what the instrument's noise makes of it is in it."""
+    """FV: path velocity fluctuation, including the instrument's noise."""
     mean_mm_s: float
-    """Mean over all passes."""
+    """Mean velocity of all passes."""
     rv_percent: float | None
-    """RV; null with a single pass."""
+    """RV: path velocity repeatability; null with a single pass."""
 
 class Iso9283Visit(Record):
     """One visit of one pose."""
     approach: str | None
-    """How the pose was approached; null for the first visit of all."""
+    """Approach to the pose; null for the very first visit."""
     attained_mm: list[float]
     """Attained position."""
     cycle: int
@@ -1064,98 +1148,107 @@ class Iso9283Visit(Record):
     """Name of the pose."""
 
 class Iso9283Weaving(Record):
-    """A weave (11), mean of all passes."""
+    """A weave (11): means of all passes."""
     commanded_frequency_hz: float
-    """Commanded frequency: swings there and back by second."""
+    """Commanded frequency: full swings per second."""
     commanded_stroke_mm: float
-    """Commanded stroke, from side to side."""
+    """Commanded stroke from side to side."""
     frequency_hz: float
     """Attained frequency."""
     passes: int
-    """Passes of the centre line."""
+    """Number of passes of the centre line."""
     stroke_mm: float
     """Attained stroke."""
     turns: int
-    """Turns that were counted in all of them."""
+    """Number of turns counted in all passes."""
     wf_percent: float
-    """WF, of the frequency."""
+    """WF: attained minus commanded frequency (% of the commanded frequency)."""
     ws_percent: float
-    """WS: attained minus commanded stroke, in per cent of the commanded one."""
+    """WS: attained minus commanded stroke (% of the commanded stroke)."""
 
 class Issue(Record):
-    """What identifies a report (ISO/IEC 17025:2017, 7.8.2.1). A report lists what is absent as "not stated"."""
+    """Identification of a report (ISO/IEC 17025:2017, 7.8.2.1). A report shows missing entries as "not stated"."""
     amends: str | None
-    """Number and date of the report that this one amends or replaces, and the reason."""
+    """Number and date of the report that this report amends or replaces, and the reason."""
     authorised_by: str | None
-    """Who authorises the report: name and function."""
+    """Person who authorises the report: name and function."""
     country: Any
     """Country in which the calibration was made, by ISO 3166-1."""
     customer: str | None
     """Name and contact of the customer."""
     external_results: str | None
-    """Results that an external provider obtained, and which."""
+    """Results that an external provider obtained."""
     issued: str | None
     """Date of issue."""
     number: str | None
     """Number of the report, unique in the laboratory."""
 
+class JointTravel(Record):
+    """Smallest and largest value of a joint."""
+    column: str
+    """Column of the joint with its unit: `q1_deg`, `rho1_mm`."""
+    highest: float
+    """Largest value."""
+    lowest: float
+    """Smallest value."""
+
 class KinematicsEntry(Record):
     """A pose of the tool in the base frame with joint values."""
     joints: list[float]
-    """Joint values in mm and deg, in the order of the columns."""
+    """Joint values (mm or deg), in the order of the columns."""
     pose: int | str
     """Name of the pose."""
     quaternion: list[float]
     """Orientation: unit quaternion w, x, y, z."""
     xyz_mm: list[float]
-    """Position, mm."""
+    """Position (mm)."""
 
 class LeadResult(Record):
-    """The lead of an actuator."""
+    """Lead of an actuator."""
     actual_lead_mm: float
     """Actual lead."""
     actuator: int
     """Number of the actuator."""
     error: float
-    """Actual over nominal displacement, less one."""
+    """Actual displacement over nominal displacement, minus one."""
     linearity: list[Linearity]
-    """Mean deviation from linear travel, by position."""
+    """Mean deviation from linear travel at each position."""
     nominal_lead_mm: float
     """Nominal lead of its screw."""
     standard_uncertainty: float
     """Standard uncertainty of `error`."""
 
 class LeastDetectable(Record):
-    """The least motion of one kind that would have been detected."""
+    """Smallest detectable movement of one kind."""
     name: str
     """`base shift`, `base rotation`, or the name of a joint."""
     named: float | None
-    """The least motion of a joint that is detected and attributed to this joint with the probability `naming`;
-    absent where another joint moves all targets alike.
+    """Smallest movement of a joint that is detected and attributed to the right joint with the probability `naming`;
+    absent if another joint moves all targets equally.
     """
     unit: str
     """`mm` or `deg`."""
     value: float | None
-    """The motion; absent where the observations do not show it."""
+    """Smallest detectable movement; absent if the observations cannot show it."""
 
 class LimitVerdict(Record):
-    """One limit of the campaign."""
+    """A limit of the campaign and its verdict."""
     conformity: Any
-    """What the rule says."""
+    """Decision by the rule."""
     decision_rule: Any
-    """The rule by which it is judged."""
+    """Decision rule."""
     expanded_uncertainty: float | None
-    """Expanded uncertainty of the value (k = 2); null where it is not known."""
+    """Expanded uncertainty of the value (k = 2); null if unknown."""
     limit: float
-    """What the campaign allows."""
+    """Largest permissible value."""
     met: bool
-    """Whether the limit is met by the rule."""
+    """`true` if the limit is met by the rule."""
     name: str
     """Name of the limit in the campaign."""
     unit: str
     """Unit of the numbers."""
     value: float
-    """What was reached, on the validation poses if there are any."""
+    """Measured value, at the validation poses if there are any."""
 
 class Linearity(Record):
     """Deviation from linear travel at one position."""
@@ -1165,39 +1258,47 @@ class Linearity(Record):
     """Mean deviation of all passes."""
 
 class MapNode(Record):
-    """The error to expect at one place."""
+    """Expected error at one node of the grid."""
     at_mm: list[float]
-    """The place in the base frame."""
+    """Position of the node in the base frame."""
     before_mm: float
-    """Size of the error before: predicted with the parameters before minus predicted with the identified ones, mm."""
+    """Size of the error before calibration: position predicted with the parameters before calibration minus position
+    predicted with the identified parameters (mm).
+    """
     joints: list[float]
-    """Values of the joints there in mm or deg, as [`AccuracyDocument::joints`] names them: in the orientation of the
+    """Joint values at the node (mm or deg) in the order of [`AccuracyDocument::joints`], for the orientation of the
     nearest calibration pose.
     """
     p95_mm: float
-    """95 % of the errors are at most this, mm."""
+    """95th percentile of the size of the error (mm)."""
     parameters_mm: float
-    """Standard uncertainty (k = 1) of the predicted position by the identified parameters, mm."""
+    """Standard uncertainty of the predicted position due to the identified parameters (mm, k = 1)."""
     standard_uncertainty_mm: float
-    """The same with all else that contributes: the expected size of the error (root mean square), mm."""
+    """Expected size of the error from all sources, root mean square (mm)."""
 
 class MeanError(Record):
     """Mean error of a pose: measured minus predicted."""
     orientation_deg: float
-    """Orientation."""
+    """Orientation error."""
     position_mm: float
-    """Length of both."""
+    """Size of the position error."""
     x_mm: float
-    """x."""
+    """Error along x."""
     y_mm: float
-    """y."""
+    """Error along y."""
 
 class Message(Record):
-    """One thing to say to the user."""
+    """One error or warning: id and arguments of its text in the catalogue, the English texts, and its place."""
+    arguments: Record
+    """Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those of the message."""
+    around: list[Phrase]
+    """Texts around the message, from inside: each has the message as its argument `message`."""
     expected: str | None
     """What was expected there."""
     hint: str | None
     """What to do."""
+    id: str
+    """Id in the catalogue; `etalon explain ID` explains it."""
     place: Place | None
     """Where."""
     rank: Any
@@ -1205,10 +1306,10 @@ class Message(Record):
     severity: Any
     """Error or warning."""
     what: str
-    """What is wrong, in one sentence without a full stop."""
+    """What is wrong, in one English sentence without a full stop."""
 
 class MethodErrors(Record):
-    """Largest and root mean square of the mean errors."""
+    """Largest and root-mean-square mean errors."""
     name: str
     """`nominal`, `geometric` or `identified`."""
     orientation_max_deg: float
@@ -1219,120 +1320,128 @@ class MethodErrors(Record):
     """Root mean square position error."""
 
 class Movement(Record):
-    """A motion, and what it leaves."""
+    """A movement, and the residuals that it leaves."""
     by: list[MovementValue]
-    """By how much: of the base a shift at its origin and a rotation vector in the world, of a joint its value, of a
-    target a shift on the moving part.
+    """Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of its zero. Target:
+    shift on the moving part.
     """
     kind: Any
-    """What it is."""
+    """Kind of the moved object."""
     name: str
     """`base`, or the name of the joint or of the target."""
     p_left: float
-    """Probability of residuals as large as those that it leaves."""
+    """Probability of residuals at least as large as those left after the movement."""
 
 class MovementValue(Record):
-    """One number of a motion."""
+    """One component of a movement."""
     name: str
     """`x`, `y`, `z`, `rx`, `ry`, `rz`, or the name of a joint."""
     standard_uncertainty: float | None
-    """Standard uncertainty (k = 1); absent where the observations do not show it."""
+    """Standard uncertainty (k = 1); absent if the observations do not determine the component."""
     unit: str
     """`mm` or `deg`."""
     value: float
-    """Its value."""
+    """Value of the component."""
 
 class ObservabilitySummary(Record):
     """Observability of the parameters from the poses."""
     condition: float
-    """Condition number with columns divided by their norms."""
+    """Condition number with columns scaled to unit length."""
     held_singular_values: list[SingularValueEntry]
-    """Of the same Jacobian with all parameters that were to be identified the smallest, as many as are held because
-    the data do not determine them, or hardly; empty in a plan.
+    """Smallest singular values of the Jacobian with all parameters that were to be identified. There is one for each
+    parameter that is held because the data determine it poorly or not at all; empty in a plan.
     """
     o1: float
-    """O1 = (σ1…σm)^(1/m) / √n, m parameters and n poses (Sun & Hollerbach 2008)."""
+    """O1 = (σ1…σm)^(1/m) / √n for m parameters and n poses (Sun & Hollerbach 2008)."""
     o2: float
-    """O2 = σmin / σmax (eq. 1.20)."""
+    """O2 = σmin / σmax (thesis, eq. 1.20)."""
     o3: float
-    """O3 = σmin (eq. 1.22)."""
+    """O3 = σmin (thesis, eq. 1.22)."""
     o4: float
-    """O4 = σmin² / σmax (eq. 1.23)."""
+    """O4 = σmin² / σmax (thesis, eq. 1.23)."""
     o5: float
-    """O5 = 1 / Σ 1/σ (eq. 1.25)."""
+    """O5 = 1 / Σ 1/σ (thesis, eq. 1.25)."""
     rank: int
     """Number of separately identifiable parameters."""
     rank_cut: float
-    """A column that lies this near to the span of those before it, for a norm of 1, is cut: its parameter is held."""
+    """Rank tolerance: a parameter is held if its column, scaled to unit length, is closer than this to the span of
+    the columns before it.
+    """
     scaling: str
-    """Which scaling the indices have."""
+    """Scaling of the indices."""
     singular_values: list[SingularValueEntry]
-    """Singular values behind the condition number, descending: of the Jacobian at the solution, its columns divided
-    by their norms, as the identification uses it. Their squares add up to the number of parameters.
+    """Singular values of the Jacobian at the solution, descending, with columns scaled to unit length. The ratio of
+    the largest to the smallest is the condition number; the squares add up to the number of parameters.
     """
 
 class ParameterEntry(Record):
     """One parameter."""
     before: float
-    """Value with only base and targets fitted: the robot before its calibration."""
+    """Value before calibration, with only base and targets fitted."""
     confounded_with: list[str]
-    """Parameters that are not separately identifiable from this one; where they are more than 99, the one that is
-    held.
-    """
+    """Parameters that cannot be separated from this parameter; if there are more than 99, the held one alone."""
     degrees_of_freedom: float | None
-    """Effective degrees of freedom of that (GUM G.4.1), where it is estimated from residuals."""
+    """Effective degrees of freedom of the standard uncertainty (GUM G.4.1), if it is estimated from residuals."""
     determined: float | None
-    """Share of the value that the data determined: 1 − (u/s)², s the standard uncertainty of the nominal value by
-    its tolerance; absent where nominal values were no readings.
+    """Share of the value that the data determined: 1 − (u/s)², where s is the standard uncertainty of the nominal
+    value from its tolerance. Absent if nominal values are not used as observations.
     """
     meaning: str
-    """What it is and which sign it has, in words."""
+    """Meaning and sign of the parameter, in words."""
     name: str
     """Name as in the thesis."""
     nominal: float
     """Nominal value."""
     role: Any
-    """Whether it belongs to the robot, its base, a target or a fixture."""
+    """Owner of the parameter: robot, base, target or fixture."""
     standard_uncertainty: float | None
-    """Standard uncertainty (k = 1); absent where not identified."""
+    """Standard uncertainty (k = 1); absent if not identified."""
     status: Any
     """Identified, fixed or not identifiable."""
     tolerance: float | None
-    """How far from nominal it may be by the robot's file, where that states it."""
+    """Tolerance about the nominal value, if the robot's file states one."""
     unit: str
     """`mm`, `deg` or `1`."""
     value: float
-    """Identified value, or the value at which it is held."""
+    """Identified value, or value at which the parameter is held."""
 
 class ParameterVerdict(Record):
-    """Whether a parameter deserves to be loaded."""
+    """Verdict on whether a parameter should be loaded."""
     change: float
-    """Identified minus nominal value, with all parameters."""
+    """Identified minus nominal value, in the model with all parameters."""
     change_over_u: float
-    """The change over its standard uncertainty."""
+    """Change over its standard uncertainty."""
     effect: Any
-    """What it describes."""
+    """Effect that the parameter describes."""
     fold_sd_over_u: float
-    """Standard deviation over the folds, over the standard uncertainty that a fold has."""
+    """Standard deviation over the folds, relative to the standard uncertainty of one fold."""
     name: str
-    """Its name."""
+    """Name of the parameter."""
     p_value: float
-    """Probability of such a change of a parameter that has its nominal value, corrected for their number (Holm
-    1979).
-    """
+    """Probability of such a change if the true value is nominal, corrected for the number of parameters (Holm 1979)."""
     part_change_limit: float | None
-    """What chance explains of that, with a probability of 99 % for all parameters together: beyond it the parameter
-    is not stable.
+    """Limit of `part_change_over_sd` by chance, with a probability of 99 % for all parameters together; beyond it
+    the parameter is unstable.
     """
     part_change_over_sd: float | None
-    """Value by part of the poses minus value by all, over the standard deviation that chance gives it (√(u_part² −
-    u_all²)), without sign: the largest of the parts; absent outside the recommended model, and where no part
+    """Largest absolute difference between the value from part of the poses and the value from all poses, over its
+    standard deviation by chance √(u_part² − u_all²). Absent outside the recommended model, and if no part
     determines the parameter.
     """
     unit: str
-    """Its unit."""
+    """Unit of the parameter."""
     verdict: Any
-    """Load or hold."""
+    """Verdict: load or hold."""
+
+class Phrase(Record):
+    """Text of the catalogue with its arguments. # Examples ``` use etalon_base::phrase; let approaches =
+    phrase!("approaches", count = 2); assert_eq!(approaches.to_string(), "2 approaches");
+    assert_eq!(approaches.text("de"), "2 Anfahrrichtungen"); ```
+    """
+    arguments: Record
+    """Arguments of the text."""
+    id: str
+    """Id in the catalogue."""
 
 class Place(Record):
     """Where a message points: a file, perhaps a line, perhaps columns of it."""
@@ -1345,16 +1454,31 @@ class Place(Record):
     text: str | None
     """The line itself."""
 
+class PlacedApart(Record):
+    """A target or fixture that is placed by its own readings at validation poses. The placement reduces the errors
+    of these readings, so that each is divided by √r in the statistics; without redundancy it does not count.
+    """
+    is_assessed: bool
+    """`true` if errors of the readings count: r is at least 0.1 for at least one reading."""
+    name: str
+    """Name of the target or fixture."""
+    readings: int
+    """Number of readings that place the target."""
+    redundancy: float
+    """Mean redundancy number r of the readings: the share of an error that its reading shows. For n positions of a
+    target, r = 1 − 1/n.
+    """
+
 class PlannedParameter(Record):
     """One parameter and its predicted uncertainty."""
     confounded_with: list[str]
-    """Parameters that are not, or hardly, separable from this one by the chosen poses."""
+    """Parameters that the chosen poses separate from this parameter poorly or not at all."""
     identifiable: bool
-    """Whether it is identifiable from the candidates."""
+    """`true` if the parameter is identifiable from the candidates."""
     name: str
     """Name as in the thesis."""
     standard_uncertainty: float | None
-    """Predicted standard uncertainty; absent where the uncertainty of the instrument is not stated."""
+    """Predicted standard uncertainty; absent if the instrument's uncertainty is not stated."""
     unit: str
     """`mm`, `deg` or `1`."""
 
@@ -1366,257 +1490,271 @@ class PlannedPose(Record):
     """Number of the pose in the candidates."""
 
 class Pose(Record):
-    """A rigid transform: rotation matrix (rows) and translation in millimetres."""
+    """A rigid transform: rotation matrix and translation."""
     rotation: list[list[float]]
     """Rotation matrix, row by row."""
     translation_mm: list[float]
-    """Translation in millimetres."""
+    """Translation (mm)."""
 
 class PoseRow(Record):
     """Mean errors of one pose."""
     command_deg: float
     """Commanded orientation."""
     command_mm: list[float]
-    """Commanded position of C in the base frame: what the nominal model makes of the joints."""
+    """Commanded position of C in the base frame: prediction of the nominal model from the joints."""
     count: int
-    """Repeats."""
+    """Number of repeats."""
     geometric: "MeanError"
-    """With the geometric parameters."""
+    """Error with the geometric parameters."""
     identified: "MeanError"
-    """With the identified parameters."""
+    """Error with the identified parameters."""
     nominal: "MeanError"
-    """With nominal parameters in the geometric base frame."""
+    """Error with nominal parameters in the geometric base frame."""
     pose: int | str
     """Name of the pose."""
     standard_deviation_mm: float
-    """Standard deviation of x or y over the repeats, the larger."""
+    """Standard deviation over the repeats: the larger of x and y."""
 
 class PoseTable(Record):
     """Mean errors of some poses (thesis, tables 2.2 to 2.4)."""
     rows: list[PoseRow]
-    """One row a pose."""
+    """One row per pose."""
     title: str
     """Title."""
 
 class PositionErrors(Record):
     """Root mean square and maximum of position errors."""
     max_mm: float
-    """Maximum, mm."""
+    """Maximum (mm)."""
     rms_mm: float
-    """Root mean square, mm."""
+    """Root mean square (mm)."""
 
 class PredictionMap(Record):
-    """The error to expect at the tool point with the identified parameters, on a grid of the workspace that the
-    calibration poses span: places between theirs at which no joint leaves its range in the calibration.
+    """Expected error at the tool point with the identified parameters, on a grid. The grid covers places between the
+    calibration poses that the robot reaches without a joint leaving its range in the calibration.
     """
     definition: str
-    """What the numbers of a node mean, in words."""
+    """Definition of the numbers of a node, in words."""
     frame: Any
-    """The part in whose frame it is stated."""
+    """Part to which the point is attached."""
     nodes: list[MapNode]
-    """The nodes by x, y and z."""
+    """Nodes in the order of x, y and z."""
     point_mm: list[float]
-    """Place of the point in `frame`."""
+    """Position of the point in `frame`."""
     spacing_mm: float
-    """Distance of neighbouring nodes, mm."""
+    """Distance between neighbouring nodes (mm)."""
 
 class Presentation(Record):
-    """Presentation of a report, complete, so that the output folder alone is enough to write it again."""
+    """Complete presentation of a report: the output folder suffices to write the report again."""
     language: Any
-    """Its language."""
+    """Language of the report."""
     logo: str | None
     """The laboratory's logo as a data URI (SVG or PNG)."""
     templates: Record
-    """Text of the laboratory's own templates by the name of the file."""
+    """The laboratory's own templates: texts by file name."""
 
 class Provenance(Record):
-    """Where numbers come from."""
+    """Origin of numbers."""
     inputs: Record
-    """SHA-256 of every input, by name."""
+    """SHA-256 of every input, by file name."""
     seed: int | None
-    """Seed of random numbers, where any were drawn."""
+    """Seed of random numbers, if any were drawn."""
     version: str
     """Version of etalon."""
 
 class Reading(Record):
-    """One reading of a delimited text. The unit of lengths is not part of it."""
+    """One reading of a delimited text, without the unit of lengths."""
     columns: list[str]
-    """As `columns` states them."""
+    """Value of the campaign's key `columns`."""
     decimal: str
-    """As `decimal` states it."""
-    delimiter: str
-    """As `delimiter` states it in the campaign."""
+    """Value of the campaign's key `decimal`."""
+    delimiter: str | None
+    """Value of the campaign's key `delimiter`; absent for a sheet of a workbook."""
     header: int
-    """Rows before the data."""
+    """Number of rows before the data."""
     share: float
-    """Share of the rows looked at that have as many fields as most, two of them numbers; from 0 to 1."""
+    """Share of the examined rows that have the most frequent number of fields, at least two of them numbers (0 to
+    1).
+    """
+    sheet: str | None
+    """Value of the campaign's key `sheet`, for a workbook."""
     thousands: str | None
-    """As `thousands` states it, where numbers have groups of digits."""
+    """Value of the campaign's key `thousands`, if digits are grouped."""
 
 class Refused(Record):
-    """A row that was refused."""
+    """A rejected row."""
     line: int
     """Line in the file, from 1."""
     reason: str
-    """The rule that refused it."""
+    """Rule that rejected the row."""
     text: str
-    """The line itself."""
+    """Text of the line."""
 
 class Region(Record):
     """A region of the workspace."""
     area_mm2: float
-    """Its area."""
+    """Area of the region."""
     corners_mm: list[list[float]]
-    """Its corners in the base frame, counterclockwise; z is zero."""
+    """Corners of the region in the base frame, counterclockwise; z is zero."""
     name: str
-    """Which."""
+    """Name of the region."""
 
 class ReliabilitySummary(Record):
-    """How well the readings control each other (Baarda 1968), and which poses decide (Cook 1977)."""
+    """Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977)."""
     beyond: int
-    """Readings beyond it."""
+    """Number of readings beyond `critical_w`."""
     critical_w: float
-    """Residual over its standard deviation σ √r beyond which a reading is an outlier."""
+    """Normalised residual (residual over its standard deviation σ √r) beyond which a reading is an outlier."""
     influential: float
-    """Cook's distance beyond which a pose is influential: the median of F."""
+    """Cook's distance beyond which a pose is influential: the median of the F distribution."""
     largest_detectable_mm: float | None
-    """The largest; absent where nothing controls a reading, mm."""
+    """Largest of the smallest detectable errors (mm); absent if a reading is uncontrolled."""
     least_redundancy: float
-    """Least redundancy number r of a coordinate: the share of its error that its residual shows, from 0 to 1."""
+    """Smallest redundancy number r of a coordinate: share of an error of the coordinate that its residual shows (0
+    to 1).
+    """
     median_detectable_mm: float | None
-    """Least error of a coordinate that is detected, 4.13 σ / √r: median over the readings, mm."""
+    """Smallest detectable error of a coordinate, 4.13 σ / √r (mm): median over the readings."""
     poses: list[InfluenceEntry]
-    """The poses without which the parameters would change most."""
+    """Poses whose omission would change the parameters most."""
     power: float
-    """Power β0 with which an error is detected that is called detectable."""
+    """Power β0 with which an error of detectable size is detected."""
     readings: int
-    """Measured positions."""
+    """Number of measured positions."""
     sigma_mm: float
-    """Standard deviation σ of a coordinate: the stated one where that explains the residuals, or theirs, mm."""
+    """Standard deviation σ of a coordinate (mm): the stated one if it explains the residuals, otherwise estimated
+    from the residuals.
+    """
     significance: float
     """Significance level α0 of the test of one residual."""
 
 class RepeatStatistics(Record):
     """Scatter of repeated determinations."""
     count: int
-    """Their number."""
+    """Number of determinations."""
     enlarged: bool
-    """Whether the repeats scatter more than that (chi-square, once in a thousand), and enlarged the uncertainty."""
+    """`true` if the repeats scatter more than expected (chi-square test at 0.1 %), so that the uncertainty was
+    increased.
+    """
     expected: float
-    """What the points' own uncertainties make of it; frames that all repeats share cancel."""
+    """Standard deviation expected from the points' uncertainties. Frames that all repeats share cancel."""
     standard_deviation: float
     """Standard deviation of one determination."""
 
 class Replicates(Record):
-    """Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1)."""
+    """Scatter of repeats against the other residuals (Draper & Smith, Applied Regression Analysis, 2.1)."""
     degrees_of_freedom: int
-    """Its degrees of freedom."""
+    """Degrees of freedom of the scatter of repeats."""
     lack_of_fit_mm: float
-    """Standard deviation of a coordinate that the model leaves at a pose, without the scatter of repeats, mm."""
+    """Standard deviation of the model error of a coordinate at a pose, without the scatter of repeats (mm)."""
     p_value: float
-    """Probability of residuals as large as these if the model were right (F test of lack of fit)."""
+    """Probability of residuals at least this large if the model is right (F test of lack of fit)."""
     repeats_mm: float
-    """Standard deviation of a coordinate among repeats of a pose, mm."""
+    """Standard deviation of a coordinate among repeats of a pose (mm)."""
 
 class ResidualSummary(Record):
     """Residuals of the identification."""
     chi_square: float | None
-    """Chi-square against both."""
+    """Chi-square with both stated uncertainties."""
     chi_square_rejected: bool
-    """Whether chi-square rejects that the measurement explains the residuals: a right model is rejected once in a
-    thousand times.
+    """`true` if chi-square rejects the hypothesis that measurement noise explains the residuals, at a significance
+    level of 0.1 %.
     """
     common_standard_uncertainty_mm: float | None
-    """Standard uncertainty in mm that observations of the very same coordinates have in common beside that: the
-    instrument's, where the contact's is stated apart.
+    """Standard uncertainty common to all observations of the same coordinates (mm): of the instrument, if that of
+    the contact is stated separately.
     """
     count: int
     """Number of residuals."""
     degrees_of_freedom: int
-    """Residuals minus identified parameters."""
+    """Number of residuals minus number of identified parameters."""
     kind: Any
     """Residuals of targets or of the pose."""
     max: float
-    """Largest."""
+    """Largest absolute residual."""
     repeats: Replicates | None
-    """Scatter of repeats against the rest; absent where no pose was repeated."""
+    """Scatter of repeats against the other residuals; absent without repeated poses."""
     rms: float
-    """Root mean square in mm (pose residuals: mm and rad mixed, eq. 3.26)."""
+    """Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26)."""
     stated_standard_uncertainty_mm: float | None
-    """Standard uncertainty of one coordinate that is stated, in mm: the instrument's, or the contact's where that is
-    stated apart.
+    """Stated standard uncertainty of one coordinate (mm): of the contact if stated separately, otherwise of the
+    instrument.
     """
     uncertainties_enlarged_by: float
-    """By how much standard uncertainties are larger than the instrument's alone makes them (median); 1 where chi-
-    square does not reject the model, or no uncertainty is stated.
+    """Ratio of the standard uncertainties to those from the instrument alone (median); 1 if chi-square does not
+    reject the model, or if no uncertainty is stated.
     """
     uncertainties_from: Any
-    """What standard uncertainties rest on."""
+    """Basis of the standard uncertainties."""
 
 class ResidualTrend(Record):
-    """An F test of errors after identification: of a parabola of one quantity against a constant, all coordinates of
-    the poses' means together.
+    """F test of a trend in the errors after identification: a parabola in one quantity against a constant. All
+    coordinates of the poses' mean errors are tested together.
     """
     against: str
-    """The quantity: a joint as columns name it, `reach_mm` (distance from the base) or `order` (of the measurement)."""
+    """Independent quantity: a joint by the name of its column, `reach_mm` (distance from the base) or `order` (of
+    the measurement).
+    """
     explained_mm: float
-    """Root mean square of what the parabola explains, mm."""
+    """Root mean square of the errors that the parabola explains (mm)."""
     f: float
     """F statistic."""
     p_value: float
-    """Probability of such a trend of a right model, corrected for the number of tests (Holm 1979)."""
+    """Probability of such a trend if the model is right, corrected for the number of tests (Holm 1979)."""
 
 class RobustParameter(Record):
-    """A parameter by the plain fit and by the robust one."""
+    """A parameter in the least-squares fit and in the robust fit."""
     difference: float
-    """Robust minus plain value."""
+    """Robust minus least-squares value."""
     difference_over_u: float
-    """The difference over its standard uncertainty where no reading is wrong: of normal residuals √(1/0.95 − 1) =
-    0.23 of that of the parameter.
+    """Difference over its standard uncertainty if all readings are sound. For normal residuals that is √(1/0.95 − 1)
+    = 0.23 of the standard uncertainty of the parameter.
     """
     name: str
-    """Its name."""
+    """Name of the parameter."""
     unit: str
     """`mm`, `deg` or `1`."""
     value: float
-    """Value by the robust fit."""
+    """Value of the robust fit."""
 
 class RobustPose(Record):
-    """What the robust fit makes of a pose."""
+    """Weight of a pose in the robust fit."""
     pose: int | str
-    """The pose."""
+    """Pose."""
     residual_over_sigma: float
-    """The residual that has it, over σ."""
+    """Residual of smallest weight, over σ."""
     weight: float
-    """Least weight of its residuals, 1 / (1 + (r / c σ)²), from 0 to 1."""
+    """Smallest weight of the pose's residuals, 1 / (1 + (r / c σ)²) (0 to 1)."""
 
 class RobustSummary(Record):
-    """A fit in which readings far from the others weigh little (M-estimator with the Cauchy loss, from the plain
-    optimum), beside the plain one.
+    """Robust fit beside the least-squares fit: an M-estimator with Cauchy loss that starts at the least-squares
+    optimum.
     """
     constant: float
-    """Constant c of the loss c² ln(1 + (r / c σ)²): with 2.385 the variance of parameters is 5 % more where
-    residuals are normal.
+    """Constant c of the loss c² ln(1 + (r / c σ)²). With c = 2.385 the variance of parameters is 5 % larger than by
+    least squares if residuals are normal.
     """
     critical: float
-    """A difference over its standard uncertainty that none of them exceeds with a probability of 99 %, where no
-    reading is wrong.
+    """Critical value of `difference_over_u`: with a probability of 99 % no parameter exceeds this value if all
+    readings are sound.
     """
     critical_residual: float
-    """A residual over σ that none of them all exceeds with a probability of 99 %, where no reading is wrong."""
+    """Critical value of a residual over σ: with a probability of 99 % no residual exceeds this value if all readings
+    are sound.
+    """
     disagreeing: int
-    """Poses with a residual beyond it."""
+    """Number of poses with a residual beyond the critical value."""
     parameters: list[RobustParameter]
-    """The identified parameters in both fits."""
+    """Identified parameters in both fits."""
     poses: list[RobustPose]
-    """The poses of the least weight, the least first."""
+    """Poses of smallest weight, ascending."""
     sigma_mm: float
-    """Standard deviation σ of a coordinate by the median residual, or the stated one where that is more, mm."""
+    """Standard deviation σ of a coordinate (mm): from the median residual, but at least the stated one."""
 
 class ScaleBarResult(Record):
     """Distance errors of a scale bar."""
     count: int
-    """Distances measured."""
+    """Number of measured distances."""
     largest_error_mm: float
     """Largest error of a single distance."""
     length_mm: float
@@ -1626,116 +1764,116 @@ class ScaleBarResult(Record):
     mean_error_mm: float
     """Mean of measured minus calibrated length."""
     name: str
-    """Name of its position."""
+    """Name of the bar's position."""
     permissible_error_mm: float
-    """Largest error of a distance that the instrument may have."""
+    """Maximum permissible error of the instrument for this distance."""
     standard_deviation_mm: float
     """Standard deviation of the distances."""
     uncertainty_ratio: float | None
-    """That over the certificate's uncertainty; at least 4 is asked for."""
+    """Maximum permissible error over the certificate's uncertainty; at least 4 is required."""
     verdict: Any
-    """What the bar proves of the instrument."""
+    """Verdict on the instrument."""
 
 class SingularValueEntry(Record):
-    """How strongly the residuals answer to one direction of the parameters: small where it is badly observable."""
+    """Sensitivity of the residuals to one direction of the parameters; small if the direction is poorly observable."""
     parameters: list[str]
-    """Parameters with a share of more than 0.3 in its right singular vector, the largest first; empty where the
-    direction is spread over many.
+    """Parameters with a component above 0.3 in the right singular vector, the largest first; empty if the direction
+    is spread over many parameters.
     """
     value: float
-    """The singular value, without unit."""
+    """Singular value (dimensionless)."""
 
 class Sketch(Record):
-    """A drawing; lengths in mm."""
+    """A drawing with lengths in mm."""
     planar: bool
-    """It lies in the plane z = 0."""
+    """`true` if the drawing lies in the plane z = 0."""
     strokes: list[Stroke]
-    """Its lines."""
+    """Lines of the drawing."""
     title: str
-    """What it shows, in words."""
+    """Title of the drawing."""
 
 class SolverSummary(Record):
-    """How the solver ended."""
+    """Solver and its termination."""
     iterations: int
-    """Steps taken."""
+    """Number of steps."""
     meaning: str
-    """The same in words."""
+    """Reason of the termination in words."""
     method: str
     """Algorithm."""
     termination: Any
-    """Why it stopped."""
+    """Reason of the termination."""
 
 class Source(Record):
-    """One file that was read."""
+    """A file that was read."""
     bytes: int
-    """Its size."""
+    """Size of the file."""
     dialect: str
-    """How it was read: format, delimiter, decimal mark, unit."""
+    """Dialect of the file: format, delimiter, decimal mark, unit."""
     file: str
-    """File as the campaign names it."""
+    """File, as the campaign names it."""
     kind: str
     """`export`, `log`, `campaign` or `robot`."""
     refused: list[Refused]
-    """Rows that were refused."""
+    """Rejected rows."""
     rows_read: int
-    """Rows that hold data."""
+    """Number of data rows."""
     sha256: str
-    """SHA-256 of its bytes, as `sha256sum` prints it."""
+    """SHA-256 of the file, as `sha256sum` prints it."""
     standstills: list[StandingInterval]
-    """Standstills of a log recorded during motion, one row of the joint values each."""
+    """Standstills of a log that was recorded during motion; each yields one row of joint values."""
 
 class Spread(Record):
-    """Median of the draws, and the interval that holds 95 % of them."""
+    """Median of the draws and the interval that contains 95 % of them."""
     high: float
-    """2.5 % are above."""
+    """97.5th percentile."""
     low: float
-    """2.5 % of the draws are below."""
+    """2.5th percentile."""
     median: float
     """Median."""
 
 class StandingInterval(Record):
     """A standstill in a log, by the limits of the campaign."""
     from_s: float
-    """Time of its first sample by the log's clock."""
+    """Time of the first sample, by the log's clock."""
     joints: list[StandingJoint]
-    """The joints."""
+    """Joints during the standstill."""
     line: int
-    """Line of its first sample, from 1."""
+    """Line of the first sample, from 1."""
     samples: int
-    """How many samples."""
+    """Number of samples."""
     to_s: float
-    """Time of its last sample."""
+    """Time of the last sample."""
 
 class StandingJoint(Record):
-    """A joint in a standstill, in the unit of its column."""
+    """A joint during a standstill, in the unit of its column."""
     column: str
-    """Its column in the table of joint values."""
+    """Column in the table of joint values."""
     mean: float
-    """Mean of the samples: the joint value used."""
+    """Mean of the samples, which is used as the joint value."""
     range: float
-    """Largest minus smallest."""
+    """Largest minus smallest sample."""
     standard_deviation: float
     """Standard deviation of the samples."""
 
 class Statistics(Record):
     """Statistics of errors by size."""
     max: float
-    """Largest."""
+    """Largest size."""
     mean: float
     """Mean size."""
     p95: float
-    """95 % of the errors are at most this."""
+    """95th percentile."""
     rms: float
     """Root mean square."""
 
 class Stroke(Record):
-    """A line of a drawing, through these points."""
+    """A polyline of a drawing."""
     kind: Any
-    """What it represents."""
+    """Meaning of the line."""
     name: str
-    """Its name: that of a parameter, a joint or a frame; empty without one."""
+    """Name of a parameter, joint or frame; empty if unnamed."""
     points_mm: list[list[float]]
-    """Places in mm, two or more."""
+    """At least two points (mm)."""
 
 class StudiedDesign(Record):
     """A set of poses measured with one noise."""
@@ -1744,7 +1882,7 @@ class StudiedDesign(Record):
     before: list[DesignError]
     """Errors with nominal parameters."""
     configurations: int
-    """Configurations measured."""
+    """Number of measured configurations."""
     name: str
     """Name of the set."""
     noise_um: float
@@ -1757,7 +1895,7 @@ class StudiedParameter(Record):
     actual: float
     """True value."""
     identified: float
-    """Mean of the values identified."""
+    """Mean of the identified values."""
     name: str
     """Name as in the thesis."""
     nominal: float
@@ -1766,135 +1904,148 @@ class StudiedParameter(Record):
     """`mm`, `deg` or `1`."""
 
 class StudiedPlace(Record):
-    """Errors of position at one place."""
+    """Position errors at one place."""
     at_mm: list[float]
-    """Where the first target is, nominal."""
+    """Nominal position of the first target."""
     max_before_mm: float
-    """Largest among its configurations and targets, nominal."""
+    """Largest nominal error over all configurations and targets of the pose."""
     max_mm: float
-    """Largest with the identified parameters."""
+    """Largest error with the identified parameters."""
     pose: int | str
     """Name of the pose."""
 
 class StudyDocument(Record):
-    """A simulated calibration: tables 4.1 to 4.3, figures 4.8 and 4.9."""
+    """Simulated calibration (thesis, tables 4.1 to 4.3, figs. 4.8 and 4.9)."""
     configurations: int
-    """Configurations at which errors are evaluated."""
+    """Number of configurations at which errors are evaluated."""
     draws: int
-    """Such means, of whose errors the median is reported; parameters and places are those of the first."""
+    """Number of such means. The median of their errors is reported; `parameters` and `places` are from the first."""
     noise_um: float
     """Standard deviation of the Gaussian noise of one coordinate."""
     parameters: list[StudiedParameter]
-    """Nominal, true and identified parameters with all positions (table 4.1, figure 4.8)."""
+    """Nominal, true and identified parameters with all positions (thesis, table 4.1, fig. 4.8)."""
     places: list[StudiedPlace]
-    """Largest error of each pose with all positions measured (figure 4.9)."""
+    """Largest error of each pose with all positions measured (thesis, fig. 4.9)."""
     point: str
-    """The point whose errors of position these are, in words."""
+    """Point whose position errors are evaluated, in words."""
     runs: int
-    """Identifications whose mean is evaluated."""
+    """Number of identifications whose mean is evaluated."""
     steps: list[StudyStep]
-    """Errors of position by the number of positions measured; the last is the plan (tables 4.2 and 4.3)."""
+    """Position errors by the number of measured positions; the last entry is the plan (thesis, tables 4.2 and 4.3)."""
 
 class StudyStep(Record):
-    """Errors of position after a simulated calibration."""
+    """Position errors after a simulated calibration."""
     configurations: int
-    """Configurations in them."""
+    """Number of configurations of these positions."""
     max_before_mm: float
-    """Largest with nominal parameters."""
+    """Largest error with nominal parameters."""
     max_mm: float
-    """Largest with the identified ones, median of the draws."""
+    """Largest error with the identified parameters, median of the draws."""
     positions: int
-    """Positions measured."""
+    """Number of positions measured."""
     rms_before_mm: float
     """Root mean square with nominal parameters."""
     rms_mm: float
-    """Root mean square with the identified ones, median of the draws."""
+    """Root mean square with the identified parameters, median of the draws."""
 
 class SumOfSquares(Record):
-    """A sum of squares of residuals over their variance."""
+    """Weighted sum of squared residuals."""
     degrees_of_freedom: int
-    """Its degrees of freedom."""
+    """Degrees of freedom."""
     p_value: float
-    """Probability of a larger one if nothing has changed."""
+    """Probability of a larger sum if nothing has changed."""
     value: float
-    """The sum."""
+    """Sum."""
 
 class ToolAccuracy(Record):
-    """The error that the controller will make at the tool point: its true place in the base frame minus the one that
-    the parameters predict.
+    """Error of the controller at the tool point: true position in the base frame minus the position predicted by the
+    parameters.
     """
     after: "Statistics"
-    """Expected with the identified parameters (k = 1), mm."""
+    """Expected error with the identified parameters (mm, k = 1)."""
     before: "Statistics"
-    """Predicted with the parameters before minus predicted with the identified ones, mm."""
+    """Position predicted with the parameters before calibration minus position predicted with the identified
+    parameters (mm).
+    """
     definition: str
-    """What "before" and "after" mean here, in words."""
+    """Definition of "before" and "after" in this object, in words."""
     expanded_max_mm: float
-    """The largest of these with k = 2, mm."""
+    """Largest expected error with the identified parameters (mm, k = 2)."""
     frame: Any
-    """The part in whose frame it is stated."""
+    """Part to which the point is attached."""
     held_mm: float
-    """Share of parameters that are held because the data do not determine them, with their tolerances, root mean
-    square, mm.
+    """Contribution of the tolerances of parameters that are held because the data do not determine them, root mean
+    square (mm).
     """
     model_mm: float
-    """Share of what the model leaves out: measured errors beyond what the instrument explains, root mean square, mm."""
+    """Contribution of effects outside the model: measured errors beyond the instrument's uncertainty, root mean
+    square (mm).
+    """
     parameters_mm: float
-    """Share of the parameters' covariance, root mean square, mm."""
+    """Contribution of the parameters' covariance, root mean square (mm)."""
     place_mm: float
-    """Share of the uncertainty of the point's place on the tool, mm."""
+    """Contribution of the uncertainty of the point's position on the tool (mm)."""
     point_mm: list[float]
-    """Place of the point in `frame`."""
+    """Position of the point in `frame`."""
     poses: int
-    """How many."""
+    """Number of poses."""
     set: str
-    """The poses: `validation`, or `calibration` where there are no others."""
+    """Set of poses: `validation`, or `calibration` in a campaign without validation poses."""
+
+class Uncontrolled(Record):
+    """An error that no reading would show."""
+    keys: list[str]
+    """Keys that would control the error."""
+    points: list[str]
+    """Labels, features or targets with the error; empty if it concerns all readings."""
+    what: str
+    """Description of the error."""
 
 class Unmatched(Record):
     """A row without a partner in the join, or with more than one."""
     file: str
-    """Its file, as the campaign names it."""
+    """File, as the campaign names it."""
     key: str
-    """Its key in words: pose and cycle, row, or time."""
+    """Join key of the row in words: pose and cycle, row, or time."""
     line: int
     """Line in the file, from 1."""
     reason: str
-    """What it has no partner in, or how many partners it has."""
+    """Table without a partner, or number of partners."""
 
 class UnreachablePose(Record):
-    """A pose that no joint values lead to."""
+    """A pose without solution."""
     pose: int | str
     """Name of the pose."""
     reason: str
-    """Which limit forbids it, or that it is out of reach."""
+    """Limit that forbids the pose, or that the pose is out of reach."""
 
 class UnreachableTarget(Record):
     """A target that cannot be commanded."""
     reason: str
-    """Which limit forbids it, or that it is out of reach."""
+    """Limit that forbids the target, or that the target is out of reach."""
     target: str
     """Name of the target."""
 
 class ValidationDistance(Record):
-    """Distances from validation poses to the nearest calibration pose, over the calibration poses' spacing: the
-    median of their distances to the nearest of each other. Distances are those of joint values, each over its
-    range in the calibration (root of the sum of squares).
+    """Distances from the validation poses to their nearest calibration poses, relative to the spacing of the
+    calibration poses (median distance to the nearest neighbour). A distance is the root of the sum of squared
+    differences of joint values, each divided by the range of the joint in the calibration.
     """
     largest: float
-    """Of all validation poses at most this."""
+    """Largest relative distance."""
     median: float
-    """Of half of the validation poses at most this: about 1 where both sets are spread alike."""
+    """Median; about 1 if both sets cover the same region equally."""
     outside: int
-    """Those with a joint outside of its range in the calibration."""
+    """Number of validation poses with a joint outside its range in the calibration."""
     poses: int
-    """Validation poses, each set of joint values counted once."""
+    """Number of validation poses; repeated joint values count once."""
 
 class VerificationStep(Record):
-    """A pose that was chosen."""
+    """A chosen pose."""
     least: list[LeastDetectable]
-    """What it would detect together with those before it."""
+    """Smallest changes that this pose and the poses before it detect together."""
     pose: int | str
-    """The pose."""
+    """Pose."""
 
 class WorkspaceUncertainty(Record):
     """Uncertainty of position over the candidates."""
@@ -1906,119 +2057,131 @@ class WorkspaceUncertainty(Record):
 class WorldFrame(Record):
     """The world frame in the coordinates of the exports."""
     common_covariance: list[list[float]] | None
-    """What the covariances of all poses have in common, where the frame is measured again at each: that of the mean
-    places of the targets, which define it.
+    """Covariance common to all poses if the frame is measured again at each pose: the covariance of the mean
+    positions of the targets, which define the frame.
     """
     definition: str
-    """How it is defined, in words."""
+    """Definition of the frame, in words."""
     max_mm: float | None
-    """Largest such distance."""
+    """Largest distance of a target from its best-fit position."""
     planar: bool
-    """Drop z: observations are projected into the xy plane of the world."""
+    """`true` if z is dropped: observations are projected onto the xy plane of the world."""
     poses: list[FramePose]
-    """One entry for all poses (without `pose` and `cycle`), or one for each pose and cycle."""
+    """One entry for all poses (without `pose` and `cycle`), or one entry per pose and cycle."""
     reference_mm: list[list[float]]
-    """Best-fit places of the targets in the world, in the order of the definition."""
+    """Best-fit positions of the targets in the world, in the order of the definition."""
     rms_mm: float | None
-    """Root mean square distance of the targets from their best-fit places; absent for 3-2-1 frames."""
+    """Root mean square distance of the targets from their best-fit positions; absent for 3-2-1 frames."""
 
 class WrittenController(Record):
-    """A controller file that was written."""
+    """One controller file."""
     errors: ControllerErrors | None
-    """Errors at validation poses, otherwise at calibration poses; null if they were not measured."""
+    """Errors at validation poses, or at calibration poses in a campaign without validation; null if they were not
+    measured.
+    """
     format: str
     """Name of the format."""
     left_out: list[str]
     """Identified parameters that the format does not hold."""
 
 class WrittenParameter(Record):
-    """A parameter as a file holds it."""
+    """A parameter as written to a file."""
     name: str
-    """Name."""
+    """Name of the parameter."""
     standard_uncertainty: float | None
-    """Standard uncertainty (k = 1); absent where the value was not identified, or where the format changes it."""
+    """Standard uncertainty (k = 1); absent if the value was not identified, or if the format changes it."""
     unit: str
     """`mm`, `deg` or `1`."""
     value: float
     """Value."""
 
 class AccuracyDocument(Document):
-    """Errors before and after, on calibration and validation poses apart."""
+    """Errors before and after calibration, separately for calibration and validation poses."""
     budget: list[FigureBudget]
     """Standard uncertainties of the position errors of the validation poses after calibration; empty without a
     validation or a covariance.
     """
     definition: str
-    """What "before" and "error" mean here, in words."""
+    """Definition of "before" and of "error" in this document, in words."""
+    effects: list[EffectProof]
+    """Effects of the robot that are proved by poses left out of the identification: effects chosen by `effects =
+    "proven"`, and effects that are not identified.
+    """
     given: GivenSummary | None
-    """What is given, where the parameters were not identified from these data."""
+    """Origin and judgement of parameters that were given instead of being identified from these data."""
     joints: list[str]
-    """Joints of the robot as columns name them: `q1_deg`."""
+    """Joints of the robot, named as columns: `q1_deg`."""
     limits: list[LimitVerdict]
-    """Limits that the campaign states, and whether they are met."""
+    """Limits that the campaign states, with their verdicts."""
     map: PredictionMap | None
-    """The same over the workspace; absent also where the model has no inverse kinematics, or few places between the
-    poses are reached.
+    """Expected error at the tool point over the workspace. Absent without `tool`, without inverse kinematics, or if
+    the robot reaches too few places between the poses.
+    """
+    placed_apart: list[PlacedApart]
+    """Targets and fixtures that no calibration pose shows. They are placed by their own readings at validation
+    poses, with all identified parameters held.
     """
     point: str
-    """The point whose errors `sets` holds, in words."""
+    """Point whose errors are in `sets`, in words."""
     schema: str
-    """`etalon/accuracy/1`"""
+    """Schema and version: `etalon/accuracy/1`."""
     sets: list[AccuracySet]
-    """One per set of poses: `calibration`, `validation`."""
+    """One entry per set of poses: `calibration`, `validation`."""
     tool: ToolAccuracy | None
-    """The error to expect at the tool point; absent where there is none, or no covariance."""
+    """Expected error at the tool point; absent without a tool point or a covariance."""
     trends: list[ResidualTrend]
-    """How the mean errors of the calibration poses after identification depend on joints, reach and time; empty with
-    fewer than ten poses.
+    """Dependence of the mean errors of the calibration poses after identification on joints, reach and time; empty
+    with fewer than ten poses.
     """
     validation_distance: ValidationDistance | None
-    """How far the validation poses lie from those of the calibration: the errors hold among poses like these."""
+    """Distances of the validation poses from the calibration poses. The errors apply within the region that these
+    poses cover.
+    """
 
 class AxisDocument(Document):
     """Positioning of a linear axis (ISO 230-2:2014)."""
     axis: "AxisPositioning"
-    """The axis."""
+    """Positioning of the axis."""
     positions: list[AxisPosition]
-    """Its positions, ascending."""
+    """Positions of the axis, ascending."""
     schema: str
-    """`etalon/iso230/1`"""
+    """Schema and version: `etalon/iso230/1`."""
 
 class BatchDocument(Document):
-    """How the campaigns of a batch ended."""
+    """Outcome of the campaigns of a batch."""
     campaigns: list[BatchEntry]
-    """One each, in the order in which they were named."""
+    """One entry per campaign, in the order of the command line."""
     done: int
-    """Campaigns whose limits are met, or that state none."""
+    """Number of campaigns that meet all limits or state none."""
     failed: int
-    """Campaigns that did not run."""
+    """Number of campaigns that did not run."""
     not_met: int
-    """Campaigns with a limit that is not met, or a result that cannot be the robot."""
+    """Number of campaigns that fail a limit, or whose result cannot be the robot."""
     schema: str
-    """`etalon/batch/1`"""
+    """Schema and version: `etalon/batch/1`."""
     skipped: int
-    """Campaigns whose data are not there, by a variable of the environment."""
+    """Number of campaigns that were skipped because an environment variable for their data is unset."""
 
 class CampaignSummary(Document):
-    """What the campaign states about itself, for the head of a report."""
+    """Statements of the campaign about itself, for the head of a report."""
     conditions: "Conditions"
     """Conditions of a test."""
     contact: ContactSummary | None
-    """How well the robot finds a measured point again, where stated."""
+    """Repeatability of the robot in returning to a measured point, if stated."""
     coverage_factor: float | None
-    """Its coverage factor."""
+    """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
     """Date as stated."""
     decision_rule: Any
-    """Decision rule for limits as stated."""
+    """Decision rule for limits, as stated."""
     expanded_position_uncertainty_um: float | None
-    """Expanded uncertainty of a position, where it is stated."""
+    """Expanded uncertainty of a position, if stated."""
     expanded_uncertainty_um: float | None
     """Expanded uncertainty of one coordinate."""
     instrument: str | None
     """Measuring instrument."""
     issue: "Issue"
-    """What identifies the report."""
+    """Identification of the report."""
     name: str
     """Name of the campaign."""
     notes: str | None
@@ -2028,78 +2191,89 @@ class CampaignSummary(Document):
     report: "Presentation"
     """Presentation of the report."""
     robot: str | None
-    """Name of the robot, where its file states one."""
+    """Name of the robot, if its file states one."""
     synthetic: str | None
-    """Whether its data are synthetic, and what that means; absent for measured data."""
+    """Explanation of synthetic data; absent for measured data."""
     temperature_c: float | None
     """Temperature during the campaign."""
 
 class CheckDocument(Document):
-    """What `etalon check` found. Without errors the exit code is 0, with any it is 2."""
+    """Findings of `etalon check`. The exit code is 2 if there are errors, otherwise 0."""
     campaign: str
     """The campaign as the user named it."""
     errors: list[Finding]
-    """What must be put right before the campaign can run."""
+    """Errors that prevent the campaign from running."""
+    joints: list[JointTravel]
+    """Travel of the joints in the calibration poses; empty if the poses are unknown."""
     schema: str
-    """`etalon/check/1`"""
+    """Schema and version: `etalon/check/1`."""
     sources: list[Source]
-    """Files that were read, and the rows refused by rule; empty where reading found errors."""
+    """Files read, and rows rejected by a rule; empty if reading found errors."""
     warnings: list[Finding]
-    """What a report would warn of."""
+    """Warnings that a report would show."""
 
 class CompareDocument(Document):
-    """Several campaigns of one robot side by side, in the order in which they were named."""
+    """Comparison of several campaigns of one robot, in the order of the command line."""
+    between_series: list[CompareBetween]
+    """Between-series components for each pair of campaigns with a misfit in at least one."""
     campaigns: list[ComparedCampaign]
-    """The campaigns."""
+    """Compared campaigns."""
     conventions: list[str]
-    """By which rules changes are judged, and their limitations, in words."""
+    """Rules for judging changes, and their limitations, in words."""
     messages: list[Message]
     """Remarks and warnings."""
     provenance: "Provenance"
-    """Version, and the documents that were compared."""
+    """Version, and the compared documents."""
     robot: str | None
-    """Model of the robot; null where none of the campaigns identifies."""
+    """Model of the robot; null if no campaign identifies parameters."""
     schema: str
-    """`etalon/compare/1`"""
+    """Schema and version: `etalon/compare/1`."""
     together: list[CompareTogether]
-    """Whether the robot's parameters changed at all, all of them together, for each pair of campaigns."""
+    """Joint test of all robot parameters for each pair of campaigns."""
     trends: list[CompareTrend]
     """Every quantity over the campaigns."""
 
 class CompensationDocument(Document):
-    """What to command so that the identified robot comes to its targets although its controller computes with
-    nominal geometry.
+    """Commands with which the identified robot reaches its targets although its controller computes with nominal
+    geometry.
     """
     joint_targets: int
-    """Targets of a program that are joint values: they stay as they are."""
+    """Number of targets of a program that are joint values; they are left unchanged."""
     joints: list[str]
-    """Names of the columns of joints: with their units, and the assembly mode where there are several."""
+    """Column names of the joints with their units, and of the assembly mode if there are several."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/compensation/1`"""
+    """Schema and version: `etalon/compensation/1`."""
     targets: list[CompensatedTarget]
-    """One for each target that can be commanded."""
+    """One entry for each reachable target."""
     unreachable: list[UnreachableTarget]
-    """Targets that are out of reach, or that a limit forbids."""
+    """Targets that are out of reach or beyond a limit."""
 
 class ControllersDocument(Document):
     """Controller files of formats that leave identified parameters out."""
     files: list[ControllerFiles]
-    """One entry for each distinct set of values that is written."""
+    """One entry for each distinct set of written values."""
     messages: list[Message]
     """Files that were not written, and parameters that could not be identified again."""
     schema: str
-    """`etalon/controllers/1`"""
+    """Schema and version: `etalon/controllers/1`."""
+
+class ExplanationDocument(Document):
+    """Answer of `etalon explain`: explanations of messages."""
+    messages: list[Explanation]
+    """Requested message, or all messages."""
+    schema: str
+    """Schema and version: `etalon/explanation/1`."""
 
 class FeaturesDocument(Document):
     """Fitted elements."""
     features: list[Feature]
-    """One per feature of the campaign."""
+    """One entry per feature of the campaign."""
     messages: list[Message]
     """Warnings of the fits."""
     schema: str
-    """`etalon/features/1`"""
+    """Schema and version: `etalon/features/1`."""
 
 class FitDocument(Document):
     """One fitted element."""
@@ -2108,459 +2282,467 @@ class FitDocument(Document):
     apex_mm: list[float] | None
     """Apex of a cone."""
     axis: list[float] | None
-    """Unit axis of a line, cylinder or cone (a cone's towards increasing radius)."""
+    """Unit axis of a line, cylinder or cone. The axis of a cone points towards increasing radius."""
     center_mm: list[float] | None
     """Centre of a circle, sphere or torus."""
     contacts: FitContacts | None
-    """The points that hold a minimum zone."""
+    """Contact points of a minimum zone."""
     coverage_deg: float | None
-    """How much of the circumference has points."""
+    """Arc of the circumference that is covered by points."""
     element: str
     """Name of the element."""
     flatness: FitFlatness | None
-    """Of a circle in space by minimum zone: the plane that its roundness is measured in."""
+    """For a minimum-zone circle in space: flatness of the plane in which roundness is measured."""
     form_mm: float
-    """Peak to valley."""
+    """Form deviation, peak to valley."""
     label: str | None
-    """Label of its points, where there is one fit for each."""
+    """Label of the points, if each label is fitted separately."""
     max_mm: float
     """Largest orthogonal distance."""
     messages: list[Message]
-    """Warnings with what to do."""
+    """Warnings with hints."""
     minor_radius_mm: float | None
     """Radius of the tube of a torus."""
     normal: list[float] | None
     """Unit normal of a plane, circle or torus."""
     point_mm: list[float] | None
-    """Point of a line, plane, cylinder or cone: the foot of the centroid."""
+    """Point of a line, plane, cylinder or cone: foot of the perpendicular from the centroid."""
     points: int
     """Number of points."""
     probe: FitProbe | None
-    """Where the points are probe centres: the probe, and the fit before compensation."""
+    """Probe and fit before compensation, if the points are probe centres."""
     radius_mm: float | None
-    """Radius; of a cone at its point, of a torus the one of its centre line."""
+    """Radius. For a cone the radius at `point_mm`, for a torus the radius of the centre line."""
     rms_mm: float
     """Root mean square of the orthogonal distances."""
     schema: str
-    """`etalon/fit/1`"""
+    """Schema and version: `etalon/fit/1`."""
     solver: "FitSolver"
-    """How it was found."""
+    """Solver and its termination."""
     standard_uncertainty: FitUncertainty | None
-    """From the residuals; absent without redundancy."""
+    """Standard uncertainties from the residuals; absent without redundancy."""
     stated: FitStated | None
-    """What the file states of the feature."""
+    """Values that the file states for the feature."""
 
 class FormatsDocument(Document):
-    """How a delimited text could be read: what `etalon formats` proposes."""
+    """Proposals of `etalon formats` for reading a file."""
+    columns: list[FormatsColumn]
+    """Proposed contents of each column of the first reading, with reasons."""
     doubts: list[str]
-    """Doubts about it."""
+    """Doubts about the first proposal."""
     file: str
     """The file as the user named it."""
     format: str | None
-    """Name of the format, where the file states it; it needs no reading then."""
+    """Name of the format, if the file states one. Such a file needs no proposal."""
+    kind: str
+    """Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`, `commanded`,
+    `recording` ...
+    """
     questions: list[str]
-    """What the file cannot state, and the campaign must."""
+    """Facts that the file cannot state and the campaign must."""
     readings: list[Reading]
-    """The reading that is proposed, then others that explain the file as well."""
+    """Readings that explain the file, the proposed one first."""
     reasons: list[str]
-    """Why the first is proposed."""
+    """Reasons for the first proposal."""
+    rows: int
+    """Number of examined data rows."""
     schema: str
-    """`etalon/formats/1`"""
+    """Schema and version: `etalon/formats/1`."""
     toml: str
-    """The proposal as lines for campaign.toml, with all that as comments."""
+    """Proposal as lines for campaign.toml, with reasons, doubts and questions as comments."""
 
 class FramesDocument(Document):
     """Frames made from features and targets."""
+    not_controlled: list[Uncontrolled]
+    """Errors that no reading of the campaign can show, with the keys that would control them."""
     schema: str
-    """`etalon/frames/1`"""
+    """Schema and version: `etalon/frames/1`."""
     world: "WorldFrame"
-    """The world frame; `export_T_world` for every pose where it is measured again at each."""
+    """World frame. If the frame is measured again at each pose, `export_T_world` is given for every pose."""
 
 class GeometricDocument(Document):
-    """The geometric calibration (thesis, chapter 2)."""
+    """Geometric calibration (thesis, chapter 2)."""
     balls: list[BallResult]
     """Single balls, measured repeatedly."""
     covariance: list[list[float]]
-    """Covariance of `value` of all quantities, in their order and units."""
+    """Covariance of the values of all quantities, in their order and units."""
     definition: str
-    """What was taken for what, in words."""
+    """Assignment of the measured features to geometric quantities, in words."""
     leads: list[LeadResult]
     """Leads of the screws."""
     messages: list[Message]
-    """What a reader must know."""
+    """Remarks and warnings for the reader."""
     methods: list[MethodErrors]
     """Largest mean errors over all tables, by method."""
     quantities: list[GeometricQuantity]
-    """One per quantity, with the identified value of the same parameter."""
+    """One entry per quantity, with the identified value of the same parameter."""
     scale_bars: list[ScaleBarResult]
     """Scale bars."""
     schema: str
-    """`etalon/geometric/1`"""
+    """Schema and version: `etalon/geometric/1`."""
     steps: list[GeometricStep]
-    """Residuals of every fit."""
+    """Residuals of all fits."""
     tables: list[PoseTable]
     """Mean errors by pose."""
     workspace: list[Region]
     """Regions of the workspace, with the geometric parameters."""
 
 class ImportDocument(Document):
-    """What was read, what was refused and why."""
+    """Rows that were read, and rows that were rejected with the reasons."""
     campaign: str
     """Name of the campaign."""
     messages: list[Message]
-    """What blunder rules found, and other messages."""
+    """Findings of the blunder rules, and other messages."""
     schema: str
-    """`etalon/import/1`"""
+    """Schema and version: `etalon/import/1`."""
     sources: list[Source]
-    """Every file that was read."""
+    """All files read."""
     unmatched: list[Unmatched]
-    """Rows that the join of points and logs found no partner for, or more than one."""
+    """Rows without a partner in the join of points and logs, or with more than one."""
 
 class Iso9283ComplianceDocument(Document):
     """Static compliance (10)."""
     conventions: list[str]
-    """How it is computed, and that the clause is not verified."""
+    """Method, and the statement that the clause is not verified against the standard."""
     directions: list[Iso9283Compliance]
     """One per direction, in the order of the table."""
     messages: list[Message]
     """Remarks and warnings."""
     schema: str
-    """`etalon/iso9283-compliance/1`"""
+    """Schema and version: `etalon/iso9283-compliance/1`."""
 
 class Iso9283Document(Document):
     """Characteristics of ISO 9283:1998 of one test."""
     approaches: list[Iso9283Variation]
-    """One per pose that was approached in at least two ways."""
+    """One entry per pose that was approached in at least two ways."""
     conventions: list[str]
-    """What angles mean, which cycles count, and what is not verified against the standard, in words."""
+    """Meaning of angles, evaluated cycles, and clauses that are not verified against the standard, in words."""
     coplanarity_mm: float | None
-    """Peak to valley of the mean positions about their plane; four poses or more, with z."""
+    """Peak to valley of the mean positions about their plane, with z and at least four poses."""
     coplanarity_of_four: list[Iso9283OutOfPlane]
-    """Distance of the mean position of each of four poses from the plane of the other three, where a campaign names
-    them.
+    """Distances of the mean positions of four poses, each from the plane of the other three, if a campaign names
+    four poses.
     """
     distances: list[Iso9283Distance]
-    """One per pair of poses that were visited in the same cycles."""
+    """One entry per pair of poses that were visited in the same cycles."""
     drifts: list[Iso9283Drift]
-    """Drift of each pose, where sets are stated."""
+    """Drift of each pose, if sets are stated."""
     exchangeability_mm: float | None
-    """Largest distance between barycentres of two robots at any pose, where there are several robots."""
+    """Largest distance between the barycentres of two robots at any pose, with several robots."""
     homing: Iso9283Pose | None
-    """Homings as visits of one pose, number 0, where a campaign has them."""
+    """Homings as visits of one pose with number 0, if a campaign has homings."""
     limits: list[LimitVerdict]
     """Limits that the campaign states."""
     messages: list[Message]
     """Remarks and warnings."""
     poses: list[Iso9283Pose]
-    """One per pose, in the order of the commanded poses."""
+    """One entry per pose, in the order of the commanded poses."""
     reference: list[Iso9283Epoch]
-    """Measurements of the reference targets by which positions were carried back, where there are any."""
+    """Measurements of the reference targets for drift compensation, if any."""
     schema: str
-    """`etalon/iso9283/1`"""
+    """Schema and version: `etalon/iso9283/1`."""
     visits: list[Iso9283Visit]
-    """Every visit of a campaign, those of one pose in the order of recording."""
+    """All visits of a campaign; visits of one pose are in the order of recording."""
 
 class Iso9283PlanDocument(Document):
-    """A test by ISO 9283:1998 laid into a workspace."""
+    """Layout of a test by ISO 9283:1998 in a workspace."""
     conventions: list[str]
-    """What was chosen how, and what is not verified against the standard, in words."""
+    """Choices made, and clauses that are not verified against the standard, in words."""
     corners_mm: list[list[float]]
-    """Corners C1 to C8, of planar robots C1 to C4."""
+    """Corners C1 to C8; for planar robots, C1 to C4."""
     loads_percent: list[int]
-    """Loads in per cent of the rated one; the first is mandatory."""
+    """Loads (% of the rated load); the first is mandatory."""
     places: list[Iso9283Places]
-    """Places to visit in order, each list with its name: `poses` (P1 to P5), `linear`, `circle-large`, ..."""
+    """Named lists of places to visit in order: `poses` (P1 to P5), `linear`, `circle-large`, ..."""
     programme: list[Iso9283Item]
-    """Which characteristic is tested how."""
+    """Test programme: one line for each characteristic."""
     schema: str
-    """`etalon/iso9283-plan/1`"""
+    """Schema and version: `etalon/iso9283-plan/1`."""
     side_mm: float
-    """Side of the cube, of planar robots the square."""
+    """Side of the cube; for planar robots, of the square."""
     test_plane: str
     """Corners of the test plane."""
     unreached: list[Iso9283Unreached]
-    """Places that the robot does not reach, where one is stated."""
+    """Places that the stated robot does not reach."""
 
 class Iso9283StreamDocument(Document):
     """Characteristics of ISO 9283:1998 of a recorded motion."""
     arrivals: list[Iso9283Arrival]
-    """Stabilisation: the first arrivals at each pose; empty without a limit band."""
+    """First arrivals at each pose, for the chart of stabilisation; empty without a limit band."""
     conventions: list[str]
-    """Thresholds, where times come from, and what is not verified against the standard, in words."""
+    """Thresholds, origin of times, and clauses that are not verified against the standard, in words."""
     duration_s: float
-    """From the first sample to the last."""
+    """Time from the first to the last sample."""
     left_out: list[int]
-    """Lines of samples that no robot reaches from the one before, and that do not count."""
+    """Lines of samples that are left out because no robot moves there from the previous sample in time."""
     messages: list[Message]
     """Remarks and warnings."""
     path: Iso9283Path | None
-    """The commanded path, where one is stated and it is not a weave."""
+    """Characteristics of the commanded path, if a path without weaving is stated."""
     posing: list[Iso9283Posing]
     """Moves between poses; empty without a limit band."""
     samples: int
-    """Samples that count."""
+    """Number of evaluated samples."""
     schema: str
-    """`etalon/iso9283-stream/1`"""
+    """Schema and version: `etalon/iso9283-stream/1`."""
     settling: list[Iso9283Settling]
     """Arrivals by pose; empty without a limit band."""
     standstills: list[Iso9283Standstill]
-    """Every standstill, in the order of time."""
+    """All standstills in the order of time."""
     weaving: Iso9283Weaving | None
-    """The weave, where one is stated."""
+    """Characteristics of the weave, if stated."""
 
 class Iso9283StreamsDocument(Document):
     """Recorded motions of a campaign."""
     schema: str
-    """`etalon/iso9283-streams/1`"""
+    """Schema and version: `etalon/iso9283-streams/1`."""
     streams: list[Iso9283NamedStream]
     """One per `[[stream]]`."""
 
 class KinematicsDocument(Document):
-    """Poses and joint values that belong together."""
+    """Poses with their joint values."""
     joints: list[str]
-    """Names of the columns of joints: with their units, and the assembly mode where there are several."""
+    """Column names of the joints with their units, and of the assembly mode if there are several."""
     poses: list[KinematicsEntry]
-    """One for each row of the table, or for each solution."""
+    """One entry for each row of the table, or for each solution."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/kinematics/1`"""
+    """Schema and version: `etalon/kinematics/1`."""
     unreachable: list[UnreachablePose]
-    """Poses that the robot does not reach."""
+    """Poses that the robot cannot reach."""
 
 class ManifestDocument(Document):
-    """The files of an output folder, all of one run."""
+    """Files of an output folder, all of one run."""
     files: Record
-    """SHA-256 of every file, by its name."""
+    """SHA-256 of every file, by file name."""
     schema: str
-    """`etalon/manifest/1`"""
+    """Schema and version: `etalon/manifest/1`."""
     version: str
     """Version of etalon."""
 
 class ParametersDocument(Document):
-    """Identified parameters with all that is needed to trust them."""
+    """Identified parameters with the evidence for them."""
     budget: list[BudgetSource]
-    """What the standard uncertainties of these parameters are made of, source by source (GUM 5.1.2)."""
+    """Contributions of each source to the standard uncertainties of these parameters (GUM 5.1.2)."""
     covariance: list[list[float]]
-    """Covariance of the identified parameters, in their order and units; empty where there is none."""
+    """Covariance of the identified parameters, in their order and units; empty if unknown."""
     covariance_without: list[str]
-    """Identified parameters of points (targets, sockets, planes) of which the covariance is left out, because they
-    are many: 24 points and more. Each has its standard uncertainty.
+    """Identified parameters of points (targets, sockets, planes) that `covariance` omits because there are 24 points
+    or more. Each has its standard uncertainty.
     """
     messages: list[Message]
-    """Rules and remarks that a reader must know: which parameters were held and why, warnings with remedies."""
+    """Messages for the reader: held parameters with the reasons, warnings with remedies."""
     observability: ObservabilitySummary | None
-    """Observability; absent where it is not a number."""
+    """Observability; absent if not finite."""
     parameters: list[ParameterEntry]
     """All parameters of the model."""
     provenance: "Provenance"
-    """Where the numbers come from."""
+    """Origin of the numbers."""
     reliability: ReliabilitySummary | None
-    """How well readings control each other, and which poses decide; absent where readings are weighted by
-    covariances of their own, have errors in common, are poses instead of positions, or unknown points are many.
+    """Reliability of readings, and influence of poses. Absent if readings have covariances of their own or common
+    errors, if readings are poses instead of positions, or if there are many unknown points.
     """
     residuals: "ResidualSummary"
-    """How well they fit."""
+    """Goodness of fit."""
     robot: str
     """Model of the robot."""
     robust: RobustSummary | None
-    """A robust fit beside the plain one; absent where readings have errors in common, are poses instead of
-    positions, unknown points are many, or nothing is left over.
+    """Robust fit beside the least-squares fit. Absent if readings have common errors, if readings are poses instead
+    of positions, if there are many unknown points, or without redundancy.
     """
     schema: str
-    """`etalon/parameters/2`"""
+    """Schema and version: `etalon/parameters/2`."""
     sketches: list[Sketch]
-    """Drawings of the model with its parameters; absent where the model has none."""
+    """Drawings of the model with its parameters; absent if the model provides none."""
     solver: "SolverSummary"
-    """How the solver ended."""
+    """Solver and its termination."""
 
 class PlanDocument(Document):
-    """Which poses to measure, and how good that is."""
+    """Poses to measure, and quality of the choice."""
     at_most_below_percent: float | None
-    """By how many per cent at most the choice is below the best possible."""
+    """Largest possible shortfall of the choice from the optimum (%)."""
     at_most_below_percent_by_relaxation: float | None
-    """By how many per cent at most it is below, by the continuous relaxation alone."""
+    """Largest possible shortfall from the optimum by the continuous relaxation alone (%)."""
     bound: float | None
-    """No choice of as many candidates has a larger index; absent where there is no bound (O4)."""
+    """Upper bound of the index for any choice of as many candidates; absent for O4, which has no bound."""
     candidates: int
     """Number of candidates."""
     chosen: list[PlannedPose]
-    """What to measure."""
+    """Poses to measure."""
     compared: ComparedPoses | None
-    """Poses to compare with, where any were stated."""
+    """Poses for comparison, if stated."""
     configurations: int
-    """Number of configurations in them."""
+    """Number of configurations of all candidates."""
     definition: str
-    """What the index is, with the scaling of the Jacobian; larger is better."""
+    """Definition of the index, with the scaling of the Jacobian; larger is better."""
     greedy: "GreedySummary"
-    """The thesis' way: candidates added one after the other."""
+    """Greedy choice of the thesis: candidates are added one after the other."""
     grouped: bool
-    """All configurations of a pose come together; otherwise one by one."""
+    """`true` if the configurations of a pose are chosen together, `false` if one by one."""
     index: str
     """`O1` to `O5`, `D`, `A`, `E` or `I`."""
     messages: list[Message]
     """Parameters that are not separately identifiable, and other messages."""
     nodes: int
-    """Nodes of branch and bound that were looked at."""
+    """Number of nodes examined by branch and bound."""
     observability: ObservabilitySummary | None
-    """Observability of the chosen poses; absent where it is not a number."""
+    """Observability of the chosen poses; absent if not finite."""
     parameters: list[PlannedParameter]
     """Parameters, with their predicted uncertainties from the chosen poses."""
     places: list[CandidatePlace]
-    """Where the candidates are (figure 4.7)."""
+    """Positions of the candidates (thesis, fig. 4.7)."""
     proven_optimal: bool
-    """Whether the choice is proven to be the best possible."""
+    """`true` if the choice is proved to be optimal."""
     provenance: "Provenance"
-    """Where the numbers come from."""
+    """Origin of the numbers."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/plan/1`"""
+    """Schema and version: `etalon/plan/1`."""
     study: StudyDocument | None
-    """A simulated calibration with the chosen poses, where a truth is given (section 4.6)."""
+    """Simulated calibration with the chosen poses, if true parameters are given (thesis, section 4.6)."""
     value: float
-    """The index of the chosen poses."""
+    """Index of the chosen poses."""
     workspace: WorkspaceUncertainty | None
-    """Standard uncertainty of position over all candidates that the parameters would leave; absent where the
-    uncertainty of the instrument is not stated.
+    """Predicted standard uncertainty of position over all candidates; absent if the instrument's uncertainty is not
+    stated.
     """
 
 class RecommendationDocument(Document):
-    """Which of the parameters that a campaign can identify make the robot better at poses that were not used."""
+    """Parameters whose identification makes the robot more accurate at poses that were not used."""
     folds: int
-    """Parts into which they are cut: each is predicted from the others."""
+    """Number of folds; each is predicted from the others."""
     held_out: "HeldOutErrors"
-    """Position errors at poses that were left out, mm."""
+    """Position errors at poses that were left out of the identification (mm)."""
     meaning: list[str]
-    """The recommendation in words."""
+    """Recommendation in words."""
     messages: list[Message]
     """Warnings, with remedies."""
     parameters: list[ParameterVerdict]
     """Every identified parameter of the robot itself."""
     poses: int
-    """Calibration poses."""
+    """Number of calibration poses."""
     recommended: "ParametersDocument"
-    """The recommended parameters, identified again with all others at their nominal values."""
+    """Recommended parameters, identified again with all others at their nominal values."""
     repeats: int
-    """How often, with other parts."""
+    """Number of repetitions with other folds."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/recommendation/1`"""
+    """Schema and version: `etalon/recommendation/1`."""
     steps: list[EffectStep]
-    """Effects in the order in which they were tried; those that were accepted are in every later one."""
+    """Effects in the order of trial. Accepted effects are part of every later step."""
 
 class StudiesDocument(Document):
-    """Sets of poses side by side, under stated noise."""
+    """Comparison of sets of poses under stated noise."""
     designs: list[StudiedDesign]
-    """One for each set and noise."""
+    """One entry for each set and noise."""
     draws: int
-    """Draws of that, over which intervals are taken."""
+    """Number of such means, over which intervals are taken."""
     error: str
-    """Which error `before` and `after` are, in words."""
+    """Definition of the errors `before` and `after`, in words."""
     provenance: "Provenance"
-    """What the numbers come from."""
+    """Origin of the numbers."""
     robot: str
     """Model of the robot."""
     runs: int
-    """Calibrations whose mean is evaluated."""
+    """Number of calibrations whose mean is evaluated."""
     schema: str
-    """`etalon/study/1`"""
+    """Schema and version: `etalon/study/1`."""
 
 class UncertaintyDocument(Document):
-    """Distributions by Monte Carlo (JCGM 101) and bootstrap beside the linear uncertainties."""
+    """Distributions by Monte Carlo (JCGM 101) and bootstrap, beside the linear uncertainties."""
     draws: int
-    """Draws of the whole campaign: frames, readings, what they have in common."""
+    """Number of Monte Carlo draws of the whole campaign: frames, readings, common errors."""
     errors: list[DistributionEntry]
-    """Mean, root mean square and largest position error of the validation poses (`mean`, `rms`, `max`)."""
+    """Mean, root-mean-square and largest position error of the validation poses (`mean`, `rms`, `max`)."""
     messages: list[Message]
     """Warnings of the identification."""
     parameters: list[DistributionEntry]
-    """The identified parameters."""
+    """Identified parameters."""
     provenance: "Provenance"
-    """Where the numbers come from; seed of the draws."""
+    """Origin of the numbers, and seed of the draws."""
     resamples: int
-    """Resamples of poses and cycles; 0 where these do not determine the parameters."""
+    """Number of bootstrap resamples of poses and cycles; 0 if resamples do not determine the parameters."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/uncertainty/1`"""
+    """Schema and version: `etalon/uncertainty/1`."""
     two_digits_reached: bool
-    """Whether two digits of every standard uncertainty and of the ends of the intervals are reached (JCGM 101,
-    7.9.4).
-    """
+    """`true` if two significant digits of all standard uncertainties and interval ends are stable (JCGM 101, 7.9.4)."""
     uncertainties_from: Any
-    """What the standard uncertainties of the identification rest on. Draws contain what is stated, not what the
-    model leaves out.
+    """Basis of the standard uncertainties of the identification. Draws contain stated uncertainties, but no
+    unmodelled errors.
     """
 
 class VerificationDocument(Document):
-    """Whether parameters that were identified before explain observations of today."""
+    """Test of whether previously identified parameters explain today's observations."""
     expected_rms_mm: float
-    """What is expected of it if nothing has changed, mm."""
+    """Expected root-mean-square residual if nothing has changed (mm)."""
     explanations: list[Movement]
-    """Each thing that may have moved, were it this alone; the best explanation first."""
+    """All single movements that may explain the residuals, the best explanation first."""
     meaning: str
-    """The same in words."""
+    """Verdict in words."""
     messages: list[Message]
     """Warnings, with remedies."""
     model_mm: float
-    """What the calibrated model leaves unexplained of a coordinate beside that (standard deviation), mm."""
+    """Standard deviation of the calibrated model's error of a coordinate, in addition to the measurement (mm)."""
     moved: Movement | None
-    """What has moved and by how much, where one thing explains the residuals."""
+    """Object that has moved, with its displacement, if a single movement explains the residuals."""
     of_changes: "SumOfSquares"
-    """Residuals that a motion of base and joints can make."""
+    """Residuals that a movement of base and joints can produce."""
     of_rest: "SumOfSquares"
     """All other residuals."""
     p_value: float
-    """Probability of residuals as large as these, if nothing has changed."""
+    """Probability of residuals at least this large if nothing has changed."""
     points: int
-    """Measured positions."""
+    """Number of measured positions."""
     poses: int
-    """Poses of the observations."""
+    """Number of observed poses."""
     power: "DetectionPower"
-    """What these observations would have detected."""
+    """Detection power of these observations."""
     provenance: "Provenance"
-    """Where the numbers come from."""
+    """Origin of the numbers."""
     rms_mm: float
-    """Root mean square of a coordinate's residual, mm."""
+    """Root-mean-square residual of a coordinate (mm)."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/verification/1`"""
+    """Schema and version: `etalon/verification/1`."""
     significance: float
-    """Below this p value the robot is called changed."""
+    """Significance level: the robot counts as changed if the p-value is below it."""
     standard_uncertainty_mm: float
-    """Standard uncertainty of a measured coordinate, mm."""
+    """Standard uncertainty of a measured coordinate (mm)."""
     verdict: Any
-    """What the observations prove."""
+    """Verdict on the parameters."""
 
 class VerificationPlanDocument(Document):
-    """Which of some candidates to measure, so that `etalon verify` detects the least changes."""
+    """Candidates to measure so that `etalon verify` detects the smallest possible changes."""
     messages: list[Message]
     """Warnings, with remedies."""
     model_mm: float
-    """What the calibrated model leaves unexplained of a coordinate beside that (standard deviation), mm."""
+    """Standard deviation of the calibrated model's error of a coordinate, in addition to the measurement (mm)."""
     naming: float
-    """The probability with which the right joint is named."""
+    """Probability with which the right joint is named."""
     probability: float
-    """The probability with which changes are detected."""
+    """Probability with which changes are detected."""
     provenance: "Provenance"
-    """Where the numbers come from."""
+    """Origin of the numbers."""
     robot: str
     """Model of the robot."""
     schema: str
-    """`etalon/verification-plan/1`"""
+    """Schema and version: `etalon/verification-plan/1`."""
     standard_uncertainty_mm: float
-    """Standard uncertainty of a measured coordinate, mm."""
+    """Standard uncertainty of a measured coordinate (mm)."""
     steps: list[VerificationStep]
-    """The poses in the order of their choice."""
+    """Poses in the order of the choice."""
 
 class WrittenDocument(Document):
     """Files that a command wrote: report, export, simulate and init."""
     controllers: list[WrittenController]
-    """Position errors with the controller files that `etalon export` wrote, as far as the run measured them."""
+    """Position errors with the controller files that `etalon export` wrote, if the run measured them."""
     files: list[str]
-    """Files in the order in which they were written."""
+    """Files in the order of writing."""
     schema: str
-    """`etalon/written/1`"""
+    """Schema and version: `etalon/written/1`."""
