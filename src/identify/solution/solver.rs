@@ -126,10 +126,7 @@ impl Estimation<'_> {
             if free.is_empty() {
                 return Err(nothing_left(robot, observations, settings, &start));
             }
-            for &i in &held {
-                let p = &robot.parameters()[i];
-                values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
-            }
+            hold(robot, &held, &start, &mut values);
             let prior = Prior::Tolerances { weight, scale };
             let weighted = Settings { prior, ..settings.with_weight(weight) };
             // unknowns without tolerance are expected where the search began
@@ -182,12 +179,7 @@ impl Estimation<'_> {
             if free.is_empty() {
                 return Err(nothing_left(robot, observations, settings, &start));
             }
-            for &i in &held {
-                let p = &robot.parameters()[i];
-                // base and targets of an arm have no nominal values: they stay where they were
-                // placed
-                values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
-            }
+            hold(robot, &held, &start, &mut values);
             let problem = Residuals::new(robot, observations, settings, &free, &values)?;
             let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
             let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
@@ -245,6 +237,15 @@ impl Estimation<'_> {
         let values = residuals.all(&solution.x);
         let noise = all.noise(Some(&solution));
         Ok((values.clone(), Analysis::at(&all, &values, noise).groups))
+    }
+}
+
+/// Sets held parameters to their nominal values. Base and targets of an arm have none and stay at
+/// `start`, where they were placed.
+fn hold(robot: &dyn Robot, held: &[usize], start: &[f64], values: &mut [f64]) {
+    for &i in held {
+        let p = &robot.parameters()[i];
+        values[i] = if p.tolerance.is_finite() { p.nominal } else { start[i] };
     }
 }
 
