@@ -47,7 +47,7 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
         chart.svg.mark(points::look(p), at, 2.4, &points::tooltip(p, words));
     }
     points::legend(&mut chart.svg, &drawn, words);
-    chart.limits(limits, ErrorQuantity::Position, false);
+    chart.limit(limits, ErrorQuantity::Position, (false, words));
     let title = words.fill("Position error after calibration against {0}", &[&along.name]);
     let description = words.say(
         "One mark for each error: circles calibration, diamonds validation poses. A trend is what the model lacks.",

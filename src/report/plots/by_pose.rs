@@ -65,7 +65,7 @@ fn picture(
     for (look, name) in points::sets(&drawn) {
         chart.svg.legend(look, &words.fill("{0}, after", &[&words.say(name)]));
     }
-    chart.limits(limits, quantity, false);
+    chart.limit(limits, quantity, (false, words));
     let (description, rule) = match logarithmic {
         true => (
             words.fill("One mark for each pose, cycle and target; logarithmic axis in {0}.", &[&unit]),
@@ -183,9 +183,10 @@ mod tests {
         let limit =
             LimitVerdict::of(etalon_documents::LimitQuantity::PositionMaxMm, 0.2, 0.17, None, Default::default());
         let svg = &drawn(&errors, std::slice::from_ref(&limit))[0].svg;
-        assert!(svg.contains("class=\"limit\"") && svg.contains(">position_max_mm</text>"));
+        assert!(svg.contains("class=\"limit\"") && svg.contains(">limit: position max 200 µm</text>"));
         // below the axis and its name, where there are no marks
-        let [name, pose] = [">position_max_mm<", ">pose<"].map(|text| svg.lines().find(|l| l.contains(text)).unwrap());
+        let [name, pose] =
+            [">limit: position max 200 µm<", ">pose<"].map(|text| svg.lines().find(|l| l.contains(text)).unwrap());
         let [name, pose] = [name, pose].map(|line| numbers(line, "text", "y")[0]);
         assert!(name > pose, "{svg}");
         let far = LimitVerdict { limit: 20.0, ..limit };

@@ -55,7 +55,7 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
         }
         chart.svg.legend(look, &set.name);
     }
-    chart.limits(limits, ErrorQuantity::Position, true);
+    chart.limit(limits, ErrorQuantity::Position, (true, words));
     let title = match after {
         true => words.say("Sizes of the position error after calibration"),
         false => words.say("Sizes of the position error before calibration"),
