@@ -254,6 +254,8 @@ pub(crate) struct Figure {
     pub title: String,
     pub svg: String,
     pub caption: String,
+    /// Caption with the figure's own scale; empty if there is one scale only.
+    pub caption_own: String,
     /// Wide figures occupy a whole row.
     pub wide: bool,
     /// Name shared by the figures before and after, and position of this figure; empty for single
@@ -262,7 +264,7 @@ pub(crate) struct Figure {
     pub side: &'static str,
     /// Names of the two figures; "before" and "after" if absent.
     pub sides: Option<[&'static str; 2]>,
-    /// `true` if colours have a common scale of both figures and a separate one.
+    /// `true` if marks have a common scale of both figures and a separate one.
     pub scaled: bool,
     /// Numbers of the figure; empty if another table contains them.
     pub table_title: String,

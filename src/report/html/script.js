@@ -162,6 +162,11 @@
       var whole = picture.cloneNode(true), style = document.createElementNS(picture.namespaceURI, "style");
       style.textContent = "text { font: 12px sans-serif } " + document.getElementById("picture").textContent;
       whole.insertBefore(style, whole.firstChild);
+      // programs that draw know the attribute, not the style
+      whole.querySelectorAll("[style]").forEach(function (node) {
+        node.setAttribute("transform", "translate(" + node.style.translate.replace(/px/g, "") + ")");
+        node.removeAttribute("style");
+      });
       marks(whole).forEach(function (mark) {
         var title = document.createElementNS(picture.namespaceURI, "title");
         title.textContent = text(mark);
@@ -189,7 +194,8 @@
       items.forEach(function (item) {
         var to = flat(item.a, at), from = flat(item.a, start), end = item.b.length ? flat(item.b, at) : null;
         if (end) ["x1", "y1", "x2", "y2"].forEach(function (key, i) { item.node.setAttribute(key, to.concat(end)[i].toFixed(1)); });
-        else item.node.setAttribute("transform", "translate(" + (to[0] - from[0]).toFixed(1) + " " + (to[1] - from[1]).toFixed(1) + ")");
+        // beside the scale of a mark, which the style sheet sets
+        else item.node.style.translate = (to[0] - from[0]).toFixed(1) + "px " + (to[1] - from[1]).toFixed(1) + "px";
       });
     }
     picture.turn = turn;

@@ -52,16 +52,20 @@ fn picture(
         let look = Look::new(Shape::Square, &class);
         map.svg.rect(look, (x - 0.5 * edge, y - 0.5 * edge), (edge, edge), &tooltip(node, words));
     }
-    scales(&mut map.svg, [common, &own]);
+    scales(&mut map.svg, Shape::Square, [common, &own]);
     let name = seen.name();
     let title = match identified {
         false => words.fill("Tool point: nominal minus identified model, {0} plane", &[&name]),
         true => words.fill("Tool point: error to expect with the identified parameters, {0} plane", &[&name]),
     };
     let largest = length(super::axis::largest(nodes.iter().map(|n| size(n))));
-    let mut description = words.fill("A cell every {0} mm in the base frame, where the calibration poses reach; colour from 0 to {1}, one scale for both pictures; largest {2}.", &[&number::stated(spacing_mm), &top(common), &largest]);
+    let spacing = number::stated(spacing_mm);
+    let mut description = words.fill("A cell every {0} mm in the base frame, where the calibration poses reach; colour from 0 to {1}, one scale for both pictures; largest {2}.", &[&spacing, &top(common), &largest]);
+    let mut of_own = words.fill("A cell every {0} mm in the base frame, where the calibration poses reach; colour from 0 to {1}, the scale of this picture; largest {2}.", &[&spacing, &top(&own), &largest]);
     if seen != XY || nodes.iter().any(|n| n.at_mm[2] != nodes[0].at_mm[2]) {
-        description += &format!(" {}", words.say("Of cells behind one another the largest is drawn."));
+        let behind = format!(" {}", words.say("Of cells behind one another the largest is drawn."));
+        description += &behind;
+        of_own += &behind;
     }
     let key = if identified { "identified" } else { "nominal" };
     Figure {
@@ -69,6 +73,7 @@ fn picture(
         side: points::side(identified),
         sides: Some(["nominal minus identified", "expected"]),
         scaled: true,
+        caption_own: of_own,
         ..map.figure(&format!("prediction-{key}-{name}"), title, description)
     }
 }
