@@ -10,7 +10,9 @@ use etalon_base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
 
 /// Maximum number of rows of a table on a page; the workbook and the documents contain all rows.
-pub(super) const ROWS: usize = 500;
+const ROWS: usize = 500;
+/// Maximum number of rows of a table on paper: `most` of `report.typ`.
+pub(super) const PAPER_ROWS: usize = 200;
 /// Minimum length (characters) of texts whose columns share the width left by other columns.
 const LONG: usize = 22;
 

@@ -17,15 +17,17 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         return None;
     }
     let mut section = Section::new("budget", words.say("Uncertainty budget"));
-    section.push(Block::note(words.say("Contributions to the standard uncertainties (k = 1) in the unit of each line; their squares add up to that of the last column. What several readings have in common stays common.")));
-    section.push(Block::Table(table(parameters, words)));
+    let note = Block::note(words.say("Contributions to the standard uncertainties (k = 1) in the unit of each line; their squares add up to that of the last column. What several readings have in common stays common."));
+    section.push(note);
     let figures = figures(accuracy, words);
     if !figures.is_empty() {
         section.push(Block::note(words.say("Errors of the validation poses: what they would scatter by if calibration and validation were made again. Limits are judged by the uncertainty of the measurement alone, because the identified parameters are what is judged.")));
     }
     section.push(Block::Table(figures));
+    section.figures(shares::picture(&accuracy.budget, (name, figure), words));
     section.push(Block::facts(sources(parameters, words)));
-    section.figures(shares::picture(parameters, name, words));
+    let of_parameters = vec![Block::Table(table(parameters, words))];
+    section.push(Block::Aside { title: words.say("Uncertainty budget of the parameters"), blocks: of_parameters });
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
 }

@@ -1,6 +1,6 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use crate::model::{Block, Columns, ROWS, Section, Table, Text, fixed, shown, term};
+use crate::model::{Block, Columns, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
@@ -15,12 +15,24 @@ use etalon_documents::{
 use std::collections::BTreeMap;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let Identified { accuracy, errors, .. } = report.identified?;
-    of(accuracy, errors, words).whole()
+    let Identified { accuracy, errors, parameters } = report.identified?;
+    let robust = parameters.robust.as_ref();
+    let outliers = robust.map(|found| (&found.poses[..], found.critical_residual));
+    let flagged = outliers.into_iter().flat_map(|(poses, critical)| {
+        poses.iter().filter(move |p| p.residual_over_sigma > critical).map(|p| (p.pose, p.residual_over_sigma))
+    });
+    with_flagged(accuracy, errors, &flagged.collect(), words).whole()
 }
 
 /// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
+    with_flagged(accuracy, errors, &Flagged::new(), words)
+}
+
+/// Calibration poses that disagree with the others, with their residual over σ.
+type Flagged = BTreeMap<PoseName, f64>;
+
+fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Flagged, words: &Words) -> Section {
     let mut section = Section::new("errors", words.say("Errors before and after"));
     section.summarise(words.say("definition of errors"), Text::document(&accuracy.definition, words), "");
     section.push(Block::detail(Text::document(&accuracy.definition, words)));
@@ -88,10 +100,11 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         section.push(Block::text(words.fill("Expected, root mean square (k = 1): {0} µm from the parameters, {4} µm from those that the data do not determine (their tolerance), {1} µm from what the model leaves out, {2} µm from the place of the point on the tool; expanded uncertainty of the worst pose (k = 2) {3} µm.", &shares.map(|s| s as &dyn std::fmt::Display))));
         section.push(Block::detail(Text::document(&tool.definition, words)));
     }
-    let table = poses(errors, words);
+    let table = poses(errors, flagged, words);
     if !table.is_empty() {
-        let title = match table.rows.len() > ROWS {
-            true => words.say("Errors of each pose, the largest first"),
+        let title = match table.rows.len() > PAPER_ROWS {
+            true if flagged.is_empty() => words.say("Errors of each pose, the largest first"),
+            true => words.say("Errors of each pose: outliers, then the largest"),
             false => words.say("Errors of each pose"),
         };
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
@@ -225,18 +238,23 @@ impl OfPose<'_> {
     }
 }
 
-/// Mean and largest error of every pose; if not all fit on a page, the largest first.
-fn poses(errors: &[PointError], words: &Words) -> Table {
+/// Mean and largest error of every pose; if not all fit on paper, outliers and then the largest
+/// errors first, whatever their set.
+fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let mut by_pose: BTreeMap<(PoseSet, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
         by_pose.entry((p.set, p.pose)).or_default().push(p);
     }
     let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
-    let validation = rows.iter().filter(|row| row.set == PoseSet::Validation).count();
-    if rows.len() > ROWS {
-        // all validation poses, then the largest of the others
+    // a pose that was left out of the fit cannot disagree with it
+    let over_sigma = |row: &OfPose| flagged.get(&row.pose).copied().filter(|_| row.set == PoseSet::Calibration);
+    if rows.len() > PAPER_ROWS {
         let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);
-        rows.sort_by(|a, b| b.set.cmp(&a.set).then(largest(b).total_cmp(&largest(a))));
+        let order = |row: &OfPose| (over_sigma(row).unwrap_or(0.0), largest(row));
+        rows.sort_by(|a, b| {
+            let (a, b) = (order(a), order(b));
+            b.0.total_cmp(&a.0).then(b.1.total_cmp(&a.1))
+        });
     }
     let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
     let Shown { unit, factor } = number::shown("mm", largest);
@@ -254,9 +272,9 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
         .both("position after, max", "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
         .shown_in(unit)
         .both("orientation before, max", "deg", move |r| angle(r.largest(|p| p.before_deg)))
-        .both("orientation after, max", "deg", move |r| angle(r.largest(|p| p.after_deg)));
-    let most = ROWS.max(validation);
-    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns().showing(most)
+        .both("orientation after, max", "deg", move |r| angle(r.largest(|p| p.after_deg)))
+        .both("residual over σ", "", move |r| significant(over_sigma(r), 2));
+    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns()
 }
 
 fn residuals(errors: &[PointError], words: &Words) -> Table {
@@ -349,14 +367,17 @@ mod tests {
     #[test]
     fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
         let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
-        assert_eq!(page_of(&poses(&two, &Words::default())), [["1", "calibration", "2", "346", "20.0"]]);
+        assert_eq!(
+            page_of(&poses(&two, &Flagged::new(), &Words::default())),
+            [["1", "calibration", "2", "346", "20.0"]]
+        );
         let many: Vec<_> =
             (0..600u32).map(|i| point(i64::from(i), [0.0; 3], [0.1; 3], [1e-5 * f64::from(i); 3])).collect();
-        let table = poses(&many, &Words::default());
+        let table = poses(&many, &Flagged::new(), &Words::default());
         let page = serde_json::to_value(&table).unwrap();
         assert_eq!((table.rows.len(), page_of(&table).len(), page["left_out"].as_u64()), (600, 500, Some(100)));
         let [first, last] = [0, 499].map(|i: usize| page_of(&table)[i][0].clone());
         assert_eq!((first.as_str(), last.as_str()), ("599", "100"), "the largest are shown");
-        assert!(poses(&[], &Words::default()).is_empty());
+        assert!(poses(&[], &Flagged::new(), &Words::default()).is_empty());
     }
 }
