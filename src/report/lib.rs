@@ -75,7 +75,7 @@ impl<'a> Report<'a> {
     }
 
     /// Warnings and errors of all documents.
-    fn messages(&self) -> Vec<&'a Message> {
+    pub fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
         let geometric = self.geometric.iter().flat_map(|g| &g.messages);
         let controllers = self.controllers.iter().flat_map(|c| &c.messages);

@@ -464,6 +464,7 @@ struct Column<'a, T> {
     unit: &'a str,
     shown_in: &'a str,
     group: &'a str,
+    decisive: bool,
     on: On,
     cell: Box<dyn Fn(&'a T) -> Cell + 'a>,
 }
@@ -478,7 +479,7 @@ impl<'a, T> Columns<'a, T> {
 
     fn with<C: Into<Cell>>(mut self, on: On, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
         let cell = Box::new(move |record: &'a T| cell(record).into());
-        self.0.push(Column { title, unit, shown_in: unit, group: "", on, cell });
+        self.0.push(Column { title, unit, shown_in: unit, group: "", decisive: false, on, cell });
         self
     }
 
@@ -536,6 +537,12 @@ impl<'a, T> Columns<'a, T> {
         self
     }
 
+    /// Makes the last column the second one of a page, so that a narrow screen shows it.
+    pub fn decisive(mut self) -> Self {
+        self.0.iter_mut().rev().take(1).for_each(|c| c.decisive = true);
+        self
+    }
+
     /// Adds a common title above the last columns.
     pub fn below(mut self, columns: usize, group: &'a str) -> Self {
         self.0.iter_mut().rev().take(columns).for_each(|c| c.group = group);
@@ -564,6 +571,7 @@ pub(crate) struct Table {
 #[derive(Clone, Debug)]
 struct Titled {
     on: On,
+    decisive: bool,
     group: String,
     title: String,
     /// Title in the workbook: English, with the unit in brackets.
@@ -584,6 +592,7 @@ impl Table {
             let unit = if c.unit.is_empty() { String::new() } else { format!(" [{}]", c.unit) };
             Titled {
                 on: c.on,
+                decisive: c.decisive,
                 group: words.say(c.group),
                 title: words.say(c.title) + &behind(c.shown_in),
                 sheet: format!("{before}{}{unit}", c.title),
@@ -660,9 +669,21 @@ impl Table {
         !self.off_page && !self.rows.is_empty() && !self.on_page().is_empty()
     }
 
-    /// Layout for a page or the terminal.
+    /// Layout for the terminal.
     pub fn laid(&self) -> Laid<'_> {
-        let places = self.on_page();
+        self.laid_out(self.on_page())
+    }
+
+    /// Layout for a page: what decides is beside the name.
+    fn laid_on_page(&self) -> Laid<'_> {
+        let mut places = self.on_page();
+        if let Some(i) = places.iter().position(|i| self.columns[*i].decisive).filter(|i| *i > 1) {
+            places[1..=i].rotate_right(1);
+        }
+        self.laid_out(places)
+    }
+
+    fn laid_out(&self, places: Vec<usize>) -> Laid<'_> {
         let rows: Vec<Vec<&Cell>> =
             self.rows.iter().take(self.most).map(|row| places.iter().map(|i| &row[*i]).collect()).collect();
         let any = |i: usize, is: &dyn Fn(&Cell) -> bool| rows.iter().any(|row| is(row[i]));
@@ -727,7 +748,7 @@ pub(crate) struct Laid<'a> {
 
 impl Serialize for Table {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.laid().serialize(serializer)
+        self.laid_on_page().serialize(serializer)
     }
 }
 

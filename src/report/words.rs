@@ -20,6 +20,20 @@ pub(crate) fn isolated(name: &str) -> String {
     }
 }
 
+/// Name of a limit in words, by its key in campaigns.
+pub(crate) fn limit_name(key: &str, words: &Words) -> String {
+    let of = |error: &str| words.say(error);
+    match key {
+        "position_max_mm" => words.fill("{0} max", &[&of("position")]),
+        "position_mean_mm" => words.fill("{0} mean", &[&of("position")]),
+        "position_rms_mm" => words.fill("{0} RMS", &[&of("position")]),
+        "orientation_max_deg" => words.fill("{0} max", &[&of("orientation")]),
+        "repeatability_max_mm" => words.say("repeatability RP, largest of all poses"),
+        "accuracy_max_mm" => words.say("accuracy AP, largest of all poses"),
+        other => other.to_owned(),
+    }
+}
+
 /// Texts that come from documents instead of the program's reports.
 #[cfg(test)]
 const OF_DOCUMENTS: [&str; 63] = [

@@ -25,13 +25,14 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
         return;
     }
     let reports = all();
-    let checks: [(&str, Check); 9] = [
+    let checks: [(&str, Check); 10] = [
         ("widths", nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen),
         ("requests", a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing),
         ("marks", marks_answer_to_the_pointer_and_to_the_keyboard),
         ("switch", before_and_after_are_switched_without_a_script),
         ("batch", the_page_over_all_campaigns_is_sorted_filtered_and_drawn),
         ("print", printing_cuts_no_figure_and_no_row),
+        ("verdicts", verdicts_are_on_a_narrow_screen),
         ("files", tables_are_saved_with_whole_heads_and_their_names),
         ("comfort", tables_are_sorted_and_filtered_and_space_turns),
         ("axe", every_page_is_accessible_in_light_and_dark),
@@ -44,8 +45,12 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
 
 fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browser, reports: &Pages) {
     browser.open(&reports.batch);
-    let robots = "[...document.querySelectorAll('#campaigns tbody tr')].map(row => row.cells[1].textContent)";
-    let all = list(&browser.evaluate(robots));
+    // campaign, verdict, cause, checks, robot
+    let heads = "[...document.querySelectorAll('#campaigns thead th')].map(head => head.textContent)";
+    let column = list(&browser.evaluate(heads)).iter().position(|head| head == "Robot").unwrap();
+    let robots = "[...document.querySelectorAll('#campaigns tbody tr')].map(row => row.cells[ROBOT].textContent)"
+        .replace("ROBOT", &column.to_string());
+    let all = list(&browser.evaluate(&robots));
     assert_eq!(all.len(), 3);
     let sorted = |down: bool| {
         let mut sorted = all.clone();
@@ -55,7 +60,7 @@ fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browse
         }
         sorted
     };
-    let click = "document.querySelectorAll('#campaigns thead button')[1].click(); ";
+    let click = format!("document.querySelectorAll('#campaigns thead button')[{column}].click(); ");
     assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(false));
     assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(true));
     let marks = "document.querySelectorAll('#trend .robot').length";
@@ -69,6 +74,19 @@ fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browse
     let filter = "document.getElementById('filter').value = 'campaign/no such'; \
         document.getElementById('filter').dispatchEvent(new Event('input')); ";
     assert_eq!(list(&browser.evaluate(&format!("{filter}{robots}"))), Vec::<String>::new());
+}
+
+/// The verdict of each limit is on a phone's screen.
+fn verdicts_are_on_a_narrow_screen(browser: &mut Browser, reports: &Pages) {
+    browser.size(390, 844);
+    browser.open(&reports.pages[0]);
+    let right = "Math.max(...[...document.querySelectorAll('#limits tbody tr')].map(row => row.cells[1].getBoundingClientRect().right))";
+    let right = browser.evaluate(right).as_f64().unwrap();
+    assert!(right > 0.0 && right < 390.0, "{right}");
+    browser.open(&reports.batch);
+    let right =
+        browser.evaluate("document.querySelector('#campaigns tbody tr').cells[1].getBoundingClientRect().right");
+    assert!(right.as_f64().unwrap() < 390.0, "{right}");
 }
 
 /// Name and contents of the file that a table is saved as.

@@ -5,7 +5,7 @@ use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, limit_name};
 use etalon_documents::{ErrorQuantity, LimitVerdict};
 
 /// Height of the frame.
@@ -160,7 +160,7 @@ impl Chart {
             false => self.level("limit", limit.limit),
         }
         let unit = if shown.unit.is_empty() { &limit.unit } else { shown.unit };
-        let name = words.fill("{0} max", &[&words.say(quantity.as_ref())]);
+        let name = limit_name(limit.name.into(), words);
         let value = words.number(&number::derived(limit.limit * shown.factor));
         self.svg.legend_line("limit", &format!("{}: {name} {value} {unit}", words.say("limit")));
     }

@@ -48,7 +48,8 @@ fn positions(poses: &[Named], words: &Words) -> Table {
         .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
         .page_of(columns(), &["AP x", "AP y", "AP z"])
         .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
-        .page("verdict", "", |n| conformity(n.pose.ap_conformity, words));
+        .page("verdict", "", |n| conformity(n.pose.ap_conformity, words))
+        .decisive();
     let commanded = poses.iter().filter(|n| n.pose.ap_mm.is_some());
     Table::of(words, commanded, columns).without_empty_columns()
 }

@@ -3,14 +3,13 @@
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
 use crate::number;
+use crate::plots::against::SIGNIFICANCE;
 use crate::plots::influence;
 use crate::words::Words;
 use etalon_documents::{InfluenceEntry, ReliabilitySummary, ResidualTrend, RobustParameter, RobustPose, RobustSummary};
 
 /// Maximum number of parameters in the table of a robust fit.
 const SHOWN: usize = 10;
-/// Significance level of a trend.
-const SIGNIFICANCE: f64 = 0.05;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let (parameters, accuracy) = (report.identified?.parameters, report.identified?.accuracy);

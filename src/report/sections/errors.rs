@@ -131,16 +131,36 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
         let note = words.fill("{0} errors have no finite position or size and are not drawn.", &[&undrawn]);
         section.push(Block::note(note));
     }
-    let mut figures = map::maps(&drawable, planar, words);
-    if let Some(predicted) = &identified.accuracy.map {
-        figures.extend(prediction::pictures(predicted, planar, words));
+    let accuracy = identified.accuracy;
+    let maps = map::maps(&drawable, planar, words);
+    let expected = accuracy.map.iter().flat_map(|map| prediction::pictures(map, planar, words)).collect();
+    let vectors = arrows::arrows(&drawable, planar, words);
+    // space, or the first plane; the other views are folded
+    let (mut figures, mut more) = (Vec::new(), Vec::new());
+    for (views, first) in [(maps, !planar), (expected, false), (vectors, false)] {
+        let shown = if first { views.len().saturating_sub(2) } else { 0 };
+        for (i, figure) in views.into_iter().enumerate() {
+            if (shown..shown + 2).contains(&i) { figures.push(figure) } else { more.push(figure) }
+        }
     }
-    figures.extend(arrows::arrows(&drawable, planar, words));
-    let (limits, joints) = (&identified.accuracy.limits, &identified.accuracy.joints);
-    figures.extend(histogram::histograms(&drawable, limits, words));
-    figures.extend(by_pose::pictures(&drawable, limits, words));
-    figures.extend(against::pictures(&drawable, joints, base_mm(identified.parameters), limits, words));
+    figures.extend(histogram::histograms(&drawable, &accuracy.limits, words));
+    figures.extend(by_pose::pictures(&drawable, &accuracy.limits, words));
+    let data = against::Data {
+        errors: &drawable,
+        joints: &accuracy.joints,
+        base_mm: base_mm(identified.parameters),
+        limits: &accuracy.limits,
+        trends: &accuracy.trends,
+    };
+    let [significant, others] = against::pictures(&data, words);
+    figures.extend(significant);
     section.figures(figures);
+    let folded = |figures| vec![Block::Figures { figures }];
+    section.push(Block::Aside { title: words.say("Other planes"), blocks: folded(more) });
+    section.push(Block::Aside {
+        title: words.say("Against joints and distance: no significant trend"),
+        blocks: folded(others),
+    });
     section.whole()
 }
 

@@ -92,7 +92,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both("verdict", "", |s| match s.accepted {
             true => term(words, "accepted"),
             false => term(words, "not accepted"),
-        });
+        })
+        .decisive();
     effects.push(Block::Table(Table::of(words, &document.steps, columns)));
     let mut parameters = Section::new("parameters", words.say("Parameters")).on_terminal();
     let change = |p: &ParameterVerdict| {
@@ -111,7 +112,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both("verdict", "", |p| match p.verdict {
             LoadVerdict::Load => term(words, "to load"),
             LoadVerdict::Hold => term(words, "to hold"),
-        });
+        })
+        .decisive();
     parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
     vec![effects, parameters]
 }

@@ -1,8 +1,8 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, significant, strong_term, term};
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, limit_name};
 use crate::{Identified, Report};
 use etalon_documents::{Characteristics, Conformity, DecisionRule, LimitVerdict};
 
@@ -13,12 +13,14 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// Section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
-        .both("limit", "", |l| l.name.to_string())
+        .page("limit", "", |l| Text::from(limit_name(l.name.into(), words)))
+        .sheet("limit", "", |l| l.name.to_string())
         .both("allowed", "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both("reached", "", |l| Cell::Number { value: l.value, shown: reached(l) })
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both("unit", "", |l| l.unit.as_str())
         .both("verdict", "", |l| judged(l.conformity, words))
+        .decisive()
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", words.say("Limits"));
     section.table("", "", Table::of(words, all, columns).on("Limits"));
@@ -79,6 +81,16 @@ fn reached(l: &LimitVerdict) -> String {
 mod tests {
     use super::*;
     use etalon_documents::LimitQuantity;
+
+    #[test]
+    fn the_verdict_is_beside_the_name_where_a_narrow_screen_shows_it() {
+        let limit = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.04, Some(0.02), DecisionRule::Guarded);
+        let section = of(&[&limit], false, &Words::default()).unwrap();
+        let page = serde_json::to_value(&section).unwrap();
+        let heads = page["blocks"][0]["header"].as_array().unwrap();
+        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 6));
+        assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
+    }
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {

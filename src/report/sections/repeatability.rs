@@ -109,7 +109,8 @@ fn intervals(poses: &[Named], words: &Words) -> Table {
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
         .page_of(columns(), &["RP without noise"])
         .page("ellipsoid, semi-axes", "µm", axes)
-        .page("verdict", "", |n| conformity(n.pose.rp_conformity, words));
+        .page("verdict", "", |n| conformity(n.pose.rp_conformity, words))
+        .decisive();
     let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
     Table::of(words, known, columns).without_empty_columns()
 }
