@@ -4,10 +4,11 @@
 
 use super::html;
 use super::number::{apart, decimals, quantile, significant, stated, with_uncertainty};
-use super::words::{Words, limit_name};
+use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{
-    BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, BatchVerdict, Presentation,
+    BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, BatchVerdict, LimitQuantity,
+    Presentation,
 };
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -135,16 +136,16 @@ fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
 fn ended(entry: &BatchEntry, words: &Words) -> String {
     match (entry.verdict(), entry.ended) {
         (Some(verdict), _) => said(verdict, words),
-        (None, BatchEnd::Skipped) => words.say("skipped"),
-        (None, _) => words.say("not run"),
+        (None, BatchEnd::Skipped) => tr!(words, "skipped"),
+        (None, _) => tr!(words, "not-run"),
     }
 }
 
 fn said(verdict: BatchVerdict, words: &Words) -> String {
     match verdict {
-        BatchVerdict::Pass => words.say("pass"),
-        BatchVerdict::Conditional => words.say("conditional"),
-        BatchVerdict::Fail => words.say("fail"),
+        BatchVerdict::Pass => tr!(words, "pass"),
+        BatchVerdict::Conditional => tr!(words, "conditional"),
+        BatchVerdict::Fail => tr!(words, "fail"),
     }
 }
 
@@ -179,10 +180,13 @@ fn check_names(document: &BatchDocument) -> Vec<&str> {
 /// Name of a check in words.
 fn check_name(name: &str, words: &Words) -> String {
     match name {
-        "solver" => words.say("Solver"),
-        "robot" => words.say("Parameters"),
-        "warnings" => words.say("Warnings and remarks"),
-        limit => limit_name(limit, words),
+        "solver" => tr!(words, "solver"),
+        "robot" => tr!(words, "parameters-title"),
+        "warnings" => tr!(words, "warnings-and-remarks"),
+        limit => {
+            let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);
+            quantity.map_or_else(|| limit.to_owned(), |q| words.tr(&names::limit(*q)))
+        }
     }
 }
 
@@ -201,7 +205,7 @@ fn cause(entry: &BatchEntry, words: &Words) -> String {
         match (c.value, c.limit) {
             (Some(value), Some(limit)) => {
                 let value = apart(value, limit, decimals(limit, 3).unwrap_or(4));
-                words.fill("{0} {1} {3}, limit {2} {3}", &[&name, &value, &stated(limit), &unit])
+                tr!(words, "value-and-limit", quantity = name, value, limit = stated(limit), unit)
             }
             (Some(count), None) => format!("{name}: {count}"),
             _ => format!("{name}: {}", said(c.verdict, words)),
@@ -237,7 +241,7 @@ fn digits(value: BatchValue) -> String {
 
 /// Translates the name of a quantity word by word: "validation position max".
 fn named(quantity: &str, words: &Words) -> String {
-    quantity.split(' ').map(|word| words.say(word)).collect::<Vec<_>>().join(" ")
+    quantity.split(' ').map(|word| words.named(word)).collect::<Vec<_>>().join(" ")
 }
 
 impl Row<'_> {
@@ -333,11 +337,8 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     };
     Page {
         version: env!("CARGO_PKG_VERSION"),
-        title: words.fill("{0} campaigns of {1} robots", &[&campaigns.len(), &robots.len()]),
-        subtitle: words.fill(
-            "{0} pass, {1} conditional, {2} fail, {3} not run, {4} skipped",
-            &[pass, conditional, fail, failed, skipped],
-        ),
+        title: tr!(words, "campaigns-of-robots", campaigns = campaigns.len(), robots = robots.len()),
+        subtitle: tr!(words, "batch-ends", pass, conditional, fail, failed, skipped),
         class: match (failed + fail, conditional) {
             (0, 0) => "good",
             (0, _) => "warning",
@@ -455,12 +456,13 @@ mod tests {
         let place =
             |head: &str| heads.iter().position(|h| h.starts_with(head)).unwrap_or_else(|| panic!("{head}: {heads:?}"));
         assert_eq!((place("Campaign"), place("Verdict"), place("Cause")), (0, 1, 2));
-        assert!(place("Cause") < place("position max") && place("position RMS") < place("Robot"), "{heads:?}");
+        assert!(place("Cause") < place("largest position") && place("RMS position") < place("Robot"), "{heads:?}");
         assert!(place("validation") < place("calibration") && place("calibration") < place("d_1"), "{heads:?}");
         let worst = page.split("<tbody>").nth(1).unwrap().split("</tr>").next().unwrap();
         let [verdict, cause] = [0, 1].map(|i| worst.split("<td").nth(i + 1).unwrap());
         assert!(
-            verdict.contains(">fail<") && cause.contains("position RMS 0.137 mm, limit 0.1 mm; position max"),
+            verdict.contains(">fail<")
+                && cause.contains("RMS position error 0.137 mm, limit 0.1 mm; largest position error"),
             "{worst}"
         );
         assert!(!page.contains("position_max"), "keys are no labels");

@@ -34,7 +34,7 @@ pub(crate) struct Data<'a> {
 pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
     let of_joint = |(k, column): (usize, &'_ String)| {
         let (name, unit) = column.rsplit_once('_').unwrap_or((column, ""));
-        let name = words.fill("{0} in {1}", &[&name, &unit]);
+        let name = tr!(words, "quantity-in-unit", quantity = name, unit);
         (format!("joint-{k}"), name, k)
     };
     let joints = data.joints.iter().enumerate().map(|joint| {
@@ -45,7 +45,7 @@ pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
     let reach = data.base_mm.map(|base| Along {
         id: "reach".to_owned(),
         key: "reach_mm",
-        name: words.say("distance from the base in mm"),
+        name: tr!(words, "distance-from-base-in-mm"),
         of: Box::new(move |p| Some(norm(minus(p.at_mm, base)))),
     });
     let up = Axis::from_zero("mm", largest(points::readable(data.errors).into_iter().map(points::after_mm)));
@@ -66,7 +66,7 @@ fn picture(data: &Data, along: &Along, (up, p): (&Axis, Option<f64>), words: &Wo
         data.errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
     let drawn = points::readable(&known);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
-    let name = words.fill("position error in {0}", &[&up.shown().unit]);
+    let name = tr!(words, "position-error-in", unit = up.shown().unit);
     let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);
     for p in &drawn {
         let at = chart.at((along.of)(p)?, points::after_mm(p));
@@ -74,10 +74,10 @@ fn picture(data: &Data, along: &Along, (up, p): (&Axis, Option<f64>), words: &Wo
     }
     points::legend(&mut chart.svg, &drawn, words);
     chart.limit(data.limits, ErrorQuantity::Position, (false, words));
-    let title = words.fill("Position error after calibration against {0}", &[&along.name]);
-    let description = words.say("One mark for each error: circles calibration, diamonds validation poses.");
+    let title = tr!(words, "position-error-against", quantity = along.name.clone());
+    let description = tr!(words, "errors-against-description");
     let judged = match p {
-        Some(p) => words.fill("The model lacks a trend ({0}).", &[&number::p_value(p)]),
+        Some(p) => tr!(words, "trend-in-picture", probability = number::p_value(p)),
         None => String::new(),
     };
     let judged = if judged.is_empty() { judged } else { format!(" {judged}") };

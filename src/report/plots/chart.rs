@@ -5,7 +5,7 @@ use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
 use crate::number;
-use crate::words::{Words, limit_name};
+use crate::words::{Words, names, tr};
 use etalon_documents::{ErrorQuantity, LimitVerdict};
 
 /// Height of the frame.
@@ -160,9 +160,9 @@ impl Chart {
             false => self.level("limit", limit.limit),
         }
         let unit = if shown.unit.is_empty() { &limit.unit } else { shown.unit };
-        let name = limit_name(limit.name.into(), words);
-        let value = words.number(&number::derived(limit.limit * shown.factor));
-        self.svg.legend_line("limit", &format!("{}: {name} {value} {unit}", words.say("limit")));
+        let quantity = words.tr(&names::limit(limit.name));
+        let value = &number::derived(limit.limit * shown.factor);
+        self.svg.legend_line("limit", &tr!(words, "limit-of", quantity, value, unit));
     }
 
     /// Returns the figure with its description, which is also its caption.
@@ -208,7 +208,7 @@ mod tests {
             let svg = limits(across, &[&statistics[..], &[LimitQuantity::PositionMaxMm]].concat());
             // the line, and its mark in the legend
             assert_eq!(svg.matches("class=\"limit\"").count(), 2, "{svg}");
-            assert!(svg.contains(">limit: position max 40 µm</text>") && !svg.contains("_max"), "{svg}");
+            assert!(svg.contains(">limit: largest position error 40 µm</text>") && !svg.contains("_max"), "{svg}");
             // below the axis and its name, where there are no marks
             let name = svg.lines().find(|l| l.contains(">limit: ")).unwrap();
             assert!(numbers(name, "text", "y")[0] > TOP + HEIGHT + UNDER, "{svg}");

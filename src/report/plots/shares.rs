@@ -10,11 +10,7 @@ const VISIBLE: f64 = 0.01;
 
 /// One bar for each figure, with sources by name; `None` if a single source is all that one would
 /// see.
-pub(crate) fn picture(
-    budget: &[FigureBudget],
-    names: (fn(UncertaintySource) -> &'static str, fn(&FigureBudget) -> &'static str),
-    words: &Words,
-) -> Option<Figure> {
+pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phrase, words: &Words) -> Option<Figure> {
     let mut sources: Vec<_> = budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
@@ -28,7 +24,7 @@ pub(crate) fn picture(
     if sources.len() > COLOURS.len() || !budget.iter().any(|f| parts(f) > 1) {
         return None;
     }
-    let labels = budget.iter().enumerate().map(|(i, f)| (i as f64, words.say((names.1)(f)))).collect();
+    let labels = budget.iter().enumerate().map(|(i, f)| (i as f64, words.tr(&name_of(f)))).collect();
     let axes = [Axis::linear(0.0, 100.0), Axis::rows(budget.len(), labels, 0.5)];
     let mut chart = Chart::new(WIDE, axes, ["%", ""]);
     for (i, f) in budget.iter().enumerate() {
@@ -37,7 +33,7 @@ pub(crate) fn picture(
             let share = share(f, *source);
             let (middle, right) = (from + 50.0 * share, from + 100.0 * share);
             let percent = format!("{:.0} %", 100.0 * share);
-            let tip = format!("{}: {} {percent}", words.say((names.1)(f)), words.say((names.0)(*source)));
+            let tip = format!("{}: {} {percent}", words.tr(&name_of(f)), words.tr(&names::source(*source)));
             chart.bar_along(Look::colour(COLOURS[j]), i, [from, right], &tip);
             if share >= WRITTEN {
                 let (x, y) = chart.at(middle, i as f64);
@@ -47,10 +43,10 @@ pub(crate) fn picture(
         }
     }
     for (j, source) in sources.iter().enumerate() {
-        chart.svg.legend(Look::colour(COLOURS[j]), &words.say((names.0)(*source)));
+        chart.svg.legend(Look::colour(COLOURS[j]), &words.tr(&names::source(*source)));
     }
-    let title = words.say("Shares of the sources in the variance");
-    let description = words.say("One bar for each figure, of the squares of the contributions in percent.");
+    let title = tr!(words, "budget-shares-title");
+    let description = tr!(words, "budget-shares-description");
     Some(chart.figure("shares", title, description))
 }
 
@@ -70,7 +66,7 @@ mod tests {
     #[test]
     fn bars_show_every_figure_where_there_is_something_to_see() {
         use UncertaintySource::{Instrument, Model};
-        let draw = |all: &[FigureBudget]| picture(all, (|_| "instrument", |_| "position"), &Words::default());
+        let draw = |all: &[FigureBudget]| picture(all, |_| etalon_base::phrase!("position"), &Words::default());
         // 3² and 4² of 5²
         let mixed = [
             figure(Statistic::Mean, &[(Instrument, 0.003), (Model, 0.004)]),

@@ -4,6 +4,7 @@ pub(super) mod accuracy;
 mod budget;
 pub(super) mod certificate;
 pub(super) mod changes;
+mod checklist;
 mod checks;
 mod compliance;
 pub(super) mod conditions;
@@ -28,7 +29,7 @@ pub(super) mod verdict;
 
 use super::Report;
 use super::model::{Block, Section};
-use super::words::Words;
+use super::words::{Words, tr};
 use etalon_documents::Characteristics;
 
 /// Creates a section from the documents; `None` if they contain nothing for it.
@@ -36,7 +37,7 @@ type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// Sections before and after the characteristics of ISO 9283, in the order of reading.
 const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
-const AFTER: [Make; 9] = [
+const AFTER: [Make; 10] = [
     parameters::section,
     controllers::section,
     budget::section,
@@ -46,6 +47,7 @@ const AFTER: [Make; 9] = [
     frames::section,
     import::section,
     provenance::section,
+    checklist::section,
 ];
 
 /// Characteristics in the order of ISO 9283:1998, by their clauses.
@@ -76,16 +78,16 @@ pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
 /// A section of characteristics, with the name of the measured point (ISO 9283:1998, 12).
 fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
     let stated = &report.campaign.conditions.measurement_point;
-    let point = stated.clone().unwrap_or_else(|| words.say("not stated"));
+    let point = stated.clone().unwrap_or_else(|| tr!(words, "not-stated"));
     let conditions = &report.campaign.conditions;
     let listed = |all: &Vec<f64>, unit: &str| {
         format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
     };
-    let load = conditions.load_kg.map(|kg| words.fill("Load: {0} kg.", &[&kg]));
+    let load = conditions.load_kg.map(|kg| tr!(words, "load-sentence", load = kg));
     let percent = conditions.velocities_percent.as_ref().map(|all| listed(all, "%"));
     let velocity = conditions.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
-    let velocity = velocity.map(|velocity| words.fill("Velocity: {0}.", &[&velocity]));
-    let point = words.fill("Figures are those of the measurement point: {0}.", &[&point]);
+    let velocity = velocity.map(|velocity| tr!(words, "velocity-sentence", velocity));
+    let point = tr!(words, "figures-of-measurement-point", point);
     let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();
     section.begin(Block::note(sentences.join(" ")));
     section
