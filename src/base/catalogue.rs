@@ -28,7 +28,8 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 11] = files![
+<<<<<<< HEAD
+pub const FILES: [(&str, [&str; 3]); 12] = files![
     "base",
     "campaign",
     "cli",
@@ -39,6 +40,7 @@ pub const FILES: [(&str, [&str; 3]); 11] = files![
     "formats",
     "report",
     "simulate",
+    "stages",
     "standards",
 ];
 
