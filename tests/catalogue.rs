@@ -17,7 +17,7 @@ const FREE: [(&str, usize); 8] = [
     ("identify", 64),
     ("report", 18),
     ("run", 93),
-    ("stages", 348),
+    ("stages", 254),
 ];
 
 /// Calls in a file.
