@@ -157,12 +157,12 @@ impl<'a> Report<'a> {
 
 /// Title of the calibration of a robot without a name.
 fn of_model(document: &ParametersDocument, words: &Words) -> String {
-    tr!(words, "calibration-report-of-model", model = isolated(&one_line(&document.robot)))
+    tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
 }
 
 /// Subject of an answer.
 fn named(robot: &str, words: &Words) -> String {
-    tr!(words, "robot-of-model", model = isolated(&one_line(robot)))
+    tr!(words, "robot-of-model", model = words.model(robot))
 }
 
 /// A document attached to a PDF.
@@ -260,7 +260,7 @@ impl Faces {
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
         let words = Words::of(presentation.language)?;
-        let robot = isolated(&one_line(&document.robot));
+        let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
             subtitle: tr!(words, "plan-for-model", model = robot),

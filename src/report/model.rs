@@ -198,11 +198,23 @@ enum Mark {
     Name,
     English,
     Code,
+    /// A key or a name between backticks in a text.
+    #[serde(rename = "code")]
+    Key,
 }
 
 impl Text {
+    /// A text; what stands between backticks in a sentence is a key or a name.
     fn of(text: String, mark: Mark) -> Self {
-        Self(vec![Run { text, mark }])
+        let is_sentence = matches!(mark, Mark::Own | Mark::English);
+        if !is_sentence || !text.contains('`') || !text.matches('`').count().is_multiple_of(2) {
+            return Self(vec![Run { text, mark }]);
+        }
+        let run = |(i, piece): (usize, &str)| Run {
+            text: piece.to_owned(),
+            mark: if i.is_multiple_of(2) { mark } else { Mark::Key },
+        };
+        Self(text.split('`').enumerate().map(run).filter(|run| !run.text.is_empty()).collect())
     }
 
     /// A name, isolated from its surroundings.
@@ -239,7 +251,11 @@ impl Text {
     }
 
     pub fn plain(&self) -> String {
-        self.0.iter().map(|run| run.text.as_str()).collect()
+        let shown = |run: &Run| match run.mark {
+            Mark::Key => format!("`{}`", run.text),
+            _ => run.text.clone(),
+        };
+        self.0.iter().map(shown).collect()
     }
 }
 
@@ -926,5 +942,25 @@ impl Section {
     /// Returns the section unless it is empty.
     pub fn whole(self) -> Option<Self> {
         (!self.blocks.is_empty() || !self.data.is_empty()).then_some(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_between_backticks_is_code_on_a_page_and_stays_as_it_is_in_plain_text() {
+        let text = Text::english("log `read_back` has 2 rows of `a`");
+        let json = serde_json::to_value(&text).unwrap();
+        let marks: Vec<_> = json.as_array().unwrap().iter().map(|run| run["mark"].as_str().unwrap()).collect();
+        assert_eq!(marks, ["english", "code", "english", "code"]);
+        assert!(!json.to_string().contains('`'), "{json}");
+        assert_eq!(text.plain(), "log `read_back` has 2 rows of `a`");
+        for odd in ["a ` b", "plain", ""] {
+            assert_eq!(Text::from(odd).plain(), odd);
+        }
+        // a name is kept as it is
+        assert_eq!(serde_json::to_value(Text::name("`x`")).unwrap()[0]["text"], "`x`");
     }
 }

@@ -2,7 +2,7 @@
 //! 7.8.6.2) and ISO 9283:1998 (6), with the keys that state them.
 
 use crate::Report;
-use crate::model::{Block, Columns, Section, Table, Text};
+use crate::model::{Columns, Section, Table, Text};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
 

@@ -23,6 +23,20 @@ pub(crate) fn quantity(quantity: ErrorQuantity) -> Phrase {
     }
 }
 
+/// Kind of a robot, by the key of its model.
+pub(crate) fn model(key: &str) -> Option<Phrase> {
+    Some(match key {
+        "serial" => phrase!("model-serial"),
+        "urdf" => phrase!("model-urdf"),
+        "prexyt" => phrase!("model-prexyt"),
+        "five_bar" => phrase!("model-five-bar"),
+        "hexapod" => phrase!("model-hexapod"),
+        "delta" => phrase!("model-delta"),
+        "delta_linear" => phrase!("model-delta-linear"),
+        _ => return None,
+    })
+}
+
 /// Name of a limited quantity.
 pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
     match quantity {
