@@ -25,8 +25,8 @@ mod workbook;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, FeaturesDocument,
-    FramesDocument, GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation,
-    Provenance, RecommendationDocument, UncertaintyDocument, VerificationDocument, VerificationPlanDocument,
+    FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument, PointError, Presentation,
+    Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument, VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -67,11 +67,21 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// `true` if all limits are met, the result is plausible, and all controller files are written.
-    /// Creates no report.
+    /// Verdict on everything that the report judges, with its reasons. Creates no report.
+    pub fn judgement(&self) -> VerdictDocument {
+        let judged = Judged {
+            parameters: self.identified.map(|i| i.parameters),
+            accuracy: self.identified.map(|i| i.accuracy),
+            tested: self.tested,
+            controllers: self.controllers,
+            conditions: Some(&self.campaign.conditions),
+        };
+        judged.verdict()
+    }
+
+    /// `true` if the verdict allows the answer to be loaded. Creates no report.
     pub fn is_met(&self) -> bool {
-        sections::verdict::met(self.identified.as_ref(), self.tested)
-            && self.controllers.is_none_or(ControllersDocument::is_complete)
+        self.judgement().is_met()
     }
 
     /// Warnings and errors of all documents.
@@ -124,12 +134,7 @@ impl<'a> Report<'a> {
 
     /// Verdict in the first box.
     fn verdict(&self, words: &Words) -> Verdict {
-        let mut verdict = sections::verdict::verdict(self.identified.as_ref(), self.tested, words);
-        if self.controllers.is_some_and(|c| !c.is_complete()) {
-            (verdict.class, verdict.met) = (model::Grade::Bad, false);
-            verdict.sentences.push(words.say("A controller file is not written: see the messages."));
-        }
-        verdict
+        sections::verdict::verdict(self, words)
     }
 
     /// Documents attached to the PDF.

@@ -173,7 +173,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
             kind: "limit",
             item: l.name.to_string(),
             unit: l.unit.clone(),
-            value: l.value,
+            value: l.value.unwrap_or(f64::NAN),
             limit: Some(l.limit),
             met: Some(l.met),
             ..Row::default()

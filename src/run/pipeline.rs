@@ -133,7 +133,8 @@ fn write(
     mut out: Output,
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
-    let met = found.report().is_met();
+    let verdict = found.report().judgement();
+    let met = verdict.is_met();
     let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
@@ -146,6 +147,7 @@ fn write(
     out.json("frames.json", &frames)?;
     out.observations(campaign, joined.filter(|_| tables))?;
     out.identified(identified.as_ref())?;
+    out.json("verdict.json", &verdict)?;
     out.optional("geometric.json", geometric.as_ref())?;
     out.optional("controllers.json", controllers.as_ref())?;
     out.optional("iso9283.json", tested.poses.as_ref())?;

@@ -11,8 +11,8 @@ use etalon_documents::{GivenFrames, ParametersDocument, RecommendationDocument, 
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is written.
 pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, given: GivenFrames) -> Result<Validated> {
-    let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
-    let selected = select(campaign, stated, robot.as_mut(), &joined)?;
+    let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
+    let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
     let mut found = validation::validate(campaign, selected, robot.as_mut(), document, given)?;
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
@@ -21,9 +21,9 @@ pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, give
 /// Judges which parameters of a campaign deserve to be loaded; `report` is called with the choices that were tried and the most that may be.
 /// Nothing is written.
 pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
-    let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
+    let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
     let inputs = gathered.document.inputs();
-    let selected = select(campaign, stated, robot.as_mut(), &joined)?;
+    let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
     let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)

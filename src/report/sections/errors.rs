@@ -67,6 +67,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         section.push(Block::heading(words.fill("At the tool point: {0} poses", &[&tool.poses])));
         let of_tool = ErrorStatistics {
             quantity: ErrorQuantity::Position,
+            count: tool.poses,
             unit: "mm".to_owned(),
             before: tool.before,
             after: tool.after,
@@ -296,7 +297,7 @@ mod tests {
     fn errors(quantity: ErrorQuantity, before_mm: f64, after_mm: f64) -> ErrorStatistics {
         let of = |size: f64| Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size };
         let unit = "mm".to_owned();
-        ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
+        ErrorStatistics { quantity, count: 1, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
     }
 
     /// Rows of a set's table as shown on a page.

@@ -64,7 +64,7 @@ pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     of.map_or(Cell::Missing, |c| match c {
         Conformity::Conforming => term(words, "conforming"),
         Conformity::NotConforming => strong_term(words, "not conforming"),
-        Conformity::Neither => term(words, "undecided"),
+        Conformity::Neither | Conformity::NotAssessable => term(words, "undecided"),
     })
 }
 
@@ -150,7 +150,7 @@ pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
         c.map(|c| match c {
             Conformity::Conforming => "proved",
             Conformity::NotConforming => "disproved",
-            Conformity::Neither => "neither proved nor disproved",
+            Conformity::Neither | Conformity::NotAssessable => "neither proved nor disproved",
         })
     };
     Columns::<Named>::new()

@@ -1,15 +1,16 @@
 //! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
-use super::limits::{judged, limits, name};
+use super::limits::{judged, name};
 use super::repeatability::quarter_sentence;
-use crate::Identified;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::Words;
+use crate::{Identified, Report};
+use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, ErrorStatistics,
-    Iso9283Document, Iso9283Variation, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet,
-    ResidualSummary, Statistics, ToolAccuracy,
+    Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
+    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitQuantity, LimitVerdict,
+    ParametersDocument, PoseCharacteristic, PoseSet, Reason, ToolAccuracy, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -23,21 +24,19 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
 
 /// Verdict on everything that is judged: plausibility of the result, characteristics of ISO 9283,
 /// instrument, and all limits of the campaign.
-pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
-    let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
-    let class = match Conformity::of_all(limits.iter().map(|l| l.conformity)) {
-        _ if alarm.is_some() => Grade::Bad,
-        Conformity::NotConforming => Grade::Bad,
-        Conformity::Conforming if !limits.is_empty() => Grade::Good,
-        _ => Grade::Open,
-    };
+pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
+    let (identified, tested) = (report.identified.as_ref(), report.tested);
+    let judgement = report.judgement();
+    let limits: Vec<&LimitVerdict> = judgement.limits.iter().collect();
     let set = identified.and_then(|i| headline_set(i.accuracy));
-    let mut sentences: Vec<String> = alarm.into_iter().collect();
-    sentences.extend(identified.zip(set).and_then(|(i, set)| largest_error(i.accuracy, set, words)));
-    sentences.extend(identified.and_then(|i| unexplained(&i.parameters.residuals, words)));
+    let mut sentences: Vec<String> = identified.and_then(|i| alarm(i.parameters, words)).into_iter().collect();
+    sentences.extend(named(&judgement, words));
+    sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(i.accuracy, set, words)));
+    sentences.extend(identified.and_then(|i| unexplained(i, words)));
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
+    sentences.extend(reservations(&judgement, words));
     let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
@@ -46,23 +45,79 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
         None => words.fill("Errors before → after calibration, {0} poses:", &[&words.say(s.name.name())]),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
+    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
     Verdict {
-        class,
-        met: met(identified, tested),
+        class: Grade::of_verdict(judgement.verdict),
+        met: judgement.is_met(),
         sentences,
         about: about.unwrap_or_default(),
-        headlines: set.map_or_else(Vec::new, |set| headlines(set, words)).into_iter().chain(tool).collect(),
+        headlines: shown.into_iter().chain(tool).collect(),
     }
+}
+
+/// The verdict by its name; `None` if nothing was judged.
+fn named(judgement: &VerdictDocument, words: &Words) -> Option<String> {
+    Some(match judgement.verdict? {
+        Acceptance::Pass => words.say("Verdict: pass."),
+        Acceptance::Conditional => words.say("Verdict: conditional pass."),
+        Acceptance::Undecided => words.say("Verdict: undecided."),
+        Acceptance::Fail => words.say("Verdict: fail."),
+    })
+}
+
+/// Reservations under which a verdict applies.
+fn reservations(judgement: &VerdictDocument, words: &Words) -> Option<String> {
+    let all: Vec<String> = judgement.reasons.iter().filter_map(|r| reservation(r, words)).collect();
+    (!all.is_empty()).then(|| words.fill("Reservations: {0}.", &[&all.join("; ")]))
+}
+
+/// Reservation in words; `None` for reasons that other sentences state.
+fn reservation(reason: &Reason, words: &Words) -> Option<String> {
+    let list = |poses: &[PoseName]| poses.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ");
+    Some(match reason {
+        Reason::FileRefused => words.say("a controller file is not written (see the messages)"),
+        Reason::InstrumentTooCoarse { poses } => words.fill(
+            "the measurement uncertainty exceeds 25 % of AP or RP at pose {0} (ISO 9283, clause 6)",
+            &[&list(poses)],
+        ),
+        Reason::NoWarmUp => words.say("the robot was not warmed up before the test"),
+        Reason::DriftNotSettled { poses, dap_mm } => words.fill(
+            "AP changed by up to {0} µm during the test and has not settled at pose {1} (ISO 9283, 7.6)",
+            &[&number::fixed(1e3 * dap_mm, 0), &list(poses)],
+        ),
+        Reason::FewCycles { poses, required } => {
+            words.fill("fewer than {0} cycles at pose {1}", &[required, &list(poses)])
+        }
+        Reason::HardlyBetter { formats, nominal, written } => {
+            let [rms, max, of_rms, of_max] =
+                [written.rms_mm, written.max_mm, nominal.rms_mm, nominal.max_mm].map(|mm| number::significant(mm, 3));
+            let files = formats.join(", ");
+            let values: [&dyn std::fmt::Display; 5] = [&files, &rms, &max, &of_rms, &of_max];
+            match formats.is_empty() {
+                true => words.fill(
+                    "controller files are hardly better than nominal parameters: RMS {1} mm instead of {3} mm, largest error {2} mm instead of {4} mm",
+                    &[&"", &rms, &max, &of_rms, &of_max],
+                ),
+                false => words.fill(
+                    "the controller file for {0} is hardly better than nominal parameters: RMS {1} mm instead of {3} mm, largest error {2} mm instead of {4} mm",
+                    &values,
+                ),
+            }
+        }
+        _ => return None,
+    })
 }
 
 /// Number of limits met, undecided limits, and decision rule.
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
-    let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
-    let undecided: Vec<&str> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.into()).collect();
+    let missed = limits.iter().filter(|l| l.acceptance == Acceptance::Fail).count();
+    let undecided: Vec<String> =
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| quantity(l.name, words)).collect();
+    let not_measured: Vec<String> =
+        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| quantity(l.name, words)).collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return words.say("The campaign states no limits."),
-        (_, 0) if !undecided.is_empty() => String::new(),
+        (_, 0) if !undecided.is_empty() || !not_measured.is_empty() => String::new(),
         (1, 0) => words.say("The limit of the campaign is met."),
         (2, 0) => words.say("Both limits of the campaign are met."),
         (n, 0) => words.fill("All {0} limits of the campaign are met.", &[&n]),
@@ -70,93 +125,157 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
         (n, 1) => words.fill("1 of {0} limits of the campaign is not met.", &[&n]),
         (n, m) => words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n]),
     };
-    let open = match &undecided[..] {
-        [] => String::new(),
-        names => {
-            words.fill("Within its uncertainty it is undecided whether the limit is met: {0}.", &[&names.join(", ")])
-        }
-    };
+    let open = (!undecided.is_empty()).then(|| {
+        words.fill("Within its uncertainty it is undecided whether the limit is met: {0}.", &[&undecided.join(", ")])
+    });
+    let without = (!not_measured.is_empty())
+        .then(|| words.fill("Not assessable, because it was not measured: {0}.", &[&not_measured.join(", ")]));
     let rule = limits.first().map(|l| words.fill("Decision rule: {0}.", &[&name(l.decision_rule, words)]));
-    let said = [sentence, open, rule.unwrap_or_default()];
-    said.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
+    let said = [Some(sentence), open, without, rule];
+    said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Change of the largest error, with its uncertainty and limit.
-fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
-    let e = set.of(ErrorQuantity::Position)?;
+/// Sentences on the errors that are limited; without limits, on the largest leading error.
+fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<String> {
+    let limited: Vec<String> = accuracy.limits.iter().filter_map(|l| limited(l, set, words)).collect();
+    if accuracy.limits.is_empty() { largest_error(set, words).into_iter().collect() } else { limited }
+}
+
+/// A limited error with its uncertainty, its value before calibration, its limit and verdict.
+fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String> {
+    let (of, figure) = l.name.of_errors()?;
+    let (e, after) = (set.of(of)?, l.value?);
+    let before = figure.of(&e.before);
+    let Shown { unit, factor } = number::shown(&e.unit, before);
+    let u = l.expanded_uncertainty.map(|u| u * factor);
+    let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after * factor, 3)).unwrap_or(1);
+    let reached = number::apart(after * factor, l.limit * factor, decimals);
+    let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
+    let judged = judged(l, words).shown().plain();
+    let (what, n, set) = (quantity(l.name, words), set.poses, words.say(set.name.name()));
+    let before = number::fixed(before * factor, decimals);
+    let values: [&dyn std::fmt::Display; 8] = [&what, &n, &set, &before, &reached, &unit, &allowed, &judged];
+    let sentence = words.fill("{0} at {1} {2} poses: {3} → {4} {5}, limit {6} {5}: {7}", &values);
+    let reservation = (l.acceptance == Acceptance::Conditional).then(|| margin(l, factor, unit, words));
+    Some(reservation.map_or_else(|| format!("{sentence}."), |more| format!("{sentence}, {more}.")))
+}
+
+/// Margin to a limit, with the risk of a false acceptance.
+fn margin(l: &LimitVerdict, factor: f64, unit: &str, words: &Words) -> String {
+    let margin = l.margin.map_or_else(String::new, |m| number::significant(m * factor, 2));
+    match l.risk() {
+        Some(risk) => {
+            words.fill("margin {0} {1}, risk of a false acceptance {2} %", &[&margin, &unit, &percent(risk)])
+        }
+        None => words.fill("margin {0} {1}, uncertainty unknown", &[&margin, &unit]),
+    }
+}
+
+/// A probability in percent.
+pub(super) fn percent(probability: f64) -> String {
+    number::significant(100.0 * probability, 2)
+}
+
+/// Change of the largest error, with its uncertainty.
+fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
+    let e = set.leading()?;
     let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
-    let limit = accuracy.limits.iter().find(|l| l.name == LimitQuantity::PositionMaxMm);
     let u = e.expanded_uncertainty.map(|u| u * factor);
     let (before, after) = (e.before.max * factor, e.after.max * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
-    let reached =
-        limit.map_or_else(|| number::fixed(after, decimals), |l| number::apart(after, l.limit * factor, decimals));
+    let reached = number::fixed(after, decimals);
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
-    let (n, set) = (set.poses, words.say(set.name.name()));
-    let values: [&dyn std::fmt::Display; 5] = [&n, &set, &number::fixed(before, decimals), &reached, &unit];
-    let changed = match after <= before {
-        true => words.fill("The largest position error at {0} {1} poses fell from {2} to {3} {4}", &values),
-        false => words.fill("The largest position error at {0} {1} poses rose from {2} to {3} {4}", &values),
-    };
-    let judged = limit.map(|l| {
-        let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
-        let verdict = judged(l.conformity, words).shown().plain();
-        words.fill("(limit {0} {1}: {2})", &[&allowed, &unit, &verdict])
-    });
-    Some(judged.map_or_else(|| format!("{changed}."), |judged| format!("{changed} {judged}.")))
+    let (what, n, set) = (error_name(e.quantity, Figure::Max, words), set.poses, words.say(set.name.name()));
+    let values: [&dyn std::fmt::Display; 6] = [&what, &n, &set, &number::fixed(before, decimals), &reached, &unit];
+    Some(words.fill("{0} at {1} {2} poses: {3} → {4} {5}.", &values))
+}
+
+/// Name of a limited quantity.
+pub(super) fn quantity(limit: LimitQuantity, words: &Words) -> String {
+    match limit {
+        LimitQuantity::RepeatabilityMaxMm => words.say("largest repeatability RP"),
+        LimitQuantity::AccuracyMaxMm => words.say("largest accuracy AP"),
+        limit => limit.of_errors().map_or_else(String::new, |(of, figure)| error_name(of, figure, words)),
+    }
+}
+
+/// Name of a figure of errors.
+fn error_name(quantity: ErrorQuantity, figure: Figure, words: &Words) -> String {
+    match (quantity, figure) {
+        (ErrorQuantity::Position, Figure::Mean) => words.say("mean position error"),
+        (ErrorQuantity::Position, Figure::Rms) => words.say("RMS position error"),
+        (ErrorQuantity::Orientation, _) => words.say("largest orientation error"),
+        (ErrorQuantity::Distance, _) => words.say("largest distance error"),
+        (ErrorQuantity::Surface, _) => words.say("largest distance from a surface"),
+        (ErrorQuantity::Contact, _) => words.say("largest distance from a socket"),
+        (ErrorQuantity::Coordinate, _) => words.say("largest error of a single coordinate"),
+        _ => words.say("largest position error"),
+    }
 }
 
 /// Size of the residuals relative to the measurement uncertainty.
-fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
+fn unexplained(of: &Identified, words: &Words) -> Option<String> {
+    let r = &of.parameters.residuals;
     let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
-    let of = match r.common_standard_uncertainty_mm {
+    let by = match r.common_standard_uncertainty_mm {
         Some(_) => words.say("the uncertainty of instrument and contact"),
         None => words.say("the instrument's uncertainty"),
     };
-    ratio.is_finite().then(|| match r.chi_square_rejected {
-        true => words.fill("What is left is {0} times {1}: the model does not explain everything.", &[&times, &of]),
-        false => words.fill("What is left is {0} times {1}: the model explains the measurements.", &[&times, &of]),
-    })
+    let numbers = position_rms(of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
+        let Shown { unit, factor } = number::shown("mm", rms_mm);
+        let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
+        let values: [&dyn std::fmt::Display; 3] = [&rms, &expected, &unit];
+        words.fill("Position residuals, RMS {0} {2}; explained by instrument and frames {1} {2}.", &values)
+    });
+    let sentence = ratio.is_finite().then(|| match r.chi_square_rejected {
+        true => words.fill("What is left is {0} times {1}: the model does not explain everything.", &[&times, &by]),
+        false => words.fill("What is left is {0} times {1}: the model explains the measurements.", &[&times, &by]),
+    })?;
+    Some(numbers.map_or(sentence.clone(), |numbers| format!("{numbers} {sentence}")))
 }
 
-/// `true` if all limits are met and proved, and the result is plausible.
-pub(crate) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
-    limits(identified, tested).iter().all(|l| l.met)
-        && proven(tested)
-        && identified.is_none_or(|i| i.parameters.is_plausible())
+/// Root mean square of the position residuals of the calibration, if all residuals are positions.
+fn position_rms(accuracy: &AccuracyDocument) -> Option<f64> {
+    let set = accuracy.sets.iter().find(|s| s.name == PoseSet::Calibration)?;
+    let others = ErrorQuantity::OTHERS.iter().any(|q| set.of(*q).is_some());
+    Some(set.of(ErrorQuantity::Position)?.after.rms).filter(|_| !others)
 }
 
 /// Verdict on given parameters, judged on the data of a campaign.
 pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
+    let tested = Characteristics::default();
+    let judged = Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
+    let judgement = judged.verdict();
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
-    let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
-    let sentences = largest.into_iter().chain([counted(&limits, words)]).collect();
-    let met = limits.iter().all(|l| l.met);
-    Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
+    let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
+    let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
+    Verdict {
+        met: judgement.is_met(),
+        class: Grade::of_verdict(judgement.verdict),
+        sentences: sentences.collect(),
+        ..Verdict::default()
+    }
 }
 
 /// Verdict of a test without a campaign.
 pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
-    Verdict { met: proven(tested), sentences: characteristics(tested, words), ..Verdict::default() }
-}
-
-/// `true` if the intervals of all poses prove all limits. The intervals contain the instrument's
-/// uncertainty; that it exceeds a quarter of a characteristic is a warning.
-fn proven(tested: &Characteristics) -> bool {
-    conformities(tested).all(|c| c == Conformity::Conforming)
+    let judged = Judged { parameters: None, accuracy: None, tested, controllers: None, conditions: None };
+    let judgement = judged.verdict();
+    let sentences = named(&judgement, words).into_iter().chain(characteristics(tested, words));
+    Verdict {
+        met: judgement.is_met(),
+        class: Grade::of_verdict(judgement.verdict),
+        sentences: sentences.chain(reservations(&judgement, words)).collect(),
+        ..Verdict::default()
+    }
 }
 
 /// Verdict of an identification without a campaign.
 pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
     let sentences = alarm(document, words).into_iter().collect();
     Verdict { met: document.is_plausible(), sentences, ..Verdict::default() }
-}
-
-/// Conformities of all poses with all limits.
-fn conformities(tested: &Characteristics) -> impl Iterator<Item = Conformity> {
-    let poses = tested.poses.iter().flat_map(|d| &d.poses);
-    poses.flat_map(|p| PoseCharacteristic::ALL.map(|c| (c.conformity)(p))).flatten()
 }
 
 /// Reason why the numbers must not be used.
@@ -176,16 +295,24 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
     counted().find(|s| s.name == PoseSet::Validation).or_else(|| counted().next())
 }
 
-fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
-    [ErrorQuantity::Position, ErrorQuantity::Orientation]
-        .into_iter()
-        .filter_map(|quantity| set.of(quantity))
-        .flat_map(|e| {
-            let name = words.say(e.quantity.as_ref());
-            let (max, rms) = (words.fill("{0} max", &[&name]), words.fill("{0} RMS", &[&name]));
-            [headline(e, max, |s| s.max), headline(e, rms, |s| s.rms)]
-        })
-        .collect()
+/// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
+fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<Headline> {
+    let of = |quantity: ErrorQuantity, figure: Figure| {
+        let name = words.say(quantity.as_ref());
+        let what = match figure {
+            Figure::Mean => words.fill("{0} mean", &[&name]),
+            Figure::Rms => words.fill("{0} RMS", &[&name]),
+            Figure::Max => words.fill("{0} max", &[&name]),
+        };
+        Some(headline(set.of(quantity)?, what, figure))
+    };
+    let limited: Vec<Headline> =
+        accuracy.limits.iter().filter_map(|l| l.name.of_errors()).filter_map(|(q, figure)| of(q, figure)).collect();
+    if !limited.is_empty() {
+        return limited;
+    }
+    let kinds = set.leading().map(|e| e.quantity).into_iter().chain([ErrorQuantity::Orientation]);
+    kinds.flat_map(|q| [of(q, Figure::Max), of(q, Figure::Rms)]).flatten().collect()
 }
 
 /// Headline of the expected error at the tool point.
@@ -196,8 +323,8 @@ fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
 }
 
-fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f64) -> Headline {
-    let (before, after) = (number(&errors.before), number(&errors.after));
+fn headline(errors: &ErrorStatistics, what: String, figure: Figure) -> Headline {
+    let (before, after) = (figure.of(&errors.before), figure.of(&errors.after));
     let Shown { unit, factor } = number::shown(&errors.unit, errors.before.max);
     let by_uncertainty = errors.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2));
     let text = |v: f64| match by_uncertainty {
