@@ -4,7 +4,7 @@ use super::limits::{judged, name};
 use super::repeatability::quarter_sentence;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
-use crate::words::Words;
+use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
@@ -17,8 +17,8 @@ use etalon_documents::{
 pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     let repeatability = tested.poses.as_ref().is_some_and(|d| d.poses.iter().all(|p| p.ap_mm.is_none()));
     match repeatability && tested.compliance.is_none() {
-        true => words.say("Report on repeatability"),
-        false => words.say("Test report by ISO 9283"),
+        true => tr!(words, "repeatability-report"),
+        false => tr!(words, "iso9283-report"),
     }
 }
 
@@ -37,12 +37,12 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
     sentences.extend(reservations(&judgement, words));
-    let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let point = identified.map(|i| words.named(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
-            words.fill("Errors of {0} before → after calibration, {1} poses:", &[point, &words.say(s.name.name())])
+            tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
         }
-        None => words.fill("Errors before → after calibration, {0} poses:", &[&words.say(s.name.name())]),
+        None => tr!(words, "errors-before-after", set = words.tr(&names::set(s.name))),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
@@ -58,49 +58,51 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
 /// The verdict by its name; `None` if nothing was judged.
 fn named(judgement: &VerdictDocument, words: &Words) -> Option<String> {
     Some(match judgement.verdict? {
-        Acceptance::Pass => words.say("Verdict: pass."),
-        Acceptance::Conditional => words.say("Verdict: conditional pass."),
-        Acceptance::Undecided => words.say("Verdict: undecided."),
-        Acceptance::Fail => words.say("Verdict: fail."),
+        Acceptance::Pass => tr!(words, "verdict-pass"),
+        Acceptance::Conditional => tr!(words, "verdict-conditional"),
+        Acceptance::Undecided => tr!(words, "verdict-undecided"),
+        Acceptance::Fail => tr!(words, "verdict-fail"),
     })
 }
 
 /// Reservations under which a verdict applies.
 fn reservations(judgement: &VerdictDocument, words: &Words) -> Option<String> {
     let all: Vec<String> = judgement.reasons.iter().filter_map(|r| reservation(r, words)).collect();
-    (!all.is_empty()).then(|| words.fill("Reservations: {0}.", &[&all.join("; ")]))
+    (!all.is_empty()).then(|| tr!(words, "reservations", reasons = all.join("; ")))
 }
 
 /// Reservation in words; `None` for reasons that other sentences state.
 fn reservation(reason: &Reason, words: &Words) -> Option<String> {
     let list = |poses: &[PoseName]| poses.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ");
     Some(match reason {
-        Reason::FileRefused => words.say("a controller file is not written (see the messages)"),
-        Reason::InstrumentTooCoarse { poses } => words.fill(
-            "the measurement uncertainty exceeds 25 % of AP or RP at pose {0} (ISO 9283, clause 6)",
-            &[&list(poses)],
-        ),
-        Reason::NoWarmUp => words.say("the robot was not warmed up before the test"),
-        Reason::DriftNotSettled { poses, dap_mm } => words.fill(
-            "AP changed by up to {0} µm during the test and has not settled at pose {1} (ISO 9283, 7.6)",
-            &[&number::fixed(1e3 * dap_mm, 0), &list(poses)],
+        Reason::FileRefused => tr!(words, "reservation-file-not-written"),
+        Reason::InstrumentTooCoarse { poses } => {
+            tr!(words, "reservation-instrument-too-coarse", count = poses.len(), poses = list(poses))
+        }
+        Reason::NoWarmUp => tr!(words, "reservation-no-warm-up"),
+        Reason::DriftNotSettled { poses, dap_mm } => tr!(
+            words,
+            "reservation-drift",
+            change = number::fixed(1e3 * dap_mm, 0),
+            count = poses.len(),
+            poses = list(poses)
         ),
         Reason::FewCycles { poses, required } => {
-            words.fill("fewer than {0} cycles at pose {1}", &[required, &list(poses)])
+            tr!(words, "reservation-few-cycles", required, count = poses.len(), poses = list(poses))
         }
         Reason::HardlyBetter { formats, nominal, written } => {
             let [rms, max, of_rms, of_max] =
                 [written.rms_mm, written.max_mm, nominal.rms_mm, nominal.max_mm].map(|mm| number::significant(mm, 3));
-            let files = formats.join(", ");
-            let values: [&dyn std::fmt::Display; 5] = [&files, &rms, &max, &of_rms, &of_max];
             match formats.is_empty() {
-                true => words.fill(
-                    "controller files are hardly better than nominal parameters: RMS {1} mm instead of {3} mm, largest error {2} mm instead of {4} mm",
-                    &[&"", &rms, &max, &of_rms, &of_max],
-                ),
-                false => words.fill(
-                    "the controller file for {0} is hardly better than nominal parameters: RMS {1} mm instead of {3} mm, largest error {2} mm instead of {4} mm",
-                    &values,
+                true => tr!(words, "reservation-hardly-better", rms, max, nominal_rms = of_rms, nominal_max = of_max),
+                false => tr!(
+                    words,
+                    "reservation-file-hardly-better",
+                    formats = formats.join(", "),
+                    rms,
+                    max,
+                    nominal_rms = of_rms,
+                    nominal_max = of_max
                 ),
             }
         }
@@ -116,21 +118,18 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let not_measured: Vec<String> =
         limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| quantity(l.name, words)).collect();
     let sentence = match (limits.len(), missed) {
-        (0, _) => return words.say("The campaign states no limits."),
+        (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() || !not_measured.is_empty() => String::new(),
-        (1, 0) => words.say("The limit of the campaign is met."),
-        (2, 0) => words.say("Both limits of the campaign are met."),
-        (n, 0) => words.fill("All {0} limits of the campaign are met.", &[&n]),
-        (1, _) => words.say("The limit of the campaign is not met."),
-        (n, 1) => words.fill("1 of {0} limits of the campaign is not met.", &[&n]),
-        (n, m) => words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n]),
+        (1, 0) => tr!(words, "limit-met-sentence"),
+        (2, 0) => tr!(words, "limits-both-met"),
+        (n, 0) => tr!(words, "limits-all-met", count = n),
+        (1, _) => tr!(words, "limit-not-met-sentence"),
+        (n, m) => tr!(words, "limits-not-met", count = m, total = n),
     };
-    let open = (!undecided.is_empty()).then(|| {
-        words.fill("Within its uncertainty it is undecided whether the limit is met: {0}.", &[&undecided.join(", ")])
-    });
+    let open = (!undecided.is_empty()).then(|| tr!(words, "limits-undecided", limits = undecided.join(", ")));
     let without = (!not_measured.is_empty())
-        .then(|| words.fill("Not assessable, because it was not measured: {0}.", &[&not_measured.join(", ")]));
-    let rule = limits.first().map(|l| words.fill("Decision rule: {0}.", &[&name(l.decision_rule, words)]));
+        .then(|| tr!(words, "limits-not-assessable", limits = not_measured.join(", ")));
+    let rule = limits.first().map(|l| tr!(words, "decision-rule-named", rule = name(l.decision_rule, words)));
     let said = [Some(sentence), open, without, rule];
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
@@ -153,10 +152,18 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
     let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
     let judged = judged(l, words).shown().plain();
-    let (what, n, set) = (quantity(l.name, words), set.poses, words.say(set.name.name()));
-    let before = number::fixed(before * factor, decimals);
-    let values: [&dyn std::fmt::Display; 8] = [&what, &n, &set, &before, &reached, &unit, &allowed, &judged];
-    let sentence = words.fill("{0} at {1} {2} poses: {3} → {4} {5}, limit {6} {5}: {7}", &values);
+    let sentence = tr!(
+        words,
+        "limited-error",
+        quantity = quantity(l.name, words),
+        count = set.poses,
+        set = words.tr(&names::set(set.name)),
+        before = number::fixed(before * factor, decimals),
+        after = reached,
+        unit,
+        limit = allowed,
+        verdict = judged
+    );
     let reservation = (l.acceptance == Acceptance::Conditional).then(|| margin(l, factor, unit, words));
     Some(reservation.map_or_else(|| format!("{sentence}."), |more| format!("{sentence}, {more}.")))
 }
@@ -165,10 +172,8 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
 fn margin(l: &LimitVerdict, factor: f64, unit: &str, words: &Words) -> String {
     let margin = l.margin.map_or_else(String::new, |m| number::significant(m * factor, 2));
     match l.risk() {
-        Some(risk) => {
-            words.fill("margin {0} {1}, risk of a false acceptance {2} %", &[&margin, &unit, &percent(risk)])
-        }
-        None => words.fill("margin {0} {1}, uncertainty unknown", &[&margin, &unit]),
+        Some(risk) => tr!(words, "limit-margin", margin, unit, risk = percent(risk)),
+        None => tr!(words, "limit-margin-without-uncertainty", margin, unit),
     }
 }
 
@@ -186,16 +191,23 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
     let reached = number::fixed(after, decimals);
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
-    let (what, n, set) = (error_name(e.quantity, Figure::Max, words), set.poses, words.say(set.name.name()));
-    let values: [&dyn std::fmt::Display; 6] = [&what, &n, &set, &number::fixed(before, decimals), &reached, &unit];
-    Some(words.fill("{0} at {1} {2} poses: {3} → {4} {5}.", &values))
+    Some(tr!(
+        words,
+        "error-at-poses",
+        quantity = error_name(e.quantity, Figure::Max, words),
+        count = set.poses,
+        set = words.tr(&names::set(set.name)),
+        before = number::fixed(before, decimals),
+        after = reached,
+        unit
+    ))
 }
 
 /// Name of a limited quantity.
 pub(super) fn quantity(limit: LimitQuantity, words: &Words) -> String {
     match limit {
-        LimitQuantity::RepeatabilityMaxMm => words.say("largest repeatability RP"),
-        LimitQuantity::AccuracyMaxMm => words.say("largest accuracy AP"),
+        LimitQuantity::RepeatabilityMaxMm => tr!(words, "characteristic-rp-max"),
+        LimitQuantity::AccuracyMaxMm => tr!(words, "characteristic-ap-max"),
         limit => limit.of_errors().map_or_else(String::new, |(of, figure)| error_name(of, figure, words)),
     }
 }
@@ -203,14 +215,14 @@ pub(super) fn quantity(limit: LimitQuantity, words: &Words) -> String {
 /// Name of a figure of errors.
 fn error_name(quantity: ErrorQuantity, figure: Figure, words: &Words) -> String {
     match (quantity, figure) {
-        (ErrorQuantity::Position, Figure::Mean) => words.say("mean position error"),
-        (ErrorQuantity::Position, Figure::Rms) => words.say("RMS position error"),
-        (ErrorQuantity::Orientation, _) => words.say("largest orientation error"),
-        (ErrorQuantity::Distance, _) => words.say("largest distance error"),
-        (ErrorQuantity::Surface, _) => words.say("largest distance from a surface"),
-        (ErrorQuantity::Contact, _) => words.say("largest distance from a socket"),
-        (ErrorQuantity::Coordinate, _) => words.say("largest error of a single coordinate"),
-        _ => words.say("largest position error"),
+        (ErrorQuantity::Position, Figure::Mean) => tr!(words, "error-position-mean"),
+        (ErrorQuantity::Position, Figure::Rms) => tr!(words, "error-position-rms"),
+        (ErrorQuantity::Orientation, _) => tr!(words, "error-orientation-max"),
+        (ErrorQuantity::Distance, _) => tr!(words, "error-distance-max"),
+        (ErrorQuantity::Surface, _) => tr!(words, "error-surface-max"),
+        (ErrorQuantity::Contact, _) => tr!(words, "error-contact-max"),
+        (ErrorQuantity::Coordinate, _) => tr!(words, "error-coordinate-max"),
+        _ => tr!(words, "error-position-max"),
     }
 }
 
@@ -220,18 +232,17 @@ fn unexplained(of: &Identified, words: &Words) -> Option<String> {
     let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
     let by = match r.common_standard_uncertainty_mm {
-        Some(_) => words.say("the uncertainty of instrument and contact"),
-        None => words.say("the instrument's uncertainty"),
+        Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
+        None => tr!(words, "uncertainty-of-instrument"),
     };
     let numbers = position_rms(of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
         let Shown { unit, factor } = number::shown("mm", rms_mm);
         let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
-        let values: [&dyn std::fmt::Display; 3] = [&rms, &expected, &unit];
-        words.fill("Position residuals, RMS {0} {2}; explained by instrument and frames {1} {2}.", &values)
+        tr!(words, "position-residuals-explained", rms, expected, unit)
     });
     let sentence = ratio.is_finite().then(|| match r.chi_square_rejected {
-        true => words.fill("What is left is {0} times {1}: the model does not explain everything.", &[&times, &by]),
-        false => words.fill("What is left is {0} times {1}: the model explains the measurements.", &[&times, &by]),
+        true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = by),
+        false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = by),
     })?;
     Some(numbers.map_or(sentence.clone(), |numbers| format!("{numbers} {sentence}")))
 }
@@ -283,8 +294,8 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     let termination = document.solver.termination;
     match termination.is_success() {
         true if document.is_plausible() => None,
-        true => Some(words.say("These parameters cannot be those of the robot: they must not be loaded.")),
-        false => Some(words.fill("The identification failed: {0}.", &[&termination])),
+        true => Some(tr!(words, "parameters-implausible")),
+        false => Some(tr!(words, "identification-failed", reason = termination.to_string())),
     }
 }
 
@@ -298,11 +309,11 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
 /// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
 fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<Headline> {
     let of = |quantity: ErrorQuantity, figure: Figure| {
-        let name = words.say(quantity.as_ref());
+        let name = words.tr(&names::quantity(quantity));
         let what = match figure {
-            Figure::Mean => words.fill("{0} mean", &[&name]),
-            Figure::Rms => words.fill("{0} RMS", &[&name]),
-            Figure::Max => words.fill("{0} max", &[&name]),
+            Figure::Mean => tr!(words, "mean-of", quantity = name),
+            Figure::Rms => tr!(words, "rms-of", quantity = name),
+            Figure::Max => tr!(words, "max-of", quantity = name),
         };
         Some(headline(set.of(quantity)?, what, figure))
     };
@@ -319,7 +330,7 @@ fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> V
 fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     let Shown { unit, factor } = number::shown("mm", tool.before.max);
     let text = |v: f64| number::significant(v * factor, 3);
-    let what = words.say("tool point RMS: nominal minus identified → expected");
+    let what = tr!(words, "tool-point-headline");
     Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
 }
 
@@ -338,7 +349,7 @@ fn headline(errors: &ErrorStatistics, what: String, figure: Figure) -> Headline 
 /// intervals, and the sufficiency of the instrument.
 fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let Some(document) = &tested.poses else { return Vec::new() };
-    let of = |sentence: &str, of: PoseCharacteristic| {
+    let of = |of: PoseCharacteristic, sentence: fn(&str, &PoseName, &Words) -> String| {
         let all = document.poses.iter().filter_map(|p| Some(((of.value)(p)?, p.pose)));
         let (mm, pose) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let limit = document.limits.iter().find(|l| l.name == of.limit);
@@ -347,13 +358,13 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
         let within = limit.map(|l| within(mm <= l.limit, &um(l.limit), words));
-        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, of, words)];
+        let said = [Some(sentence(&um(mm), &pose, words)), within, conformity(document, of, words)];
         Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
     };
-    let accuracy = words.say("The accuracy is {0} µm, at pose {1}.");
-    let accuracy = of(&accuracy, PoseCharacteristic::AP);
-    let repeatability = words.say("The repeatability is {0} µm, at pose {1}.");
-    let repeatability = of(&repeatability, PoseCharacteristic::RP);
+    let accuracy = of(PoseCharacteristic::AP, |accuracy, pose, words| tr!(words, "accuracy-at-pose", accuracy, pose));
+    let repeatability = of(PoseCharacteristic::RP, |repeatability, pose, words| {
+        tr!(words, "repeatability-at-pose", repeatability, pose)
+    });
     let by_approach = pooled(document, words);
     let instrument = Some(quarter_sentence(document, words)).filter(|sentence| !sentence.is_empty());
     [accuracy, by_approach, repeatability, instrument].into_iter().flatten().collect()
@@ -370,16 +381,21 @@ fn pooled(document: &Iso9283Document, words: &Words) -> Option<String> {
     };
     let (pose, count, low, high, pooled) = several.filter_map(of_pose).max_by(|a, b| a.3.total_cmp(&b.3))?;
     let um = |mm: f64| number::fixed(1e3 * mm, 1);
-    Some(words.fill(
-        "From one approach the repeatability is {0} to {1} µm, at pose {2} with {3} approaches; all of them together: {4} µm.",
-        &[&um(low), &um(high), &pose, &count, &um(pooled)],
+    Some(tr!(
+        words,
+        "repeatability-from-one-approach",
+        smallest = um(low),
+        largest = um(high),
+        pose,
+        approaches = count,
+        together = um(pooled)
     ))
 }
 
 fn within(within: bool, allowed: &str, words: &Words) -> String {
     match within {
-        true => words.fill("This is within the limit of {0} µm.", &[&allowed]),
-        false => words.fill("This is not within the limit of {0} µm.", &[&allowed]),
+        true => tr!(words, "limit-kept-sentence", limit = allowed),
+        false => tr!(words, "limit-exceeded-sentence", limit = allowed),
     }
 }
 
@@ -393,24 +409,17 @@ fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words)
     let all = conforming.len() + not.len() + neither.len();
     let first = match conforming.len() {
         0 => None,
-        1 if all == 1 => Some(words.fill("pose {0} conforms", &[&conforming[0]])),
-        1 => Some(words.fill("1 of {0} poses conforms", &[&all])),
-        n if n == all => Some(words.fill("all {0} poses conform", &[&all])),
-        n => Some(words.fill("{0} of {1} poses conform", &[&n, &all])),
+        1 if all == 1 => Some(tr!(words, "pose-conforms", pose = conforming[0])),
+        n if n == all => Some(tr!(words, "all-poses-conform", count = all)),
+        n => Some(tr!(words, "poses-conform", count = n, total = all)),
     };
-    let second = match &not[..] {
-        [] => None,
-        [one] => Some(words.fill("pose {0} does not conform", &[one])),
-        several => Some(words.fill("poses {0} do not conform", &[&several.join(", ")])),
-    };
-    let third = match &neither[..] {
-        [] => None,
-        [one] => Some(words.fill("pose {0} is undecided", &[one])),
-        several => Some(words.fill("poses {0} are undecided", &[&several.join(", ")])),
-    };
+    let second =
+        (!not.is_empty()).then(|| tr!(words, "poses-not-conforming", count = not.len(), poses = not.join(", ")));
+    let third =
+        (!neither.is_empty()).then(|| tr!(words, "poses-undecided", count = neither.len(), poses = neither.join(", ")));
     let said: Vec<String> = [first, second, third].into_iter().flatten().collect();
     let rule = document.limits.first().map_or_else(DecisionRule::default, |l| l.decision_rule);
-    (all > 0).then(|| words.fill("By {0}: {1}.", &[&name(rule, words), &said.join("; ")]))
+    (all > 0).then(|| tr!(words, "conformity-by-rule", rule = name(rule, words), results = said.join("; ")))
 }
 
 #[cfg(test)]
@@ -422,7 +431,7 @@ mod tests {
 
     fn of(documents: &Documents) -> Verdict {
         let report = documents.report();
-        verdict(report.identified.as_ref(), report.tested, &Words::default())
+        verdict(&report, &Words::default())
     }
 
     #[test]
@@ -430,8 +439,11 @@ mod tests {
         let mut documents = Documents::demo();
         let good = of(&documents);
         let expected = [
-            "The largest position error at 51 validation poses fell from 2.0895 to 0.0442 ± 0.0038 mm (limit 0.05 mm: met).",
-            "What is left is 1.19 times the instrument's uncertainty: the model does not explain everything.",
+            "Verdict: pass.",
+            "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
+            "",
+            "Position residuals: RMS 26 µm, of which instrument and frames explain 21.8 µm. What is left is 1.19 times the \
+             instrument's uncertainty: the model does not explain everything.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
@@ -439,19 +451,40 @@ mod tests {
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = of(&documents);
         assert!(
-            open.class == Grade::Open && !open.met && open.sentences[0].ends_with("(limit 0.05 mm: undecided)."),
+            open.class == Grade::Open && !open.met && open.sentences[1].ends_with("limit 0.05 mm: undecided."),
             "{open:?}"
         );
+        assert_eq!(open.sentences[0], "Verdict: undecided.");
         assert!(
-            open.sentences[2]
-                .starts_with("Within its uncertainty it is undecided whether the limit is met: position_max")
+            open.sentences[4]
+                .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error"),
+            "{open:?}"
         );
+        let simple = LimitVerdict::of(
+            LimitQuantity::PositionMaxMm,
+            0.05,
+            0.0442,
+            Some(0.038),
+            DecisionRule::SimpleAcceptance,
+        );
+        documents.accuracy.limits[0] = simple;
+        let conditional = of(&documents);
+        assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
+        // Φ(0.0058/0.019) = 0.62
+        let ends = "conditional, margin 0.0058 mm, risk of a false acceptance 38 %.";
+        assert!(conditional.sentences[1].ends_with(ends), "{conditional:?}");
+        documents.accuracy.limits[0] =
+            LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.05, DecisionRule::Guarded);
+        let open = of(&documents);
+        assert_eq!((open.class, open.met), (Grade::Open, false));
+        assert!(open.sentences.iter().any(|s| s.starts_with("Not assessable, because")), "{open:?}");
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
         assert_eq!(bad.class, Grade::Bad);
-        assert!(bad.sentences[2].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
+        assert!(bad.sentences[4].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
         documents.accuracy.limits.clear();
-        assert_eq!(of(&documents).class, Grade::Open);
+        let without = of(&documents);
+        assert!(without.class == Grade::Open && without.met, "{without:?}");
     }
 
     #[test]
