@@ -1,7 +1,7 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
-use super::{Effect, Figure, ReadingReliability, ToolFrame, UncertaintySource};
+use super::{CampaignReference, Effect, Figure, Provenance, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -13,6 +13,12 @@ use serde::{Deserialize, Serialize};
 pub struct AccuracyDocument {
     /// Schema and version: `etalon/accuracy/1`.
     pub schema: String,
+    /// Campaign whose data judge given parameters; absent in the output folder of a run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub campaign: Option<CampaignReference>,
+    /// Origin of the numbers of given parameters; absent in the output folder of a run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub provenance: Option<Provenance>,
     /// Definition of "before" and of "error" in this document, in words.
     pub definition: String,
     /// Point whose errors are in `sets`, in words.

@@ -24,7 +24,7 @@ mod workbook;
 
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, FeaturesDocument,
+    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, FeaturesDocument,
     FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument, PointError, Presentation,
     Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument, VerificationDocument, VerificationPlanDocument,
 };
@@ -163,6 +163,35 @@ fn of_model(document: &ParametersDocument, words: &Words) -> String {
     tr!(words, "calibration-report-of-model", model = isolated(&one_line(&document.robot)))
 }
 
+/// Campaign to which an answer refers.
+struct Head<'a> {
+    label: String,
+    campaign: Option<&'a CampaignReference>,
+}
+
+impl Head<'_> {
+    /// Adds date, synthetic mark, campaign and files to the contents of an answer.
+    fn on(self, mut contents: Contents, provenance: Option<&Provenance>, words: &Words) -> Contents {
+        let Self { label, campaign } = self;
+        contents.date = campaign.and_then(|c| c.date.clone());
+        contents.synthetic = campaign.and_then(|c| c.synthetic.clone()).into_iter().collect();
+        let mut origin = match provenance {
+            Some(provenance) => sections::provenance::of(provenance, &[], words),
+            None => Section::new("provenance", tr!(words, "provenance")),
+        };
+        if let Some(c) = campaign {
+            origin.begin(model::Block::facts(vec![
+                (label, c.name.as_str().into()),
+                (tr!(words, "robot"), c.robot.as_ref().into()),
+                (tr!(words, "date"), c.date.as_ref().into()),
+                (tr!(words, "instrument"), c.instrument.as_ref().into()),
+            ]));
+        }
+        contents.sections.extend(origin.whole());
+        contents
+    }
+}
+
 /// Subject of an answer.
 fn named(robot: &str, words: &Words) -> String {
     tr!(words, "robot-of-model", model = isolated(&one_line(robot)))
@@ -290,10 +319,15 @@ impl Faces {
         let verdict = sections::verdict::of_validation(document, &words);
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
-        let sections = limits.into_iter().chain([sections::errors::of(document, &[], &words)]).collect();
+        let errors = sections::errors::of(document, &[], &words);
+        let sections = limits.into_iter().chain([errors]).collect();
         let title = tr!(words, "validation-of-given-parameters");
         let attached = Attachment::of("accuracy.json", "data", "Errors of given parameters", document)?;
-        Ok(Self::answer(Contents { title, verdict, sections, ..Contents::default() }, attached, presentation, words))
+        let subtitle = document.campaign.as_ref().map(|c| isolated(&one_line(&c.name))).unwrap_or_default();
+        let contents = Contents { title, subtitle, verdict, sections, ..Contents::default() };
+        let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
+        let contents = head.on(contents, document.provenance.as_ref(), &words);
+        Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Creates the report on whether given parameters still apply.
@@ -307,6 +341,8 @@ impl Faces {
             sections: verification(document, &words),
             ..Contents::default()
         };
+        let head = Head { label: tr!(words, "campaign-of-parameters"), campaign: document.calibration.as_ref() };
+        let contents = head.on(contents, Some(&document.provenance), &words);
         let attached = Attachment::of("verification.json", "data", "Verification", document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
@@ -337,6 +373,8 @@ impl Faces {
             sections: recommendation(document, &words),
             ..Contents::default()
         };
+        let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
+        let contents = head.on(contents, Some(&document.recommended.provenance), &words);
         let attached = Attachment::of("recommendation.json", "data", "Recommendation", document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }

@@ -340,6 +340,8 @@ pub fn evaluate(
     };
     AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
+        campaign: None,
+        provenance: None,
         definition: format!(
             "error: {error}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
              poses; after: all identified parameters; statistics are of sizes, each repeat counted"

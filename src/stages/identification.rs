@@ -434,10 +434,15 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
     if compared.correlation <= 0.3 {
         return None;
     }
+    let of_position = (robot.dimension() as f64).sqrt();
     let what = format!(
-        "with log `{}`, residuals correlate with the difference of the two logs, r = {:.2}: their root mean square is {:.3} mm, \
+        "with log `{}`, residuals correlate with the difference of the two logs, r = {:.2}: the root mean square of positions is {:.3} mm, \
          with log `{}` {:.3} mm",
-        this.name, compared.correlation, this.found.rms, that.name, that.found.rms
+        this.name,
+        compared.correlation,
+        of_position * this.found.rms,
+        that.name,
+        of_position * that.found.rms
     );
     let message = Message::warning(what);
     Some(match this.name == used {

@@ -337,6 +337,8 @@ mod tests {
         let set = set(PoseSet::Validation, all);
         let document = AccuracyDocument {
             given: None,
+            campaign: None,
+            provenance: None,
             joints: vec![],
             trends: vec![],
             schema: String::new(),

@@ -110,6 +110,8 @@ impl Documents {
             frames: frames(),
             parameters: parameters(),
             accuracy: AccuracyDocument {
+                campaign: None,
+                provenance: None,
                 given: None,
                 joints: vec![],
                 trends: vec![],
