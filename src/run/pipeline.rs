@@ -14,6 +14,7 @@ use etalon_campaign::Campaign;
 use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
+    VerdictDocument,
 };
 use etalon_report::{Faces, Report};
 use etalon_robots::Robot;
@@ -36,6 +37,8 @@ pub struct Outcome {
     pub tested: Characteristics,
     /// Whether every limit is met, and the result can be that of a robot.
     pub met: bool,
+    /// The verdict with its reasons.
+    pub judgement: VerdictDocument,
     /// The report, where it was wanted.
     pub faces: Option<Faces>,
     /// What the campaign states about itself.
@@ -133,7 +136,8 @@ fn write(
     mut out: Output,
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
-    let met = found.report().is_met();
+    let verdict = found.report().judgement();
+    let met = verdict.is_met();
     let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
@@ -146,6 +150,7 @@ fn write(
     out.json("frames.json", &frames)?;
     out.observations(campaign, joined.filter(|_| tables))?;
     out.identified(identified.as_ref())?;
+    out.json("verdict.json", &verdict)?;
     out.optional("geometric.json", geometric.as_ref())?;
     out.optional("controllers.json", controllers.as_ref())?;
     out.optional("iso9283.json", tested.poses.as_ref())?;
@@ -171,7 +176,7 @@ fn write(
         out.reports(faces.files()?);
     }
     let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, faces, summary, messages })
+    Ok(Outcome { written, identified, tested, met, judgement: verdict, faces, summary, messages })
 }
 
 /// What controller files are made of, before anything is identified again for them.

@@ -103,6 +103,7 @@ impl Recommendation<'_> {
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
+            campaign: None,
             meaning: meaning((&chosen, together), choice, &parameters, &held_out),
             poses: study.poses,
             folds: study.first_cut().len(),

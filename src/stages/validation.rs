@@ -1,12 +1,12 @@
 //! Validate: given parameters judged on the data of a campaign; nothing of the robot is identified.
 
-use super::evaluate::{self, ErrorUncertainty, Sets};
+use super::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::Campaign;
-use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
+use etalon_documents::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument, Statistics};
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
 
@@ -28,7 +28,7 @@ pub fn validate(
     document: Option<&ParametersDocument>,
     frames: GivenFrames,
 ) -> Result<Validated> {
-    let Selected { mut sets, settings, mut apart, mut messages, .. } = selected;
+    let Selected { mut sets, settings, mut apart, systematic, mut messages, .. } = selected;
     if frames == GivenFrames::Given {
         // all places are given
         sets = std::mem::take(&mut apart).beside(&sets);
@@ -45,8 +45,16 @@ pub fn validate(
     messages.extend(placed.message(robot, &sets)?);
     let mut errors = evaluate::errors(robot, &sets, &values.before, &values.after);
     errors.extend(apart.errors(robot, &values.before, &values.after, &placed));
-    let uncertainty = ErrorUncertainty::of(campaign, robot, &apart.beside(&sets), &settings);
-    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
+    let set_up = match frames {
+        GivenFrames::Given => Vec::new(),
+        GivenFrames::Refit | GivenFrames::Prior => {
+            etalon_identify::wanted_frames(robot, &sets.calibration, &settings).map_err(remedied)?
+        }
+    };
+    let all = apart.beside(&sets);
+    let judged = Judged { robot, values: &values.after, set_up: &set_up, sets: &all, settings: &settings };
+    let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     accuracy.placed_apart = placed.documents(robot);
     accuracy.definition = definition(&accuracy, document.is_some(), frames);
     let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
@@ -171,7 +179,7 @@ fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames
 
 /// A warning where the given parameters are worse than nominal ones.
 fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
-    let position = accuracy.sets.last()?.of(ErrorQuantity::Position)?;
+    let position = accuracy.sets.last()?.leading()?;
     let rms = |s: &Statistics| s.rms;
     (rms(&position.after) > rms(&position.before)).then(|| {
         let what = format!(

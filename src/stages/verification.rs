@@ -66,8 +66,12 @@ pub fn verify(
             kept.p_value(noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
         }));
     }
-    let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();
-    let moved = found.cause().map(|e| movement(robot, e));
+    let whole = found.of_changes.sum + found.of_rest.sum;
+    let movement = |e: &Explanation| movement(robot, e, whole);
+    let explanations: Vec<Movement> = found.explanations.iter().map(movement).collect();
+    let moved = found.cause().map(movement);
+    let dominant = dominant(&found).map(|(e, share)| (movement(e), share));
+    let of_position = (robot.dimension() as f64).sqrt();
     let verdict = match found.cause().map(|cause| cause.moved) {
         _ if !found.is_changed() => VerificationVerdict::Valid,
         Some(Moved::Base) => VerificationVerdict::BaseMoved,
@@ -78,7 +82,8 @@ pub fn verify(
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
-        meaning: meaning(verdict, moved.as_ref()),
+        calibration: None,
+        meaning: meaning(verdict, moved.as_ref(), dominant.as_ref()),
         verdict,
         p_value: found.p_value,
         significance: SIGNIFICANCE,
@@ -95,6 +100,8 @@ pub fn verify(
         points: observations.iter().map(|o| o.targets.iter().flatten().count()).sum(),
         rms_mm: found.rms_mm,
         expected_rms_mm: found.expected_rms_mm,
+        position_rms_mm: of_position * found.rms_mm,
+        expected_position_rms_mm: of_position * found.expected_rms_mm,
         standard_uncertainty_mm: noise.measured_mm,
         model_mm: noise.model_mm,
         messages,
@@ -206,8 +213,10 @@ fn exchanged_targets(
     let names = robot.targets();
     (left_mm < 0.1 * found.rms_mm).then(|| {
         let what = format!("targets `{}` and `{}` are exchanged", names[a], names[b]);
-        let hint =
-            format!("with the names the other way the residuals fall from {:.3} to {left_mm:.3} mm", found.rms_mm);
+        let [before_mm, after_mm] = [found.rms_mm, left_mm].map(|mm| (robot.dimension() as f64).sqrt() * mm);
+        let hint = format!(
+            "with the names the other way the position residuals (RMS) fall from {before_mm:.3} to {after_mm:.3} mm"
+        );
         Message::error(what).hint(hint)
     })
 }
@@ -244,7 +253,20 @@ fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
     }
 }
 
-fn movement(robot: &dyn Robot, found: &Explanation) -> Movement {
+/// Smallest share of the excess of squares that names a motion which does not explain everything.
+const DOMINANT: f64 = 0.5;
+
+/// The motion that explains most of what the parameters and their uncertainty do not, with its
+/// share; `None` if no motion explains half of it.
+fn dominant(found: &Verification) -> Option<(&Explanation, f64)> {
+    let (changes, rest) = (&found.of_changes, &found.of_rest);
+    let excess = changes.sum + rest.sum - (changes.degrees_of_freedom + rest.degrees_of_freedom) as f64;
+    let share = |e: &Explanation| (e.explained - e.change.len() as f64) / excess;
+    let best = found.explanations.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    (excess > 0.0 && share(best) >= DOMINANT).then(|| (best, share(best).min(1.0)))
+}
+
+fn movement(robot: &dyn Robot, found: &Explanation, whole: f64) -> Movement {
     let numbers = found.change.iter().zip(&found.standard_uncertainty);
     let by =
         components(robot, found.moved).into_iter().zip(numbers).map(|((name, quantity), (value, u))| MovementValue {
@@ -258,7 +280,8 @@ fn movement(robot: &dyn Robot, found: &Explanation) -> Movement {
         Moved::Joint(j) => (MovementKind::Joint, robot.joints()[j].name.clone()),
         Moved::Target(k) => (MovementKind::Target, robot.targets()[k].clone()),
     };
-    Movement { name, kind, by: by.collect(), p_left: found.p_left }
+    let explained_share = if whole > 0.0 { (found.explained / whole).clamp(0.0, 1.0) } else { 0.0 };
+    Movement { name, kind, by: by.collect(), p_left: found.p_left, explained_share }
 }
 
 fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
@@ -275,8 +298,9 @@ fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
     names.into_iter().zip(&detectable.change).map(of).collect()
 }
 
-fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> String {
-    let by = moved.map(|m| m.by.iter().map(number).collect::<Vec<_>>().join(", ")).unwrap_or_default();
+fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>, dominant: Option<&(Movement, f64)>) -> String {
+    let numbers = |m: &Movement| m.by.iter().map(number).collect::<Vec<_>>().join(", ");
+    let by = moved.map(numbers).unwrap_or_default();
     let name = moved.map(|m| m.name.as_str()).unwrap_or_default();
     match (verdict, moved) {
         (VerificationVerdict::Valid, _) => "the parameters are still valid for these poses".to_owned(),
@@ -285,6 +309,19 @@ fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> String {
             format!("the zero of joint {name} has moved by {}", by.trim_start_matches(name).trim_start())
         }
         (VerificationVerdict::Other, Some(_)) => format!("the target {name} has moved on its part by {by}"),
+        (VerificationVerdict::Other, None) if dominant.is_some() => {
+            let Some((m, share)) = dominant else { return String::new() };
+            let (by, percent) = (numbers(m), 100.0 * share);
+            let what = match m.kind {
+                MovementKind::Base => format!("a movement of the base by {by}"),
+                MovementKind::Joint => format!("a movement of the zero of joint {} by {by}", m.name),
+                MovementKind::Target => format!("a movement of the target {} by {by}", m.name),
+            };
+            format!(
+                "the parameters are no longer valid: {what} explains {percent:.0} % of the deviation, and what is left is \
+                 larger than expected"
+            )
+        }
         (VerificationVerdict::Other, None) => {
             "the parameters are no longer valid, and no motion of the base, one joint or one target explains why"
                 .to_owned()
@@ -303,7 +340,7 @@ fn number(v: &MovementValue) -> String {
 fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
     let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;
-    let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e).name).collect();
+    let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect();
     if others.is_empty() {
         return None;
     }

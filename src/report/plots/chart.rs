@@ -5,7 +5,7 @@ use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
 use crate::number;
-use crate::words::{Words, names, tr};
+use crate::words::{Words, tr};
 use etalon_documents::{ErrorQuantity, LimitVerdict};
 
 /// Height of the frame.
@@ -160,7 +160,7 @@ impl Chart {
             false => self.level("limit", limit.limit),
         }
         let unit = if shown.unit.is_empty() { &limit.unit } else { shown.unit };
-        let quantity = words.tr(&names::limit(limit.name));
+        let quantity = crate::sections::verdict::quantity(limit.name, words);
         let value = &number::derived(limit.limit * shown.factor);
         self.svg.legend_line("limit", &tr!(words, "limit-of", quantity, value, unit));
     }

@@ -2,7 +2,7 @@
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{Effect, ErrorQuantity, LimitQuantity, PoseSet, SourceKind, UncertaintySource};
+use etalon_documents::{Effect, ErrorQuantity, PoseSet, SourceKind, UncertaintySource};
 
 /// Name of a set of poses.
 pub(crate) fn set(set: PoseSet) -> Phrase {
@@ -20,6 +20,10 @@ pub(crate) fn quantity(quantity: ErrorQuantity) -> Phrase {
         ErrorQuantity::Y => phrase!("axis-y"),
         ErrorQuantity::Z => phrase!("axis-z"),
         ErrorQuantity::Orientation => phrase!("orientation"),
+        ErrorQuantity::Distance => phrase!("distance"),
+        ErrorQuantity::Surface => phrase!("surface"),
+        ErrorQuantity::Contact => phrase!("contact"),
+        ErrorQuantity::Coordinate => phrase!("coordinate"),
     }
 }
 
@@ -35,18 +39,6 @@ pub(crate) fn model(key: &str) -> Option<Phrase> {
         "delta_linear" => phrase!("model-delta-linear"),
         _ => return None,
     })
-}
-
-/// Name of a limited quantity.
-pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
-    match quantity {
-        LimitQuantity::PositionMaxMm => phrase!("limit-position-max"),
-        LimitQuantity::PositionMeanMm => phrase!("limit-position-mean"),
-        LimitQuantity::PositionRmsMm => phrase!("limit-position-rms"),
-        LimitQuantity::OrientationMaxDeg => phrase!("limit-orientation-max"),
-        LimitQuantity::RepeatabilityMaxMm => phrase!("limit-repeatability-max"),
-        LimitQuantity::AccuracyMaxMm => phrase!("limit-accuracy-max"),
-    }
 }
 
 /// Name of an effect of the robot.
