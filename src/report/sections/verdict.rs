@@ -6,6 +6,8 @@ use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
@@ -194,7 +196,7 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     Some(tr!(
         words,
         "error-at-poses",
-        quantity = error_name(e.quantity, Figure::Max, words),
+        quantity = words.tr(&error_name(e.quantity, Figure::Max)),
         count = set.poses,
         set = words.tr(&names::set(set.name)),
         before = number::fixed(before, decimals),
@@ -208,21 +210,21 @@ pub(super) fn quantity(limit: LimitQuantity, words: &Words) -> String {
     match limit {
         LimitQuantity::RepeatabilityMaxMm => tr!(words, "characteristic-rp-max"),
         LimitQuantity::AccuracyMaxMm => tr!(words, "characteristic-ap-max"),
-        limit => limit.of_errors().map_or_else(String::new, |(of, figure)| error_name(of, figure, words)),
+        limit => limit.of_errors().map_or_else(String::new, |(of, figure)| words.tr(&error_name(of, figure))),
     }
 }
 
 /// Name of a figure of errors.
-fn error_name(quantity: ErrorQuantity, figure: Figure, words: &Words) -> String {
+pub(super) fn error_name(quantity: ErrorQuantity, figure: Figure) -> Phrase {
     match (quantity, figure) {
-        (ErrorQuantity::Position, Figure::Mean) => tr!(words, "error-position-mean"),
-        (ErrorQuantity::Position, Figure::Rms) => tr!(words, "error-position-rms"),
-        (ErrorQuantity::Orientation, _) => tr!(words, "error-orientation-max"),
-        (ErrorQuantity::Distance, _) => tr!(words, "error-distance-max"),
-        (ErrorQuantity::Surface, _) => tr!(words, "error-surface-max"),
-        (ErrorQuantity::Contact, _) => tr!(words, "error-contact-max"),
-        (ErrorQuantity::Coordinate, _) => tr!(words, "error-coordinate-max"),
-        _ => tr!(words, "error-position-max"),
+        (ErrorQuantity::Position, Figure::Mean) => phrase!("error-position-mean"),
+        (ErrorQuantity::Position, Figure::Rms) => phrase!("error-position-rms"),
+        (ErrorQuantity::Orientation, _) => phrase!("error-orientation-max"),
+        (ErrorQuantity::Distance, _) => phrase!("error-distance-max"),
+        (ErrorQuantity::Surface, _) => phrase!("error-surface-max"),
+        (ErrorQuantity::Contact, _) => phrase!("error-contact-max"),
+        (ErrorQuantity::Coordinate, _) => phrase!("error-coordinate-max"),
+        _ => phrase!("error-position-max"),
     }
 }
 
