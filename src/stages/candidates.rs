@@ -33,9 +33,8 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
             return Err(error!("joint-value-missing").within(phrase!("in-candidate", pose)).into());
         }
         if robot.has_assembly_modes() {
-            joints.push(modes[row].ok_or_else(|| {
-                error!("assembly-mode-missing").within(phrase!("in-candidate", pose))
-            })?);
+            joints
+                .push(modes[row].ok_or_else(|| error!("assembly-mode-missing").within(phrase!("in-candidate", pose)))?);
         }
         let key = (pose, joints.iter().map(|q| q.to_bits()).collect::<Vec<_>>());
         let k = *places.entry(key).or_insert_with(|| {

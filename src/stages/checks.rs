@@ -81,11 +81,9 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
     let poses: Vec<_> = found.disagreeing().iter().map(|p| p.pose).collect();
     Some(match poses.is_empty() {
         true => warning!("robust-fit-differs", parameter = name, over_u, limit),
-        false => {
-            warning!("robust-fit-differs-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
-                .to_decide()
-                .hint(phrase!("check-readings"))
-        }
+        false => warning!("robust-fit-differs-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
+            .to_decide()
+            .hint(phrase!("check-readings")),
     })
 }
 

@@ -281,9 +281,9 @@ pub fn evaluate(
     let mut verdicts = Vec::new();
     for (name, limit) in limits.stated() {
         let Some((quantity, pick)) = name.of_errors() else { continue };
-        let errors = judged.and_then(|set| set.of(quantity)).ok_or_else(|| {
-            error!("limit-of-missing-error", limit = name.to_string())
-        })?;
+        let errors = judged
+            .and_then(|set| set.of(quantity))
+            .ok_or_else(|| error!("limit-of-missing-error", limit = name.to_string()))?;
         let expanded = uncertainty.expanded(quantity);
         verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
     }

@@ -39,8 +39,7 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
             Ok(fitted) => fitted,
             Err(more) => {
                 let place = labels.first().map(|l| Box::new(campaign.place(l)));
-                let named =
-                    |m: Message| Message { place: place.clone(), ..m.within(phrase!("in-feature", name)) };
+                let named = |m: Message| Message { place: place.clone(), ..m.within(phrase!("in-feature", name)) };
                 problems.0.extend(more.0.into_iter().map(named));
                 continue;
             }
@@ -175,8 +174,7 @@ impl Geometry {
 fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition) -> Result<WorldFrame> {
     let lacks = |fault: &str| error!("world-frame-incomplete", fault).at(campaign.world_place());
     let plane_name = world.plane.as_ref().ok_or_else(|| lacks("plane"))?;
-    let (on_plane, normal) =
-        *(geometry.features.get(plane_name.get_ref())).ok_or_else(|| lacks("feature"))?;
+    let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref())).ok_or_else(|| lacks("feature"))?;
     let project = |p: Vector| {
         let height = dot(minus(p, on_plane), normal);
         [p[0] - height * normal[0], p[1] - height * normal[1], p[2] - height * normal[2]]
@@ -199,8 +197,7 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         _ => [0.0; 3],
     };
     let along = minus(along, normal.map(|n| n * dot(along, normal)));
-    let first =
-        unit(along).ok_or_else(|| error!("world-axis-without-direction").at(campaign.world_place()))?;
+    let first = unit(along).ok_or_else(|| error!("world-axis-without-direction").at(campaign.world_place()))?;
     let side = minus(towards, origin);
     let off_axis = minus(side, first.map(|v| v * dot(side, first)));
     let other = unit(off_axis)

@@ -157,6 +157,7 @@ fn out_of_range(joint: &Joint, value: f64, expected: &Expected, row: &JointRow) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::IntoArgument;
     use etalon_campaign::read_robot;
 
     const TABLE: &str = "model = \"serial\"\nconvention = \"dh\"\njoint = [\n\
@@ -211,11 +212,12 @@ mod tests {
     fn a_column_out_of_range_is_one_message_which_names_a_unit_where_it_explains_all() {
         let column = |factor: f64| (0..20).map(move |i| [0.0, factor * f64::from(i + 20)]);
         let hint = |factor: f64| match &messages(TABLE, column(factor))[..] {
-            [one] => one.hint.clone().unwrap(),
+            [one] => one.arguments.get("hint").cloned(),
             all => panic!("{all:?}"),
         };
-        assert!(hint(180.0 / std::f64::consts::PI).contains("degrees instead of radians"));
-        assert!(!hint(1e6).contains("instead of"));
+        let unit = phrase!("check-column-unit", units = "degrees").argument();
+        assert_eq!(hint(180.0 / std::f64::consts::PI), Some(unit));
+        assert_eq!(hint(1e6), None);
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 pub use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Result};
-use etalon_base::{error, phrase};
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_formats::table::{self, MATRIX, QUATERNION};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
@@ -160,7 +160,8 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
         return message.hint(phrase!("angle-orders-unfit", order = best.to_string(), left_deg = least));
     }
     let fits = all.iter().take_while(|m| m.0 <= AS_GOOD * least).take(NAMED);
-    let order = |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
+    let order =
+        |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
     let orders: Vec<_> = fits.map(order).collect();
     message.hint(phrase!("angle-orders-fit", orders))
 }

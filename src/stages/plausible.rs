@@ -281,13 +281,14 @@ fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::Argument;
     use etalon_base::noise::Noise;
     use etalon_identify::identify;
     use etalon_robots::Prexyt;
 
     /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
     /// nominal by up to `off_mm`.
-    fn said(factor: f64, off_mm: f64) -> Option<String> {
+    fn said(factor: f64, off_mm: f64) -> Option<Message> {
         let (robot, mut noise) = (Prexyt::default(), Noise::new(16, 5));
         let own = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Length && p.nominal != 0.0;
         let truth: Vec<f64> =
@@ -307,14 +308,15 @@ mod tests {
         let observations: Vec<Observation> = (1..=40).map(pose).collect();
         let settings = Settings { standard_uncertainty_mm: Some(0.003), ..Settings::default() };
         let found = identify(&robot, &observations, &settings).expect("identified");
-        common_factor(&robot, &found).map(|message| message.what)
+        common_factor(&robot, &found)
     }
 
     #[test]
     fn a_factor_common_to_all_lengths_and_gains_is_a_scale_error() {
-        for (factor, text) in [(1.001, "1.0010"), (0.9995, "0.9995")] {
-            let what = said(factor, 0.0).expect("a factor");
-            assert!(what.contains(text) && what.contains("scale error"), "{what}");
+        for factor in [1.001, 0.9995] {
+            let message = said(factor, 0.0).expect("a factor");
+            let Some(Argument::Number(found)) = message.arguments.get("factor") else { panic!("{message}") };
+            assert!(message.is("common-scale", &[]) && (found - factor).abs() < 5e-5, "{message}");
         }
         assert_eq!(said(1.0, 0.0), None);
         // parts that are off by themselves share none

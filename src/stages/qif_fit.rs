@@ -52,7 +52,8 @@ fn is_coordinate_axis(d: Vector) -> bool {
 fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();
-    let missing = |missing: &str| error!("probe-of-feature-unknown", feature = label, missing).at(feature.place.clone());
+    let missing =
+        |missing: &str| error!("probe-of-feature-unknown", feature = label, missing).at(feature.place.clone());
     let radius_mm = stated.radius_mm.or(radius_mm);
     let radius_mm = radius_mm.ok_or_else(|| missing("radius"))?;
     let (side, from) = match stated.side {

@@ -69,7 +69,9 @@ const NAMED_OUTLIERS: usize = 40;
 /// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
 pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Message {
     match robust.outliers().is_empty() {
-        true => warning!("largest-residuals", readings = named(&robust.readings, NAMED.min(robust.readings.len()), robot)),
+        true => {
+            warning!("largest-residuals", readings = named(&robust.readings, NAMED.min(robust.readings.len()), robot))
+        }
         false => warning!("outliers", outliers = outliers(robust, robot)).to_decide().hint(phrase!("check-readings")),
     }
 }
@@ -110,7 +112,7 @@ mod tests {
             ),
             "{found}"
         );
-        assert_eq!(hint(None), check(&cause));
+        assert_eq!(hint(None), phrase!("remedy", remedy = check(&cause)).to_string());
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
-use etalon_base::warning;
 use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::warning;
 use etalon_campaign::PosesDefinition;
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use etalon_formats::tables::pose_test::pose_test;
