@@ -51,7 +51,7 @@ pub(super) fn leave_out(
         }
         columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row));
         let message = warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason = rule.reason);
-        problems.0.push(message.within(phrase!("of-file", file)).routine());
+        problems.0.push(message.within(phrase!("of-name", name = file)).routine());
     }
     problems.check()
 }

@@ -174,6 +174,7 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::IntoArgument;
 
     fn point(row: i64, name: &str, pose: Option<i64>, xyz_mm: Vector) -> Point {
         let target = pose.map(|_| name.to_owned());
@@ -198,6 +199,11 @@ mod tests {
         Campaign::read(copy.path()).unwrap()
     }
 
+    /// `true` if the only message is about this row, its point and the other point.
+    fn is_at(found: &[Message], row: i64, point: &str, other: &str) -> bool {
+        found.len() == 1 && found[0].is("point-lies-at-another", &[("row", &row), ("point", &point), ("other", &other)])
+    }
+
     #[test]
     fn a_target_that_lies_where_another_is_in_the_same_pose_is_reported_and_which_one_it_is() {
         let mut points = Vec::new();
@@ -213,8 +219,7 @@ mod tests {
             ));
         }
         let found = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
-        assert_eq!(whats, ["row 5: `base_3` lies where `SMR_3` is"]);
+        assert!(is_at(&found, 5, "base_3", "SMR_3"), "{found:?}");
         points[9].xyz_mm = [-3.0, 0.0, 0.0];
         assert!(misplaced(&campaign(""), &points).is_empty());
     }
@@ -232,8 +237,7 @@ mod tests {
             point(6, "measured", None, at(900.05)),
         ];
         let found = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
-        assert_eq!(whats, ["row 3: `Slave` lies where `D` is"]);
+        assert!(is_at(&found, 3, "Slave", "D"), "{found:?}");
     }
 
     #[test]
@@ -247,8 +251,7 @@ mod tests {
         points.push(point(25, "D", None, [700.0, 0.0, 0.0]));
         points.push(point(26, "shaft-2", None, [700.0, 0.0, 0.05]));
         let found = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
-        assert_eq!(whats, ["row 26: `shaft-2` lies where `D` is"]);
+        assert!(is_at(&found, 26, "shaft-2", "D"), "{found:?}");
     }
 
     #[test]
@@ -260,12 +263,10 @@ mod tests {
         };
         let found = drifting(&campaign, &rows(0.001));
         assert_eq!(found.len(), 1, "{found:?}");
-        assert!(
-            found[0].what.contains("between rows 1 to 10 and rows 91 to 100 it moves 0.0900 mm"),
-            "{}",
-            found[0].what
-        );
+        let rows = [("first", &"1-10" as &dyn IntoArgument), ("second", &"91-100"), ("limit_mm", &0.02)];
+        assert!(found[0].is("reference-drifts", &rows), "{found:?}");
+        assert!(found[0].arguments["moved_mm"] == 0.09, "{found:?}");
         assert!(drifting(&campaign, &rows(0.0001)).is_empty());
-        assert!(drifting(&campaign, &rows(0.001)[..20])[0].what.contains("too few to see it drift"));
+        assert!(drifting(&campaign, &rows(0.001)[..20])[0].is("drift-few-readings", &[("count", &20), ("least", &30)]));
     }
 }

@@ -87,9 +87,9 @@ mod tests {
     #[test]
     fn several_offsets_or_none_are_errors() {
         let even = [(0.0, 1.0), (10.0, 11.0), (20.0, 21.0)];
-        assert!(offset(&[0.5, 10.5], &even).unwrap_err().what.contains("several offsets"));
+        assert!(offset(&[0.5, 10.5], &even).unwrap_err().is("clock-offsets-several", &[("count", &2)]));
         assert!(offset(&[0.5, 10.5, 20.5], &even).is_ok());
-        assert!(offset(&[0.5, 5.0, 10.5, 20.5], &even).unwrap_err().what.contains("at no offset"));
+        assert!(offset(&[0.5, 5.0, 10.5, 20.5], &even).unwrap_err().is("clock-offset-none", &[]));
         assert!(offset(&[], &even).is_err() && offset(&[1.0], &[]).is_err());
     }
 }
