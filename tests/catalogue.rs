@@ -13,7 +13,7 @@ const FREE: [(&str, usize); 8] = [
     ("campaign", 2),
     ("cli", 3),
     ("documents", 4),
-    ("formats", 472),
+    ("formats", 224),
     ("identify", 64),
     ("report", 18),
     ("run", 93),

@@ -257,7 +257,7 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
         let (code, said, _) = campaign(&proposed.replacen(from, to, 1));
         assert!(code == Some(2) && said.contains(expected), "{code:?} {said}");
     };
-    slip("\"J1\"", "\"J7\"", "the header names no `J7`");
+    slip("\"J1\"", "\"J7\"", "[column-missing]: there is no column `J7`");
     slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "`J1` is stated to be `q1_deg` and `q2_deg`");
     slip("delimiter =", "sheet = \"A\"\ndelimiter =", "`delimiter` means nothing for a sheet of a workbook");
     slip("x_mm =", "x =", "`x` is not a column of observations");
