@@ -13,7 +13,7 @@ const FREE: [(&str, usize); 7] = [
     ("campaign", 2),
     ("cli", 3),
     ("documents", 4),
-    ("formats", 249),
+    ("formats", 224),
     ("identify", 64),
     ("report", 18),
     ("run", 93),

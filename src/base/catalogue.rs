@@ -28,14 +28,14 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-<<<<<<< HEAD
-pub const FILES: [(&str, [&str; 3]); 12] = files![
+pub const FILES: [(&str, [&str; 3]); 13] = files![
     "base",
     "campaign",
     "cli",
     "compare",
     "controllers",
     "documents",
+    "exports",
     "fit",
     "formats",
     "report",

@@ -1,6 +1,6 @@
 //! How the rows of a text could be split into numbers: every delimiter with every pair of marks, weighed.
 
-use super::lexer::{Row, marked, split};
+use super::lexer::{Row, parsed, split};
 use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
 use std::borrow::Cow;
 
@@ -106,7 +106,7 @@ fn some_columns() -> Columns {
 fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let (all, _) = split("", sample, &dialect);
     let missing = Missing::default();
-    let is_number = |field: &Cow<str>| marked(field, dialect.decimal, dialect.thousands).is_ok();
+    let is_number = |field: &Cow<str>| parsed(field, dialect.decimal, dialect.thousands).is_some();
     let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
     let header = all.iter().position(|row| numbers(row) >= 2)?;
     let end = dialect.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
@@ -179,7 +179,7 @@ fn named_by_comment<'t>(
     let plain = Dialect { comment: None, ..dialect.clone() };
     let (mut rows, _) = split("", words, &plain);
     let mut row = rows.pop().filter(|row| row.fields.len() == columns)?;
-    let is_number = |field: &Cow<str>| marked(field, dialect.decimal, dialect.thousands).is_ok();
+    let is_number = |field: &Cow<str>| parsed(field, dialect.decimal, dialect.thousands).is_some();
     let worded =
         row.fields.iter().any(|field| field.contains(char::is_alphabetic)) && !row.fields.iter().any(is_number);
     row.line = at + 1;

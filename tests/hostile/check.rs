@@ -13,9 +13,9 @@ fn unreadable_rows_hide_nothing() {
     scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = -1.0");
     scratch.replace("robot.toml", "[nominal]", "bending = [2]\n\n[nominal]\nseven = 7.0");
     let parts = [
-        "is not a number",
+        "[not-a-number]: `1,5x",
         "exports/poses.txt:1:7",
-        "`one` is not a number",
+        "[not-a-number]: `one`",
         "encoders.csv:2:5",
         "no point has the label `rail3_b`",
         "`calibration` selects no pose that was measured",
@@ -112,7 +112,7 @@ fn logs_that_do_not_look_as_stated() {
     let (code, said) = etalon(&scratch, "check");
     assert!(code == Some(2) && said.contains("error[delimiter-does-not-split]"), "{said}");
     assert!(said.contains("hint: state `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
-    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is not a whole number", "encoders.csv:2:1"]);
+    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-a-whole-number]: `1e300`", "encoders.csv:2:1"]);
 }
 
 #[test]
@@ -120,8 +120,8 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
     let scratch = copy_sample("prexyt-cmm");
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     for (text, parts) in [
-        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is not a number"]),
-        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is not a whole number"]),
+        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "[not-a-number]: `x`"]),
+        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "[not-a-whole-number]: `1.5`"]),
         (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),
     ] {
@@ -196,7 +196,7 @@ fn what_every_row_repeats_is_one_error_with_its_count() {
     let letters = |row: &str| format!("{row}e");
     type Change<'a> = &'a dyn Fn(&str) -> String;
     let cases: [(&str, usize, Change, &str); 3] = [
-        ("encoders.csv", 1, &quote, "there is text behind a closing quote"),
+        ("encoders.csv", 1, &quote, "text follows a closing quote"),
         ("encoders.csv", 1, &letters, "is not a number"),
         ("exports/poses.txt", 0, &letters, "is not a number"),
     ];

@@ -62,7 +62,7 @@ fn a_missing_file_points_at_the_campaign() {
         "campaign.toml",
         "exports/world.txt",
         "exports/wrld.txt",
-        &["there is no file `campaign/exports/wrld.txt`", "campaign.toml:12:8"],
+        &["[input-missing]", "`campaign/exports/wrld.txt`", "campaign.toml:12:8"],
     );
 }
 
@@ -88,7 +88,7 @@ fn a_path_may_not_leave_the_folder() {
 
 #[test]
 fn a_decimal_comma_is_not_read_as_something_else() {
-    broken("exports/world.txt", ".", ",", &["is not a number", "exports/world.txt:1", "decimal"]);
+    broken("exports/world.txt", ".", ",", &["[not-a-number]", "exports/world.txt:1", "decimal"]);
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn a_column_that_the_log_does_not_have() {
 
 #[test]
 fn words_in_a_log_are_reported_with_their_rows() {
-    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["`x` is not a number", "encoders.csv:2"]);
+    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["[not-a-number]: `x`", "encoders.csv:2"]);
     broken(
         "encoders.csv",
         "\n1,1,",

@@ -25,7 +25,7 @@ fn a_missing_key_hides_nothing_behind_it() {
         "the key `coverage_factor` is missing in `instrument`",
         "`rail9_a`",
         "error[column-unknown]: there is no column `RP33`",
-        "there is no file `campaign/exports/word.txt`",
+        "[input-missing]: there is no file `campaign/exports/word.txt`",
         "did you mean `world.txt`",
         "[nominal] names `d33`",
     ];

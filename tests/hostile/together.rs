@@ -50,7 +50,7 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("campaign.toml", "[log]", rigid);
     said(
         &scratch,
-        &["`x` is not a number", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"],
+        &["[not-a-number]: `x`", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"],
     );
 }
 
@@ -166,10 +166,10 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     let good = "1,1,K,1,2,3,4,5\n";
     for (rows, parts) in [
-        ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "`1.5` is not a whole number"]),
-        ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "`1e300` is not a whole number"]),
-        ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "`x` is not a number"]),
-        ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "`inf` is not a number"]),
+        ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "[not-a-whole-number]: `1.5`"]),
+        ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "[not-a-whole-number]: `1e300`"]),
+        ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "[not-a-number]: `x`"]),
+        ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "[not-a-number]: `inf`"]),
         ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "error[row-field-count]: the row has 7 fields"]),
         (
             "1,1,L,1,2,3,4,5,6\n",

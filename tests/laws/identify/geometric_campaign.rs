@@ -154,7 +154,7 @@ fn what_does_not_fit_is_said_with_its_place() {
         ("exports/geometric.txt", "turn-L-7 ", "turn-M-7 ", "ball `L` is missing (pose 7, cycle 1)"),
         ("exports/geometric.txt", "offset-K-2-3 ", "offset-K-2-33 ", "ball `K` is missing (pose 2, cycle 3)"),
         ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"X-{pose}\"", "no point has a label of the form `X-{pose}`"),
-        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "means nothing in a label"),
+        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "[label-pattern-invalid]"),
         ("campaign.toml", "actuator = 3", "actuator = 4", "there is no actuator 4"),
         ("campaign.toml", "positions_mm = [0.0, 28.0,", "positions_mm = [28.0,", "position 7 of actuator 1"),
         ("campaign.toml", "origin = \"R_home\"", "origin = \"R_end\"", "needs a world frame from the rails and ball R"),

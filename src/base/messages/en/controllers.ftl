@@ -304,10 +304,9 @@ coordinate-not-number = `{ $letter }` is not followed by a number
 coordinate-unknown = `{ $letter }` has no value yet
     .hint = state it in the first block that moves
 
-# Means: The quaternion of a target does not have the length 1.
-# Matters: The controller would normalise or reject it; its components are probably in another order
-# or mistyped.
-# Do: Correct the quaternion.
+# Means: The quaternion of a target or of a measured pose does not have the length 1.
+# Matters: It is not an orientation; a number is mistyped, or a column holds another quantity.
+# Do: Correct the quaternion, or the columns qw, qx, qy, qz (scalar first).
 # Example: `[0.7, 0, 0, 0.6]`
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1
