@@ -42,6 +42,7 @@ impl Calls {
             let before = |n: usize| i.checked_sub(n).map(|at| all[at].to_string()).unwrap_or_default();
             match (before(2).as_str(), before(1).as_str()) {
                 (name @ ("error" | "warning" | "phrase"), "!") => self.of_catalogue.extend(call(name, group.stream())),
+                (_, "meaning") => self.of_catalogue.extend(call("meaning", group.stream())),
                 ("tr", "!") => self.of_catalogue.extend(call("tr", behind_comma(group.stream()))),
                 (":", "error" | "warning") if before(4) == "Message" => self.free += 1,
                 (".", "hint" | "expected") if !is_phrase(group) && !group.stream().is_empty() => self.free += 1,
@@ -239,7 +240,8 @@ fn every_call_has_its_text_in_all_languages_and_every_text_its_call() {
 #[test]
 fn every_message_is_explained() {
     let called = calls();
-    let messages = called.values().flat_map(|calls| &calls.of_catalogue).filter(|(name, ..)| name == "error" || name == "warning");
+    let messages =
+        called.values().flat_map(|calls| &calls.of_catalogue).filter(|(name, ..)| name == "error" || name == "warning");
     let messages: BTreeSet<&str> = messages.map(|(_, id, _)| id.as_str()).collect();
     let mut wrong = String::new();
     for entry in entries() {

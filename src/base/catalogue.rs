@@ -28,8 +28,19 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 10] =
-    files!["base", "campaign", "cli", "compare", "controllers", "documents", "fit", "report", "simulate", "standards"];
+pub const FILES: [(&str, [&str; 3]); 11] = files![
+    "base",
+    "campaign",
+    "cli",
+    "compare",
+    "controllers",
+    "documents",
+    "fit",
+    "report",
+    "robots",
+    "simulate",
+    "standards"
+];
 
 /// Named arguments of a text.
 pub type Arguments = BTreeMap<String, Argument>;
