@@ -41,6 +41,7 @@ impl Calls {
             let before = |n: usize| i.checked_sub(n).map(|at| all[at].to_string()).unwrap_or_default();
             match (before(2).as_str(), before(1).as_str()) {
                 (name @ ("error" | "warning" | "phrase"), "!") => self.of_catalogue.extend(call(name, group.stream())),
+                (_, "meaning") => self.of_catalogue.extend(call("meaning", group.stream())),
                 ("tr", "!") => self.of_catalogue.extend(call("tr", behind_comma(group.stream()))),
                 (":", "error" | "warning") if before(4) == "Message" => self.free += 1,
                 (".", "hint" | "expected") if !is_phrase(group) && !group.stream().is_empty() => self.free += 1,

@@ -21,6 +21,7 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
         unit: unit.to_owned(),
         role: Default::default(),
         meaning: String::new(),
+        meaning_id: None,
         tolerance: None,
         nominal: value,
         before: value,
