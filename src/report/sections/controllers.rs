@@ -7,7 +7,7 @@ use crate::words::Words;
 use etalon_documents::{ControllerErrors, ControllerFiles, WrittenParameter};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.controllers?;
+    let document = report.controllers.filter(|document| !document.files.is_empty())?;
     let mut section = Section::new("controllers", words.say("Controller files"));
     section.push(Block::note(words.say("These formats do not hold all identified parameters. Their files hold what was identified again with the parameters left out at nominal. Position errors are root mean squares and maxima.")));
     let rows: Vec<(&ControllerFiles, &ControllerErrors)> =
