@@ -496,6 +496,7 @@ impl Drive {
             factor: 1.0,
             offset: 0.0,
             prismatic,
+            mimics: false,
         }
     }
 }

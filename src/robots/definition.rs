@@ -92,8 +92,8 @@ pub struct Parameter {
     pub effect: Effect,
     /// Index of the joint or leg of the parameter.
     pub joint: Option<usize>,
-    /// Index of the joint that causes the effect: it moves a coupled joint, or the link behind it
-    /// bends a joint.
+    /// Index of the joint that causes the effect: it moves a coupled joint or a joint that mimics
+    /// it, or the link behind it bends a joint.
     pub by: Option<usize>,
     /// Axis of the world (base) or of the flange (targets) along or about which the parameter acts:
     /// 0, 1 or 2.

@@ -40,6 +40,8 @@ pub(super) struct Drive {
     /// Offset (rad or mm).
     pub offset: f64,
     pub prismatic: bool,
+    /// `true` if the joint value is that of another joint, which this joint mimics.
+    pub mimics: bool,
 }
 
 /// Non-geometric effects of joints, by their indices, and direction of gravity in the base frame.
@@ -235,9 +237,10 @@ impl ArmBuilder {
     /// Adds a gain for each axis.
     pub fn gains(&mut self) {
         for k in 0..self.axes.len() {
-            let Drive { ref label, joint, factor, offset, .. } = self.axes[k].drive;
+            let Drive { ref label, joint, factor, offset, mimics, .. } = self.axes[k].drive;
             let gain = Parameter::new(format!("gain_{label}"), Quantity::Ratio, Role::Robot, 1.0);
-            let parameter = self.add(gain.meaning(GAIN).of_joint(joint));
+            let by = mimics.then_some(joint);
+            let parameter = self.add(Parameter { by, ..gain.meaning(GAIN).of_joint(joint) });
             self.axes[k].gain = Some(parameter);
             self.moved[k].push(Term { parameter, coefficient: Coefficient::Joint { joint, factor, offset } });
         }

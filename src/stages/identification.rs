@@ -493,6 +493,6 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
 fn measured(poses: &BTreeSet<PoseName>) -> Phrase {
     match (poses.first(), poses.last()) {
         (Some(first), Some(last)) => phrase!("poses-measured", count = poses.len(), first, last),
-        _ => phrase!("no-pose-measured"),
+        _ => phrase!("poses-unmeasured"),
     }
 }

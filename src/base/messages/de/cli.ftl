@@ -82,8 +82,8 @@ pose-unreachable = Pose { $pose }: { $reason }
 
 controller-format-unknown = `{ $name }` ist kein Steuerungsformat
 
-hash-of-other-format = `--controller-hash` gilt für das Format universal-robots
-    .hint = es angeben: --format universal-robots
+hash-of-other-format = `--controller-hash` gilt für die Formate, die ihn enthalten: { $formats }
+    .hint = eines davon mit --format angeben
 
 run-while-exporting = ein Lauf schrieb `{ $folder }`, während Steuerungsdateien entstanden
     .hint = den Befehl wiederholen: sie können von früheren Parametern stammen

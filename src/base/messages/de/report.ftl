@@ -672,7 +672,7 @@ robot-unchanged-together = Kampagne { $to } gegen { $from }: Die { $parameters }
 robust = robust
 robust-fit = Robuste Anpassung
 robust-fit-agrees = Eine robuste Anpassung stimmt mit der gewöhnlichen überein: am meisten weicht { $parameter } ab, um { $difference } Standardunsicherheiten der Differenz, wo der Zufall { $chance } erklärt.
-robust-fit-differs = Eine robuste Anpassung weicht von der gewöhnlichen ab: { $parameter } um { $difference } Standardunsicherheiten der Differenz, wo der Zufall { $chance } erklärt.
+robust-fit-difference = Eine robuste Anpassung weicht von der gewöhnlichen ab: { $parameter } um { $difference } Standardunsicherheiten der Differenz, wo der Zufall { $chance } erklärt.
 robust-fit-note = Messungen, die weit von den anderen liegen, haben wenig Gewicht (Cauchy-Verlust, c = { $c } σ mit σ = { $sigma } µm; Holland & Welsch 1977); die Differenz ist der robuste minus den gewöhnlichen Wert, ihre Standardunsicherheit die bei normalverteilten Residuen oder, wo sie größer ist, die aus der Streuung der Posen. Die Tabelle enthält die Parameter mit den größten Differenzen.
 robust-fit-poses = Posen mit einem Residuum über { $factor } σ, die den anderen widersprechen: { $poses }.
 round-off-cr = Eckenverrundung CR

@@ -671,7 +671,7 @@ step-scatters = { $step }: Residuen streuen um { FIXED($found_mm, 4) } mm, das M
 table-without-poses = an keiner Pose der Tabelle `{ $title }` sind K und L zusammen gemessen
     .hint = beide Kugeln im selben Zyklus messen oder andere Posen wählen
 
-covariance-missing = die Parameter haben keine Kovarianz
+parameters-without-covariance = die Parameter haben keine Kovarianz
     .hint = aus Daten neu identifizieren, die Freiheitsgrade lassen
 
 calibrated-targets-missing = den Parametern fehlen { $names }: andere Basis oder andere Zielmarken
@@ -724,7 +724,7 @@ poses-measured = { $count ->
        *[other] { $count } Posen sind
     } gemessen und verknüpft, von { $first } bis { $last }
 
-no-pose-measured = keine Pose ist gemessen und verknüpft
+poses-unmeasured = keine Pose ist gemessen und verknüpft
 
 at-pose = Pose { $pose }: { $message }
 

@@ -191,12 +191,12 @@ pose-unreachable = pose { $pose }: { $reason }
 # Example: `--format jsn`
 controller-format-unknown = `{ $name }` is not a controller format
 
-# Means: `--controller-hash` is stated without the format universal-robots.
+# Means: `--controller-hash` is stated without a format that contains the hash of a calibration.
 # Matters: Other formats have no hash of a controller.
 # Do: Name the format, or omit the hash.
 # Example: `--format csv --controller-hash calib_1`
-hash-of-other-format = `--controller-hash` is for the format universal-robots
-    .hint = name it: --format universal-robots
+hash-of-other-format = `--controller-hash` is for the formats that contain it: { $formats }
+    .hint = name one of them with --format
 
 # Means: A run wrote the output folder while files for a controller were made from it.
 # Matters: The files may be made of parameters of two runs.

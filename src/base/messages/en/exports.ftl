@@ -299,7 +299,7 @@ stated-count-differs = `{ $name }` has { $found ->
 # Do: Export the file again: it was edited or cut off.
 # Example: a row of a Calypso table without `featureid`
 cell-empty = `{ $column }` is empty
-    .hint = export the file again: it was edited or cut off
+    .hint = complete the cell, or export the file again: it was edited or cut off
 
 # Means: The text is not a number in the stated decimal and thousands marks.
 # Matters: A guessed mark would change the value by a factor of 1000.

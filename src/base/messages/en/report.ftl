@@ -672,7 +672,7 @@ robot-unchanged-together = Campaign { $to } against { $from }: the { $parameters
 robust = robust
 robust-fit = Robust fit
 robust-fit-agrees = A robust fit agrees with the plain one: { $parameter } differs most, by { $difference } standard uncertainties of the difference, where chance explains { $chance }.
-robust-fit-differs = A robust fit differs from the plain one: { $parameter } by { $difference } standard uncertainties of the difference, where chance explains { $chance }.
+robust-fit-difference = A robust fit differs from the plain one: { $parameter } by { $difference } standard uncertainties of the difference, where chance explains { $chance }.
 robust-fit-note = Readings far from the others weigh little (Cauchy loss, c = { $c } σ with σ = { $sigma } µm; Holland & Welsch 1977); the difference is robust minus plain value, its standard uncertainty that of normal residuals or by the scatter of the poses where that is more. The table has the parameters that differ most.
 robust-fit-poses = Poses with a residual beyond { $factor } σ, which disagree with the others: { $poses }.
 round-off-cr = round-off CR

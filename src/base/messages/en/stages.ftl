@@ -1409,7 +1409,7 @@ table-without-poses = at no pose of the table `{ $title }` were K and L measured
 # Matters: Whether new measurements contradict the parameters cannot be judged.
 # Do: Identify again from data that leave some degrees of freedom.
 # Example: parameters identified from as many coordinates as parameters
-covariance-missing = the parameters have no covariance
+parameters-without-covariance = the parameters have no covariance
     .hint = identify again from data that leave some degrees of freedom
 
 # Means: The observations have a base or targets that the given parameters do not contain.
@@ -1513,7 +1513,7 @@ poses-measured = { $count ->
        *[other] { $count } poses are
     } measured and joined, from { $first } to { $last }
 
-no-pose-measured = no pose is measured and joined
+poses-unmeasured = no pose is measured and joined
 
 at-pose = pose { $pose }: { $message }
 

@@ -82,8 +82,8 @@ pose-unreachable = pose { $pose } : { $reason }
 
 controller-format-unknown = `{ $name }` n’est pas un format de commande
 
-hash-of-other-format = `--controller-hash` est pour le format universal-robots
-    .hint = l’indiquer : --format universal-robots
+hash-of-other-format = `--controller-hash` est pour les formats qui la contiennent : { $formats }
+    .hint = en indiquer un avec --format
 
 run-while-exporting = une exécution a écrit `{ $folder }` pendant la création de fichiers de commande
     .hint = répéter la commande : ils peuvent provenir de paramètres antérieurs

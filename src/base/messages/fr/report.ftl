@@ -672,7 +672,7 @@ robot-unchanged-together = Campagne { $to } par rapport à { $from } : les { $pa
 robust = robuste
 robust-fit = Ajustement robuste
 robust-fit-agrees = Un ajustement robuste concorde avec l'ajustement ordinaire : { $parameter } diffère le plus, de { $difference } incertitudes-types de la différence, là où le hasard explique { $chance }.
-robust-fit-differs = Un ajustement robuste diffère de l'ajustement ordinaire : { $parameter } de { $difference } incertitudes-types de la différence, là où le hasard explique { $chance }.
+robust-fit-difference = Un ajustement robuste diffère de l'ajustement ordinaire : { $parameter } de { $difference } incertitudes-types de la différence, là où le hasard explique { $chance }.
 robust-fit-note = Les lectures éloignées des autres ont un faible poids (perte de Cauchy, c = { $c } σ avec σ = { $sigma } µm ; Holland & Welsch 1977) ; la différence est la valeur robuste moins la valeur ordinaire, son incertitude-type celle de résidus normaux ou, si elle est plus grande, celle que donne la dispersion des poses. Le tableau contient les paramètres qui diffèrent le plus.
 robust-fit-poses = Poses dont un résidu dépasse { $factor } σ, en désaccord avec les autres : { $poses }.
 round-off-cr = erreur d'arrondi CR

@@ -671,7 +671,7 @@ step-scatters = { $step } : les résidus se dispersent de { FIXED($found_mm, 4) 
 table-without-poses = à aucune pose du tableau `{ $title }` K et L n’ont été mesurées ensemble
     .hint = mesurer les deux billes dans le même cycle, ou choisir d’autres poses
 
-covariance-missing = les paramètres n’ont pas de covariance
+parameters-without-covariance = les paramètres n’ont pas de covariance
     .hint = identifier de nouveau à partir de données qui laissent des degrés de liberté
 
 calibrated-targets-missing = il manque { $names } aux paramètres : une autre base ou d’autres cibles
@@ -724,7 +724,7 @@ poses-measured = { $count ->
        *[other] { $count } poses sont mesurées et jointes
     }, de { $first } à { $last }
 
-no-pose-measured = aucune pose n’est mesurée et jointe
+poses-unmeasured = aucune pose n’est mesurée et jointe
 
 at-pose = pose { $pose } : { $message }
 
