@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 11] = files![
+pub const FILES: [(&str, [&str; 3]); 12] = files![
     "base",
     "campaign",
     "cli",
@@ -37,6 +37,7 @@ pub const FILES: [(&str, [&str; 3]); 11] = files![
     "documents",
     "exports",
     "fit",
+    "formats",
     "report",
     "simulate",
     "standards",

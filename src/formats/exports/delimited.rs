@@ -196,7 +196,7 @@ fn header<'t>(
         Header::Rows(count) => Ok(rows.take(*count).last()),
         Header::Words(words) => {
             let found = rows.find(|row| words.iter().all(|word| row.text.contains(word.as_str())));
-            found.map(Some).ok_or_else(|| vec![error!("header-missing", words).at(Place::file(file))])
+            found.map(Some).ok_or_else(|| vec![error!("header-words-missing", words).at(Place::file(file))])
         }
     }
 }
@@ -236,11 +236,11 @@ fn resolved(
         };
         match (&found[..], column) {
             ([one], _) if *one >= width => {
-                wrong.push(error!("column-number-missing", number = one + 1, count = width).at(at()));
+                wrong.push(error!("column-number-unknown", number = one + 1, columns = width).at(at()));
             }
             ([one], _) if roles[*one] != ColumnRole::Skip => {
                 let (first, second) = (roles[*one].name(), role.name());
-                wrong.push(error!("column-of-two-roles", number = one + 1, first, second).at(at()));
+                wrong.push(error!("column-stated-twice", column = format!("${}", one + 1), first, second).at(at()));
             }
             ([one], _) => roles[*one] = *role,
             ([], ColumnAt::Name(text)) if Expression::is_likely(text) => match Expression::parse(text, fields) {
@@ -248,12 +248,12 @@ fn resolved(
                 Err(message) => wrong.push(message.at(at())),
             },
             ([], ColumnAt::Name(name)) => {
-                let message = error!("column-missing", name).hint_names(name, fields.iter().map(Cow::as_ref));
+                let message = error!("column-unknown", column = name).hint_names(name, fields.iter().map(Cow::as_ref));
                 wrong.push(message.at(at()));
             }
             (_, column) => {
                 let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
-                let message = error!("header-name-repeated", name, count = found.len());
+                let message = error!("heading-twice", column = name);
                 wrong.push(message.hint(phrase!("state-column-number")).at(at()));
             }
         }
@@ -350,7 +350,7 @@ impl Reader<'_> {
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
         if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != ColumnRole::Skip).map_or(0, |i| i + 1) {
             let expected = phrase!("fields-of-columns", count = self.roles.len());
-            let message = error!("field-count-differs", found = row.fields.len(), expected).at(line());
+            let message = error!("row-field-count", fields = row.fields.len(), expected).at(line());
             problems.0.push(message.hint(phrase!("propose-format")));
             return None;
         }
@@ -444,8 +444,7 @@ impl Reader<'_> {
             }
             point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
             if point.cycle.is_none() {
-                let message = error!("not-a-whole-number", text = field);
-                wrong.push((message.expected(phrase!("count-or-index")), i));
+                wrong.push((error!("not-whole-number", value = field, column = role.name()), i));
             }
         }
         wrong
