@@ -2083,6 +2083,8 @@ class WrittenController(Record):
     """Name of the format."""
     left_out: list[str]
     """Identified parameters that the format does not hold."""
+    messages: list[Message]
+    """Warnings about this file."""
 
 class WrittenParameter(Record):
     """A parameter as written to a file."""
@@ -2255,7 +2257,9 @@ class ControllersDocument(Document):
     files: list[ControllerFiles]
     """One entry for each distinct set of written values."""
     messages: list[Message]
-    """Files that were not written, and parameters that could not be identified again."""
+    """Files that were not written or are not clearly better than nominal, and parameters that could not be
+    identified again.
+    """
     schema: str
     """Schema and version: `etalon/controllers/1`."""
 

@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 12] = files![
+pub const FILES: [(&str, [&str; 3]); 14] = files![
     "base",
     "campaign",
     "cli",
@@ -39,7 +39,9 @@ pub const FILES: [(&str, [&str; 3]); 12] = files![
     "fit",
     "formats",
     "report",
+    "robots",
     "simulate",
+    "stages",
     "standards",
 ];
 

@@ -1,6 +1,7 @@
 //! Document of an identification: parameters with the evidence for them.
 
 use crate::*;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_identify::{
     Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError, Settings, SingularValue,
@@ -42,7 +43,8 @@ pub fn parameters_document(
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
         role: p.role.into(),
-        meaning: p.meaning.to_owned(),
+        meaning: Some(p.meaning).filter(|id| !id.is_empty()).map_or_else(String::new, |id| Phrase::new(id).to_string()),
+        meaning_id: Some(p.meaning.to_owned()).filter(|id| !id.is_empty()),
         nominal: p.quantity.outward(p.nominal),
         tolerance: p.tolerance_is_stated.then(|| p.quantity.outward(p.tolerance)),
         before: p.quantity.outward(before[i]),

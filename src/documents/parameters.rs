@@ -173,6 +173,9 @@ pub struct ParameterEntry {
     /// Meaning and sign of the parameter, in words.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub meaning: String,
+    /// Id of the meaning in the catalogue of texts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub meaning_id: Option<String>,
     /// Nominal value.
     pub nominal: f64,
     /// Tolerance about the nominal value, if the robot's file states one.

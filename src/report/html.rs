@@ -128,7 +128,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     Ok(environment)
 }
 
-/// Text of the catalogue in a template: `"rows-left-out"|t(count=3)`.
+/// Text of the catalogue in a template: `"rows-in-workbook"|t(count=3)`.
 fn translated(id: String, arguments: &Kwargs, words: &Words) -> std::result::Result<String, minijinja::Error> {
     let mut phrase = Phrase { id: id.into(), arguments: Arguments::new() };
     for name in arguments.args() {

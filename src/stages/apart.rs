@@ -3,8 +3,11 @@
 
 use super::evaluate::{self, Sets};
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use crate::stages::shown;
+use etalon_base::catalogue::Argument;
+use etalon_base::message::{Message, Result};
 use etalon_base::pattern::matches_pattern;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::{self as documents, ParameterStatus, ParametersDocument, PointError};
 use etalon_identify::{
     Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart,
@@ -179,27 +182,20 @@ impl Placed {
         }
         let all = self.groups.iter().zip(&self.redundancies);
         let uncontrolled: Vec<&Vec<usize>> = all.filter(|(_, r)| !Self::is_assessed(r)).map(|(g, _)| g).collect();
-        let what = format!(
-            "{} measured at validation poses alone: {}; no calibration pose shows them, so they are placed by these readings, with the \
-             identified robot held",
-            noun(robot, self.groups.iter()),
-            names(robot, self.groups.iter())
-        );
-        let hint = "measure them at calibration poses too, or move a pose where they are measured to `calibration`";
+        let (kind, count) = kind_and_count(robot, &self.groups);
+        let unplaced = phrase!("unplaced", kind, count, names = names(robot, self.groups.iter()));
         let nothing = uncontrolled.len() == self.groups.len();
         if nothing && sets.validation.is_empty() && sets.validation_conditions.is_empty() {
-            let what = format!("{what}: nothing is left to validate with");
-            return Err(Message::error(what).hint(hint).into());
+            return Err(error!("validation-leaves-nothing", unplaced).into());
         }
         let message = match uncontrolled[..] {
-            [] => Message::warning(format!("{what}; the statistics take this into account")),
-            _ => Message::warning(format!(
-                "{what}; readings that no others control are not judged: those of {}",
-                names(robot, uncontrolled.iter().copied())
-            ))
-            .to_decide(),
+            [] => warning!("placed-by-validation", unplaced),
+            _ => {
+                let names = names(robot, uncontrolled.iter().copied());
+                warning!("placed-by-validation-unjudged", unplaced, names).to_decide()
+            }
         };
-        Ok(Some(message.hint(hint)))
+        Ok(Some(message))
     }
 
     /// What `accuracy.json` states of them.
@@ -231,21 +227,20 @@ impl Placed {
     }
 }
 
-/// How many there are.
-fn noun<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>> + Clone) -> String {
-    let all = |role: Role| groups.clone().all(|g| robot.parameters()[g[0]].role == role);
-    match groups.clone().count() {
-        n if all(Role::Target) => count(n, "target"),
-        n if all(Role::Fixture) => count(n, "fixture"),
-        n => format!("{n} targets and fixtures"),
-    }
+/// Kind of the groups (`targets`, `fixtures` or `both`), and their number.
+fn kind_and_count(robot: &dyn Robot, groups: &[Vec<usize>]) -> (&'static str, usize) {
+    let all = |role: Role| groups.iter().all(|g| robot.parameters()[g[0]].role == role);
+    let kind = match () {
+        () if all(Role::Target) => "targets",
+        () if all(Role::Fixture) => "fixtures",
+        () => "both",
+    };
+    (kind, groups.len())
 }
 
-/// The first of their names.
-fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>> + Clone) -> String {
-    let shown: Vec<String> = groups.clone().take(NAMED).map(|g| format!("`{}`", name(robot, g))).collect();
-    let more = if groups.count() > NAMED { ", ..." } else { "" };
-    format!("{}{more}", shown.join(", "))
+/// Names of the first groups.
+fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>>) -> Vec<Argument> {
+    shown(groups.map(|g| format!("`{}`", name(robot, g))), NAMED)
 }
 
 /// The name that all parameters of a target or fixture begin with.

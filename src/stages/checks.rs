@@ -1,9 +1,10 @@
 //! Checks of the model by what it leaves: trends of the residuals, how well readings control each other, which poses decide.
 
-use crate::stages::remedies::WRONG_READINGS;
+use crate::stages::shown;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{phrase, warning};
 use etalon_documents::{
     InfluenceEntry, PointError, PoseSet, ReadingReliability, ReliabilitySummary, ResidualTrend, RobustParameter,
     RobustPose, RobustSummary,
@@ -76,23 +77,14 @@ pub fn robust_summary(robot: &dyn Robot, found: &RobustComparison) -> RobustSumm
 pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Message> {
     let change = found.significant()?;
     let name = &robot.parameters()[change.parameter].name;
-    let differs = format!(
-        "a robust fit changes `{name}` by {:.1} standard uncertainties of the difference (limit {:.1})",
-        change.over_u(),
-        found.critical
-    );
-    let poses = found.disagreeing();
-    if poses.is_empty() {
-        let what = format!("{differs}; no pose disagrees with all others: the residuals are not normal");
-        return Some(
-            Message::warning(what)
-                .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small"),
-        );
-    }
-    let names: Vec<String> = poses.iter().take(NAMED).map(|p| p.pose.to_string()).collect();
-    let more = if poses.len() > NAMED { ", ..." } else { "" };
-    let what = format!("{differs}; poses that disagree with the others: {}{more}", names.join(", "));
-    Some(Message::warning(what).to_decide().hint(WRONG_READINGS))
+    let (over_u, limit) = (change.over_u(), found.critical);
+    let poses: Vec<_> = found.disagreeing().iter().map(|p| p.pose).collect();
+    Some(match poses.is_empty() {
+        true => warning!("robust-fit-differs", parameter = name, over_u, limit),
+        false => warning!("robust-fit-differs-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
+            .to_decide()
+            .hint(phrase!("check-readings")),
+    })
 }
 
 /// Gives the errors of the calibration what is known of their readings; of the centre of a platform the worse of its two.

@@ -1,7 +1,8 @@
 //! Coordinates that nobody measured: what the nominal robot computes from the joint values, rounded.
 
-use etalon_base::message::{Message, count};
+use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 use etalon_identify::Observation;
 use etalon_robots::Robot;
 
@@ -26,16 +27,9 @@ pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Obser
     });
     let named: Vec<(&String, usize, f64)> = names.collect();
     let (_, _, largest_mm) = named.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let targets: Vec<String> =
-        named.iter().map(|(name, positions, _)| format!("`{name}` ({})", count(*positions, "position"))).collect();
-    let what = format!(
-        "the coordinates of {} are those that the nominal robot computes from the joint values, to {largest_mm:.2e} mm, the rounding of the file: \
-         they were commanded, not measured",
-        targets.join(", ")
-    );
-    let hint =
-        "name the measured coordinates in `columns`; where the data are simulated, state `synthetic` in the campaign";
-    Some(Message::error(what).hint(hint))
+    let target = |(name, count, _): &(&String, usize, f64)| phrase!("target-positions", target = name, count);
+    let targets: Vec<_> = named.iter().map(target).collect();
+    Some(error!("coordinates-commanded", targets, largest_mm))
 }
 
 /// The largest difference (mm) of positions from computed ones, if these reproduce them all to their rounding.

@@ -5,7 +5,8 @@
 use super::apart::Apart;
 use super::evaluate::{self, Sets, summarise};
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
@@ -74,9 +75,7 @@ impl<'a> Study<'a> {
         let names = poses(&sets.calibration, &settings.conditions);
         let parts = FOLDS.min(names.len());
         if parts < FEWEST {
-            let message =
-                Message::error(format!("{} are too few to leave some out", count(names.len(), "calibration pose")));
-            return Err(message.hint("measure more, or name more in `calibration`").into());
+            return Err(error!("few-poses-to-leave-out", count = names.len(), least = FEWEST).into());
         }
         // which effects are identified is what is asked
         let settings = Settings { effects: Effects::All, ..settings };
@@ -85,8 +84,7 @@ impl<'a> Study<'a> {
         let (poses, folds) = (names.len(), folds(names, parts));
         let study = Self { robot, sets, effects, before, folds, poses, settings };
         if study.squares_at(&sets.calibration, &study.settings.conditions, &study.before).is_empty() {
-            let message = Message::error("nothing that was observed is a position, a distance or a contact");
-            return Err(message.hint("parameters are judged by position errors: measure some").into());
+            return Err(error!("nothing-to-judge").into());
         }
         Ok(study)
     }

@@ -3,6 +3,7 @@
 use crate::stages::evaluate::Sets;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_base::warning;
 use etalon_documents::ValidationDistance;
 use etalon_identify::Observation;
 use etalon_math::statistics::median;
@@ -102,22 +103,11 @@ fn divide(points: &mut [Vec<f64>], axis: usize) {
 /// A warning where validation poses repeat those of the calibration, or lie far from them.
 pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
     let median = distance.median;
-    let (what, hint) = match median {
-        _ if median < REPEATED => (
-            "validation repeats the calibration",
-            "the robot's error elsewhere may be larger: validate on poses between those of the calibration",
-        ),
-        _ if median > BEYOND => (
-            "validation is far from the calibration",
-            "calibrate on poses spread over the workspace that the robot is used in",
-        ),
-        _ => return None,
-    };
-    let what = format!(
-        "{what}: half of the validation poses lie {} than {median:.2} times the calibration poses' spacing from the nearest of these",
-        if median < REPEATED { "nearer" } else { "further" }
-    );
-    Some(Message::warning(what).hint(hint))
+    match () {
+        () if median < REPEATED => Some(warning!("validation-repeats-calibration", median, limit = REPEATED)),
+        () if median > BEYOND => Some(warning!("validation-far", median, limit = BEYOND)),
+        () => None,
+    }
 }
 
 #[cfg(test)]

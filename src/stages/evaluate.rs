@@ -2,7 +2,8 @@
 
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Limits, Selections};
@@ -280,10 +281,9 @@ pub fn evaluate(
     let mut verdicts = Vec::new();
     for (name, limit) in limits.stated() {
         let Some((quantity, pick)) = name.of_errors() else { continue };
-        let errors = judged.and_then(|set| set.of(quantity)).ok_or_else(|| {
-            Message::error(format!("the limit `{name}` cannot be judged: these data give no such error"))
-                .hint("an orientation needs three targets that are not on one line; remove the limit, or measure them")
-        })?;
+        let errors = judged
+            .and_then(|set| set.of(quantity))
+            .ok_or_else(|| error!("limit-of-missing-error", limit = name.to_string()))?;
         let expanded = uncertainty.expanded(quantity);
         verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
     }
@@ -422,8 +422,7 @@ const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before
 /// The errors from such a table.
 pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     let set = |name: &String| -> Result<PoseSet> {
-        let unknown =
-            || Message::error(format!("`{name}` is not a set of poses")).expected("calibration or validation");
+        let unknown = || error!("pose-set-unknown", name);
         Ok(PoseSet::ALL.into_iter().find(|set| set.name() == name).ok_or_else(unknown)?)
     };
     let sets = table::texts(frame, "set")?.iter().map(set).collect::<Result<Vec<_>>>()?;

@@ -7,6 +7,7 @@ use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, WorldDefinition};
 use etalon_documents::{Feature, FeaturesDocument, FramePose, FramesDocument, WorldFrame};
 use etalon_formats::Point;
@@ -38,24 +39,20 @@ fn elements(campaign: &Campaign, points: &[Point]) -> Result<FeaturesDocument> {
             Ok(fitted) => fitted,
             Err(more) => {
                 let place = labels.first().map(|l| Box::new(campaign.place(l)));
-                let named =
-                    |m: Message| Message { what: format!("feature `{name}`: {}", m.what), place: place.clone(), ..m };
+                let named = |m: Message| Message { place: place.clone(), ..m.within(phrase!("in-feature", name)) };
                 problems.0.extend(more.0.into_iter().map(named));
                 continue;
             }
         };
-        messages.extend(
-            fitted.warnings.iter().map(|w| Message { what: format!("feature `{name}`: {}", w.what), ..w.clone() }),
-        );
+        messages.extend(fitted.warnings.iter().map(|w| w.clone().within(phrase!("in-feature", name))));
         let direction_deg = fitted.standard_uncertainty().and_then(|u| u.direction_rad).unwrap_or(0.0).to_degrees();
         if direction_deg > DIRECTION_UNKNOWN_DEG {
-            let what =
-                format!("feature `{name}`: its points do not determine its direction ({direction_deg:.0} deg, k = 1)");
-            let message = Message::error(what).hint("measure points farther apart, not all on one line");
+            let message = error!("direction-undetermined", direction_deg, limit_deg = DIRECTION_UNKNOWN_DEG);
+            let message = message.within(phrase!("in-feature", name));
             problems.0.push(labels.first().map_or(message.clone(), |l| message.at(campaign.place(l))));
         } else if direction_deg > DIRECTION_POOR_DEG {
-            let what = format!("feature `{name}`: its direction is known to {direction_deg:.2} deg only (k = 1)");
-            messages.push(Message::warning(what).hint("measure points farther apart"));
+            let message = warning!("direction-uncertain", direction_deg, limit_deg = DIRECTION_POOR_DEG);
+            messages.push(message.within(phrase!("in-feature", name)));
         }
         features.push(Feature {
             name: name.clone(),
@@ -175,10 +172,9 @@ impl Geometry {
 
 /// xy plane, origin and one axis, each projected into the plane (thesis 3.4.1).
 fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition) -> Result<WorldFrame> {
-    let wrong = |what: &str| Message::error(what.to_owned()).at(campaign.world_place());
-    let plane_name = world.plane.as_ref().ok_or_else(|| wrong("the world frame has no plane"))?;
-    let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref()))
-        .ok_or_else(|| wrong("the plane of the world frame is not a feature"))?;
+    let lacks = |fault: &str| error!("world-frame-incomplete", fault).at(campaign.world_place());
+    let plane_name = world.plane.as_ref().ok_or_else(|| lacks("plane"))?;
+    let (on_plane, normal) = *(geometry.features.get(plane_name.get_ref())).ok_or_else(|| lacks("feature"))?;
     let project = |p: Vector| {
         let height = dot(minus(p, on_plane), normal);
         [p[0] - height * normal[0], p[1] - height * normal[1], p[2] - height * normal[2]]
@@ -186,14 +182,14 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
     let place = |name: &Spanned<String>| {
         let text = name.get_ref();
         let found = geometry.features.get(text).map(|(point, _)| *point).or_else(|| geometry.places.get(text).copied());
-        found.map(project).ok_or_else(|| Message::error(format!("nothing is called `{text}`")).at(campaign.place(name)))
+        found.map(project).ok_or_else(|| error!("frame-name-unknown", name = text).at(campaign.place(name)))
     };
-    let origin = place(world.origin.as_ref().ok_or_else(|| wrong("the world frame has no origin"))?)?;
-    let towards = place(world.towards.as_ref().ok_or_else(|| wrong("the world frame has no `towards`"))?)?;
+    let origin = place(world.origin.as_ref().ok_or_else(|| lacks("origin"))?)?;
+    let towards = place(world.towards.as_ref().ok_or_else(|| lacks("towards"))?)?;
     let (axis_name, ends) = match (&world.x_axis, &world.y_axis) {
         (Some(ends), None) => ("x", ends),
         (None, Some(ends)) => ("y", ends),
-        _ => return Err(wrong("the world frame needs one of `x_axis` and `y_axis`").into()),
+        _ => return Err(lacks("axis").into()),
     };
     let along = match &ends[..] {
         [from, to] => minus(place(to)?, place(from)?),
@@ -201,15 +197,12 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         _ => [0.0; 3],
     };
     let along = minus(along, normal.map(|n| n * dot(along, normal)));
-    let first = unit(along).ok_or_else(|| {
-        wrong("the axis of the world frame has no direction")
-            .expected("two labels, from and to, or one feature with a direction")
-    })?;
+    let first = unit(along).ok_or_else(|| error!("world-axis-without-direction").at(campaign.world_place()))?;
     let side = minus(towards, origin);
     let off_axis = minus(side, first.map(|v| v * dot(side, first)));
     let other = unit(off_axis)
         .filter(|_| norm(off_axis) > OFF_AXIS * norm(side))
-        .ok_or_else(|| wrong("`towards` lies on the axis: it does not determine the side of the other one"))?;
+        .ok_or_else(|| error!("world-side-undetermined").at(campaign.world_place()))?;
     let (x, y) = if axis_name == "x" { (first, other) } else { (other, first) };
     let definition = format!(
         "xy plane: feature `{}`; origin: `{}`; {axis_name} axis: {}; other axis towards `{}`",
@@ -422,9 +415,8 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
 /// The frame that targets carry: their mean places in it, and each pose as the best fit to those places.
 fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
-    let wrong = |what: String| Message::error(what).at(campaign.world_place());
     if names.len() < 3 {
-        return Err(wrong("a frame needs three targets or more".to_owned()).into());
+        return Err(error!("frame-few-targets", count = names.len()).at(campaign.world_place()).into());
     }
     let u_at = |p: &Vector| campaign.file.instrument.standard_uncertainty_at_mm(*p);
     let mut u_of = Vec::new();
@@ -449,7 +441,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     };
     let locals: Vec<Vec<Vector>> = whole.values().filter_map(local).collect();
     if locals.is_empty() {
-        return Err(wrong(format!("no pose has all of the targets {} apart from each other", names.join(", "))).into());
+        return Err(error!("frame-never-complete", targets = names).at(campaign.world_place()).into());
     }
     let mean = |k: usize| centroid(&locals.iter().map(|l| l[k]).collect::<Vec<_>>());
     let reference: Vec<Vector> = (0..names.len()).filter_map(mean).collect();

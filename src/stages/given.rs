@@ -1,7 +1,9 @@
 //! Parameters that were identified before, to be compared with observations of today.
 
+use crate::stages::shown;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument};
 use etalon_identify::{GivenParameters, Observation, Settings, Variance};
 use etalon_robots::{Parameter, Robot, Role};
@@ -31,8 +33,7 @@ pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenPa
         return Err(of_another_robot(robot, document, &missing).into());
     }
     if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
-        let message = Message::error("the parameters have no covariance");
-        return Err(message.hint("identify again from data that leave some degrees of freedom").into());
+        return Err(error!("parameters-without-covariance").into());
     }
     let inward = |k: usize| robot.parameters()[free[k]].quantity.inward(1.0);
     let n = places.len();
@@ -54,15 +55,12 @@ fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d Para
 }
 
 fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
-    let shown = missing.iter().take(5).map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ");
-    let names = if missing.len() > 5 { shown + ", ..." } else { shown };
+    let names = shown(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
     if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
-        let message = Message::error(format!("the parameters have no {names}: another base or other targets"));
-        return message.hint("observe the targets of the calibration, where they were on the moving part");
+        return error!("calibrated-targets-missing", names);
     }
-    let what = format!("the parameters of `{}` are not those of this robot (`{}`)", document.robot, robot.model());
-    let lack = if names.is_empty() { String::new() } else { format!("they lack {names}; ") };
-    Message::error(what).hint(lack + "name the robot.toml that they were identified with")
+    let message = error!("parameters-of-other-robot", identified = document.robot, stated = robot.model());
+    if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }
 }
 
 /// Refuses parameters of the robot that its description lacks: their values would be left out. Those without effect, at a nominal zero, may
@@ -79,15 +77,10 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
     if lacking.is_empty() || document.robot != robot.model() {
         return Ok(());
     }
-    let shown: Vec<String> = lacking.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
-    let more = if lacking.len() > NAMED { ", ..." } else { "" };
-    let what = format!("robot.toml does not describe {}{more}, which the parameters hold", shown.join(", "));
+    let names = shown(lacking.iter().map(|name| format!("`{name}`")), NAMED);
+    let message = error!("parameters-undescribed", names);
     let lines = needed_lines(robot, &lacking);
-    let hint = match lines[..] {
-        [] => "name the robot.toml that they were identified with".to_owned(),
-        _ => format!("add {} to robot.toml, before its first table", lines.join(" and ")),
-    };
-    Err(Message::error(what).hint(hint).into())
+    Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())
 }
 
 /// Parameters that a message names.
@@ -148,13 +141,8 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
     };
     let p = robot.parameters().iter().find(differs)?;
     let then = entry(document, p)?.nominal;
-    let what = format!(
-        "`{}` is nominally {} {} in robot.toml and was {then} when the parameters were identified",
-        p.name,
-        p.quantity.outward(p.nominal),
-        p.quantity.unit()
-    );
-    Some(Message::warning(what).hint("check that the parameters are those of this robot"))
+    let stated = p.quantity.outward(p.nominal);
+    Some(warning!("nominal-value-changed", parameter = p.name, stated, unit = p.quantity.unit(), identified = then))
 }
 
 /// How far a coordinate is measured from where the given parameters put it, if nothing has changed.
@@ -179,8 +167,7 @@ impl ExpectedDeviation {
         let Some(u) = residuals.stated_standard_uncertainty_mm else {
             let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
             if dof == 0.0 || !shown_mm.is_finite() {
-                let message = Message::error("the calibration shows no standard deviation of a coordinate");
-                return Err(message.hint("identify with a stated standard uncertainty").into());
+                return Err(error!("calibration-without-residuals").into());
             }
             let measured_mm = stated_mm.unwrap_or(shown_mm);
             let model_mm = (shown_mm.powi(2) - measured_mm.powi(2)).max(0.0).sqrt();

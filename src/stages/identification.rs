@@ -13,13 +13,16 @@ use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::plausible::plausibility;
-use crate::stages::remedies::{readings_to_check, remedied};
+use crate::stages::remedies::{outliers_excluded, remedied};
 use crate::stages::repeats::stale;
+use crate::stages::shown;
 use crate::stages::solved::Solved;
 use crate::stages::table_file::{in_campaign, in_files};
 use crate::stages::tool::Expected;
-use etalon_base::message::{Message, Problems, Result, Severity, count};
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
 use etalon_documents::parameters_document;
 use etalon_documents::{
@@ -201,16 +204,11 @@ fn would_prove(proof: &EffectProof) -> Option<Message> {
         return None;
     }
     let effect = format!("{:?}", proof.effect).to_lowercase();
-    let of = if joints.is_empty() { String::new() } else { format!(" of joints {}", joints.join(", ")) };
-    let what = format!(
-        "{effect}{of} would prove itself: the error at calibration poses that are left out falls from {without_mm:.3} to {with_mm:.3} mm \
-         (position, root mean square)"
-    );
-    let hint = match robot_key {
-        Some(line) => format!("add `{line}` to robot.toml"),
-        None => format!("add \"{effect}\" to `effects` in [identify], or state `effects = \"proven\"`"),
-    };
-    Some(Message::warning(what).hint(hint))
+    let message = warning!("effect-would-prove", effect, count = joints.len(), joints, without_mm, with_mm);
+    Some(match robot_key {
+        Some(line) => message.hint(phrase!("add-lines", lines = [format!("`{line}`")])),
+        None => message,
+    })
 }
 
 impl Solved {
@@ -402,17 +400,13 @@ fn leave_outliers_out(
         return Ok(None);
     }
     if robust.readings.len() - outliers.len() < fewest {
-        let what = "`outliers = \"exclude\"` would leave out more than a tenth of all readings";
-        return Err(Message::error(what)
-            .hint("the model or the set-up is wrong: see what `outliers = \"keep\"` reports")
-            .into());
+        return Err(error!("outliers-too-many", share_percent = 100.0 * MOST_OUTLIERS).into());
     }
     for outlier in outliers {
         observations[outlier.observation].targets[outlier.target] = None;
     }
     observations.retain(|o| o.targets.iter().any(Option::is_some));
-    let left_out = readings_to_check(&robust, robot);
-    Ok(Some(Message::warning(format!("excluded by `outliers = \"exclude\"`: {}", left_out.what))))
+    Ok(Some(outliers_excluded(&robust, robot)))
 }
 
 /// A log, its observations and what they identify.
@@ -429,15 +423,20 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
     if compared.correlation <= 0.3 {
         return None;
     }
-    let what = format!(
-        "with log `{}`, residuals correlate with the difference of the two logs, r = {:.2}: their root mean square is {:.3} mm, \
-         with log `{}` {:.3} mm",
-        this.name, compared.correlation, this.found.rms, that.name, that.found.rms
-    );
-    let message = Message::warning(what);
+    let message = |log: &LogFit, hint| {
+        warning!(
+            "log-correlates",
+            log = this.name,
+            correlation = compared.correlation,
+            rms_mm = this.found.rms,
+            other = that.name,
+            other_rms_mm = that.found.rms
+        )
+        .hint(phrase!("use-log", log = log.name, hint))
+    };
     Some(match this.name == used {
-        true => message.to_decide().hint(format!("identify with log `{}`: name it first", that.name)),
-        false => message.routine().hint(format!("log `{}` is the one to use, as this campaign does", that.name)),
+        true => message(that, "name-first").to_decide(),
+        false => message(that, "is-used").routine(),
     })
 }
 
@@ -453,31 +452,28 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     ];
     for (text, selection) in stated.into_iter().filter_map(|(text, selection)| Some((text?, selection?))) {
         if let Some(name) = selection.mistaken(poses) {
-            let message = Message::error(format!("`{name}` names no pose that was measured")).at(campaign.place(text));
+            let message = error!("selected-pose-unmeasured", pose = name).at(campaign.place(text));
             let names: Vec<String> = poses.iter().map(PoseName::to_string).collect();
             problems.0.push(message.hint_names(&name.to_string(), names.iter().map(String::as_str)));
         }
     }
     let numbered = || poses.iter().copied().enumerate();
+    let hint = measured(poses);
     if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
-        let message = Message::error("`calibration` selects no pose that was measured");
-        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(measured(poses)));
+        let message = error!("selection-without-pose", set = "calibration");
+        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(hint.clone()));
     }
     if let Some(text) = &identify.validation {
         if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
-            let message = Message::error("`validation` selects no pose that was measured");
-            problems.0.push(message.at(campaign.place(text)).hint(measured(poses)));
+            let message = error!("selection-without-pose", set = "validation");
+            problems.0.push(message.at(campaign.place(text)).hint(hint));
         }
         let shared: Vec<String> = numbered()
             .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))
             .map(|(_, pose)| pose.to_string())
             .collect();
         if !shared.is_empty() {
-            let shown = shared.iter().take(20).cloned().collect::<Vec<_>>().join(", ");
-            let more = if shared.len() > 20 { ", ..." } else { "" };
-            let what = format!("poses in both calibration and validation: {shown}{more}");
-            let message = Message::error(what).at(campaign.place(text));
-            problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
+            problems.0.push(error!("sets-overlap", poses = shown(shared, 20)).at(campaign.place(text)));
         }
     }
     let in_use = |&(i, pose): &(usize, PoseName)| selections.calibrates(pose, i) || selections.validates(pose, i);
@@ -485,8 +481,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
         let found = match Selection::parse(table.poses.get_ref()) {
             Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
-            Ok(_) => Message::error(format!("the table `{}` has no pose that was measured", table.title))
-                .hint("a table shows poses of `calibration` and `validation`"),
+            Ok(_) => error!("table-selection-empty", title = table.title),
             Err(message) => message,
         };
         problems.0.push(found.at(campaign.place(&table.poses)));
@@ -494,12 +489,10 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     problems.check().map(|_| ())
 }
 
-/// Which poses there are to select from.
-fn measured(poses: &BTreeSet<PoseName>) -> String {
+/// Poses that there are to select from.
+fn measured(poses: &BTreeSet<PoseName>) -> Phrase {
     match (poses.first(), poses.last()) {
-        (Some(first), Some(last)) => {
-            format!("{} are measured and joined, from {first} to {last}", count(poses.len(), "pose"))
-        }
-        _ => "no pose is measured and joined".to_owned(),
+        (Some(first), Some(last)) => phrase!("poses-measured", count = poses.len(), first, last),
+        _ => phrase!("poses-unmeasured"),
     }
 }

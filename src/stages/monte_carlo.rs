@@ -4,7 +4,8 @@
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
 use crate::stages::identification::Identified;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::pose_name::PoseName;
@@ -117,10 +118,7 @@ impl<'a> Trials<'a> {
         let Self { robot, found, settings, .. } = trials;
         let positions_alone = settings.conditions.is_empty();
         if !positions_alone && trials.systematic.is_stated() {
-            let what =
-                "errors common to all readings (scale, temperature, homing) are drawn of positions of targets alone";
-            let hint = "`etalon run` states the uncertainties of this campaign by linear propagation";
-            return Err(Message::error(what).hint(hint).into());
+            return Err(error!("common-errors-of-conditions").into());
         }
         let (monte_carlo, digits) = trials.monte_carlo(draws.most, report);
         let bootstrap = trials.bootstrap(draws.resamples);

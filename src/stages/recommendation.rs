@@ -8,6 +8,7 @@ use super::cross_validation::{ALL, SIGNIFICANCE, Study, Tried};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result, count};
+use etalon_base::{phrase, warning};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
 use etalon_identify::{Identification, Settings, Stability, Status, Variance};
@@ -156,16 +157,11 @@ impl Recommendation<'_> {
     /// A warning that names the parameters that are not stable.
     fn unstable(&self, stability: &[Stability]) -> Option<Message> {
         let of = |s: &Stability| {
-            let name = &self.study.robot.parameters()[s.parameter].name;
-            format!("`{name}` ({:.1}, limit {:.1})", s.over_sd, s.limit)
+            let parameter = &self.study.robot.parameters()[s.parameter].name;
+            phrase!("unstable-parameter", parameter, over_sd = s.over_sd, limit = s.limit)
         };
-        let all: Vec<String> = stability.iter().filter(|s| !s.is_stable()).map(of).collect();
-        let what = format!(
-            "not stable, and held: values by part of the poses differ from those by all, over the standard deviation of the difference: {}",
-            all.join(", ")
-        );
-        let hint = "look for what changed during the measurement (temperature, a target that moved, a joint homed again), and at the residuals";
-        (!all.is_empty()).then(|| Message::warning(what).hint(hint))
+        let parameters: Vec<_> = stability.iter().filter(|s| !s.is_stable()).map(of).collect();
+        (!parameters.is_empty()).then(|| warning!("parameters-unstable", parameters))
     }
 
     /// Changes of several parameters together over their covariance, as a sum of squares, and its p value.

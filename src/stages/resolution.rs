@@ -1,6 +1,7 @@
 //! Standard uncertainties that a column rounds to zero: each is read as the resolution of its column.
 
-use etalon_base::message::{Message, Place, Result, count};
+use etalon_base::message::{Message, Place, Result};
+use etalon_base::warning;
 use etalon_campaign::Campaign;
 use etalon_formats::table::{self, COVARIANCES, UNCERTAINTIES};
 use etalon_formats::{Export, Point};
@@ -46,20 +47,14 @@ impl Zeros {
 
     /// A warning of the column `name`, of numbers in `unit`.
     fn message(&self, name: &str, unit: &str) -> Message {
-        let rows = count(self.count, "row");
-        let what = match self.read_as {
+        let count = self.count;
+        match self.read_as {
             Some(u) => {
                 let u = format!("{u:.1e}").parse().unwrap_or(u);
-                format!(
-                    "`{name}` is 0 in {rows}: rounded, and read as the resolution of the column, u = {u} {unit} (half of the last digit \
-                     over √3)"
-                )
+                warning!("uncertainty-zero-rounded", column = name, count, u, unit)
             }
-            None => format!(
-                "`{name}` is 0 in {rows}, and shows no resolution: the uncertainty of the instrument counts there"
-            ),
-        };
-        Message::warning(what).hint("export uncertainties with more decimals")
+            None => warning!("uncertainty-zero", column = name, count),
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
+use etalon_base::error;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
@@ -194,12 +195,8 @@ impl CampaignTables<'_> {
     /// A table of observations.
     fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
         if let Some(key) = stated.meaningless_beside_sheet() {
-            let message = Message::error(format!("`{key}` means nothing for a sheet of a workbook"));
             let place = self.campaign.place_of(&["observations", key]);
-            return Err(message
-                .at(place)
-                .hint(format!("remove `{key}`: cells of a workbook are read as they are"))
-                .into());
+            return Err(error!("key-of-text-table", key).at(place).into());
         }
         self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
             TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())

@@ -5,8 +5,9 @@ use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
+use etalon_base::{error, warning};
 use etalon_campaign::Campaign;
-use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument, Statistics};
+use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument};
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
 
@@ -34,8 +35,7 @@ pub fn validate(
         sets = std::mem::take(&mut apart).beside(&sets);
     }
     if frames == GivenFrames::Prior && document.is_none() {
-        let message = Message::error("nominal parameters have no uncertainty that `--frames prior` could use");
-        return Err(message.hint("name identified ones with `--parameters`, or use `--frames refit`").into());
+        return Err(error!("prior-of-nominal").into());
     }
     check_set_up(robot, &sets.calibration, &settings)?;
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
@@ -99,8 +99,7 @@ impl Values {
 /// The given parameters with the most probable base and targets, by what they are given with and by the calibration poses.
 fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Vec<f64>> {
     if !sets.calibration_conditions.is_empty() {
-        let message = Message::error("`--frames prior` is for measured positions alone");
-        return Err(message.hint("leave rows of other kinds out, or refit base and targets: `--frames refit`").into());
+        return Err(error!("prior-of-conditions").into());
     }
     let all = given(robot, document)?;
     let n = all.free.len();
@@ -122,10 +121,7 @@ fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, set
 /// The nominal parameters, where base and targets are among them.
 fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
     match robot.parameters().iter().find(|p| !p.tolerance.is_finite()) {
-        Some(p) => {
-            let message = Message::error(format!("`{}` has no nominal value: it is found from measurements", p.name));
-            Err(message.hint("fit base and targets to the calibration poses: `--frames refit`").into())
-        }
+        Some(p) => Err(error!("place-without-nominal", parameter = p.name).into()),
         None => Ok(robot.nominal()),
     }
 }
@@ -172,12 +168,6 @@ fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames
 /// A warning where the given parameters are worse than nominal ones.
 fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
     let position = accuracy.sets.last()?.of(ErrorQuantity::Position)?;
-    let rms = |s: &Statistics| s.rms;
-    (rms(&position.after) > rms(&position.before)).then(|| {
-        let what = format!(
-            "the given parameters leave larger errors than the nominal ones: {:.3} instead of {:.3} mm (root mean square)",
-            position.after.rms, position.before.rms
-        );
-        Message::warning(what).to_decide().hint("check that they are those of this robot, and whether base and targets are those of this campaign (`--frames`)")
-    })
+    let (given_mm, nominal_mm) = (position.after.rms, position.before.rms);
+    (given_mm > nominal_mm).then(|| warning!("given-parameters-worse", given_mm, nominal_mm).to_decide())
 }

@@ -3,9 +3,10 @@
 use super::given::{ExpectedDeviation, given, other_nominal};
 use super::repeats::stale;
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_documents::*;
 use etalon_identify::{
     Comparison, Detectable, Explanation, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings,
@@ -121,8 +122,7 @@ pub fn plan(
     let settings = noise.applied(&mut candidates, Settings::default());
     let poses: Vec<PoseName> = candidates.iter().map(|o| o.pose).collect::<BTreeSet<_>>().into_iter().collect();
     if !(1..=poses.len()).contains(&count) {
-        let message = Message::error(format!("{count} of {} candidate poses cannot be chosen", poses.len()));
-        return Err(message.hint("state fewer `--positions`, or more candidates").into());
+        return Err(error!("candidate-poses-too-few", wanted = count, count = poses.len()).into());
     }
     let detectable = |chosen: &[PoseName]| {
         let of_pose = |pose: &PoseName| candidates.iter().filter(move |o| o.pose == *pose).cloned().collect::<Vec<_>>();
@@ -204,12 +204,8 @@ fn exchanged_targets(
     });
     let (left_mm, a, b) = of_pair.min_by(|x, y| x.0.total_cmp(&y.0))?;
     let names = robot.targets();
-    (left_mm < 0.1 * found.rms_mm).then(|| {
-        let what = format!("targets `{}` and `{}` are exchanged", names[a], names[b]);
-        let hint =
-            format!("with the names the other way the residuals fall from {:.3} to {left_mm:.3} mm", found.rms_mm);
-        Message::error(what).hint(hint)
-    })
+    let (first, second, before_mm) = (&names[a], &names[b], found.rms_mm);
+    (left_mm < 0.1 * before_mm).then(|| error!("target-names-exchanged", first, second, before_mm, left_mm))
 }
 
 /// Poses that are tried without.
@@ -221,10 +217,9 @@ fn wrong_pose(poses: &BTreeSet<PoseName>, valid: impl Fn(&dyn Fn(PoseName) -> bo
         return None;
     }
     let without = poses.iter().filter(|wrong| valid(&|pose| pose != **wrong));
-    let names: Vec<String> = without.map(|pose| format!("`{pose}`")).collect();
-    let [name] = &names[..] else { return None };
-    let what = format!("without pose {name} the observations do not contradict the parameters");
-    Some(Message::warning(what).hint("measure this pose again, and log its joints again"))
+    let names: Vec<&PoseName> = without.collect();
+    let [pose] = names[..] else { return None };
+    Some(warning!("one-pose-contradicts", pose))
 }
 
 fn sum_of_squares(test: &etalon_identify::Test) -> SumOfSquares {
@@ -304,10 +299,5 @@ fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
     let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;
     let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e).name).collect();
-    if others.is_empty() {
-        return None;
-    }
-    let what =
-        format!("{} would explain these residuals too: {}", count(others.len(), "other motion"), others.join(", "));
-    Some(Message::warning(what).hint("observe poses that differ more in the values of the joints"))
+    (!others.is_empty()).then(|| warning!("motions-alike", count = others.len(), motions = others))
 }

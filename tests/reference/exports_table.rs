@@ -46,7 +46,7 @@ pub const TABLE: &[(&str, As, &str)] = &[
     // Leica through emScon
     ("exports/leica_tracker_cesapi/measurements_2025-09-15.csv", Points(LEICA, "mm", 11, 0), "types 0 and 7 mixed"),
     ("exports/leica_tracker_cesapi/measurements_2025-09-16.csv", Points(LEICA, "mm", 29, 0), "all of type 7"),
-    ("exports/leica_tracker_cesapi/measurements_2025-09-12.csv", Refused(LEICA, "mm", "column-missing"), "spherical, and nothing in the file says so"),
+    ("exports/leica_tracker_cesapi/measurements_2025-09-12.csv", Refused(LEICA, "mm", "column-unknown"), "spherical, and nothing in the file says so"),
     ("exports/leica_tracker_cesapi/measurements_2025-09-15calc.csv", Points(LEICA, "mm", 11, 0), "after Excel: digits cut, results of formulas in columns without a name"),
     // Leica and Motoman: binary tables, whose columns only a text beside them explains
     ("exports/leica_motoman_mat/leica_*_dataset.mat", Refused(XYZ, "m", "file-not-text"), "binary"),

@@ -642,7 +642,8 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
     let message = error!("direction-not-unit", i, j, k, length);
     let of_angles = norm(ijk.map(|angle| angle.to_radians().cos()));
     let is_angles = (of_angles - 1.0).abs() <= DIRECTION;
-    Err(message.hint(if is_angles { phrase!("skip-direction-angles") } else { phrase!("skip-columns") }))
+    let hint = if is_angles { phrase!("skip-direction-angles") } else { phrase!("skip-columns") };
+    Err(message.hint(hint))
 }
 
 /// Header rows, the last of which names the columns, and the data.

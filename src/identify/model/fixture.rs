@@ -22,9 +22,7 @@ pub enum Fixture<'a> {
     Radius(&'a str),
 }
 
-const STATION: &str = meaning(
-    "Pose in the world of another station of the instrument: its origin, and its orientation as a rotation vector.",
-);
+const STATION: &str = meaning("meaning-station-pose");
 
 impl Fixture<'_> {
     /// Adds its parameters to those of `robot`, where it does not have them yet, and gives the index of the first.

@@ -101,7 +101,7 @@ fn labels(presentation: &Presentation, words: &Words) -> Value {
         "lang": lang,
         "synthetic": tr!(words, "synthetic-data-label"),
         "page": tr!(words, "page-of", page = "{0}", total = "{1}"),
-        "left_out": tr!(words, "rows-left-out", count = "{0}"),
+        "left_out": tr!(words, "rows-in-workbook", count = "{0}"),
         "logo": presentation.logo.as_ref().map(|_| tr!(words, "logo-of-the-laboratory")),
         "end": tr!(words, "end-of-report"),
         "signatures": tr!(words, "signatures"),

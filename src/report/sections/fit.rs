@@ -32,7 +32,7 @@ pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &W
     }
     let solver = &document.solver;
     let steps = tr!(words, "method-iterations", method = solver.method, iterations = solver.iterations) + " ";
-    let ended = Text::from(steps).and(Text::document(&solver.meaning, words));
+    let ended = Text::from(steps).and(words.tr(&solver.termination.phrase()));
     section.push(Block::heading(tr!(words, "solver")));
     section.push(Block::text(ended.clone()));
     let r = &document.residuals;

@@ -180,7 +180,7 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     match termination.is_success() {
         true if document.is_plausible() => None,
         true => Some(tr!(words, "parameters-implausible")),
-        false => Some(tr!(words, "identification-failed", reason = termination.to_string())),
+        false => Some(tr!(words, "identification-failed", reason = termination.phrase())),
     }
 }
 

@@ -246,6 +246,7 @@ fn parameters() -> ParametersDocument {
             unit: unit.to_owned(),
             role: Default::default(),
             meaning: String::new(),
+            meaning_id: None,
             tolerance: None,
             nominal,
             before: nominal,

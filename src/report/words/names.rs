@@ -71,6 +71,7 @@ pub(crate) fn source(source: UncertaintySource) -> Phrase {
 /// comparison. `None` for any other text.
 pub(crate) fn of_document(name: &str) -> Option<Phrase> {
     Some(match name {
+        "zeros of the joints" => phrase!("zeros-of-the-joints"),
         "plane" => phrase!("plane"),
         "line" => phrase!("line"),
         "circle" => phrase!("circle"),

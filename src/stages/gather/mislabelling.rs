@@ -1,7 +1,8 @@
 //! Points that lie where another one is, and reference targets that drift: reported, never dropped.
 
-use etalon_base::message::{Message, Place, Problems, count};
+use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, Fixed, JoinBy};
 use etalon_formats::Point;
 use etalon_math::statistics::median;
@@ -65,12 +66,8 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         if first.pose.is_none() && rows.len() > 1 && 2 * rows.len() > own {
             return None;
         }
-        let more =
-            if rows.len() > 1 { format!(", and so in {} in all", count(rows.len(), "row")) } else { String::new() };
-        let what = format!("row {}: `{wrong}` lies where `{other}` is{more}", first.row);
-        let hint = "was the beam on another target, or the label typed wrong? correct the label or take the row out; \
-                    [[rigid]] refuses rows whose distances do not hold";
-        Some(Message::warning(what).to_decide().at(Place::line(&*first.export, first.line, &first.text)).hint(hint))
+        let message = warning!("point-lies-at-another", row = first.row, point = wrong, other, rows = rows.len());
+        Some(message.to_decide().at(Place::line(&*first.export, first.line, &first.text)))
     };
     found.into_iter().filter_map(warning).collect()
 }
@@ -127,14 +124,12 @@ fn middle(all: &[Vector]) -> Option<Vector> {
     Some([axis(0)?, axis(1)?, axis(2)?])
 }
 
-/// What is wrong with the statements on fixed targets.
+/// Errors in the statements on fixed targets.
 pub(super) fn check(campaign: &Campaign) -> Problems {
     let wrong = |(i, fixed): (usize, &Fixed)| {
-        (!(fixed.drift_mm > 0.0 && fixed.drift_mm.is_finite())).then(|| {
-            Message::error("`drift_mm` of fixed targets must be a positive number")
-                .at(campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]))
-                .expected("how far they may wander in the course of the campaign, e.g. 0.02")
-        })
+        let place = || campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]);
+        let is_limit = fixed.drift_mm > 0.0 && fixed.drift_mm.is_finite();
+        (!is_limit).then(|| error!("limit-not-positive", key = "drift_mm").at(place()))
     };
     Problems(campaign.file.fixed.iter().enumerate().filter_map(wrong).collect())
 }
@@ -146,14 +141,9 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         for target in &fixed.targets {
             let rows: Vec<&Point> = points.iter().filter(|p| p.target.as_deref() == Some(target.get_ref())).collect();
             if rows.len() < BLOCKS * FEWEST {
-                let what = format!(
-                    "`{}` is measured {}: too few to see it drift",
-                    target.get_ref(),
-                    count(rows.len(), "time")
-                );
-                warnings.push(
-                    Message::warning(what).at(campaign.place(target)).expected(format!("{} or more", BLOCKS * FEWEST)),
-                );
+                let (count, least) = (rows.len(), BLOCKS * FEWEST);
+                let message = warning!("drift-few-readings", target = target.get_ref(), count, least);
+                warnings.push(message.at(campaign.place(target)));
                 continue;
             }
             let blocks = rows.chunks(rows.len().div_ceil(BLOCKS));
@@ -165,15 +155,16 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
             let Some((i, j)) = pairs.max_by(|a, b| apart(a.0, a.1).total_cmp(&apart(b.0, b.1))) else { continue };
             if apart(i, j) > fixed.drift_mm {
                 let ((a, b, _), (c, d, _)) = (middles[i], middles[j]);
-                let what = format!(
-                    "`{}` drifts: between rows {a} to {b} and rows {c} to {d} it moves {:.4} mm (stated: {} mm)",
-                    target.get_ref(),
-                    apart(i, j),
-                    fixed.drift_mm
+                let (moved_mm, limit_mm) = (apart(i, j), fixed.drift_mm);
+                let message = warning!(
+                    "reference-drifts",
+                    target = target.get_ref(),
+                    first = format!("{a}-{b}"),
+                    second = format!("{c}-{d}"),
+                    moved_mm,
+                    limit_mm
                 );
-                let hint = "temperature, or the instrument moved? with `targets` and `each = \"pose\"` in [frame.world] \
-                            the frame follows the targets";
-                warnings.push(Message::warning(what).to_decide().at(campaign.place(target)).hint(hint));
+                warnings.push(message.to_decide().at(campaign.place(target)));
             }
         }
     }
@@ -183,6 +174,7 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::IntoArgument;
 
     fn point(row: i64, name: &str, pose: Option<i64>, xyz_mm: Vector) -> Point {
         let target = pose.map(|_| name.to_owned());
@@ -207,6 +199,11 @@ mod tests {
         Campaign::read(copy.path()).unwrap()
     }
 
+    /// `true` if the only message is about this row, its point and the other point.
+    fn is_at(found: &[Message], row: i64, point: &str, other: &str) -> bool {
+        found.len() == 1 && found[0].is("point-lies-at-another", &[("row", &row), ("point", &point), ("other", &other)])
+    }
+
     #[test]
     fn a_target_that_lies_where_another_is_in_the_same_pose_is_reported_and_which_one_it_is() {
         let mut points = Vec::new();
@@ -222,8 +219,7 @@ mod tests {
             ));
         }
         let found = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
-        assert_eq!(whats, ["row 5: `base_3` lies where `SMR_3` is"]);
+        assert!(is_at(&found, 5, "base_3", "SMR_3"), "{found:?}");
         points[9].xyz_mm = [-3.0, 0.0, 0.0];
         assert!(misplaced(&campaign(""), &points).is_empty());
     }
@@ -241,8 +237,7 @@ mod tests {
             point(6, "measured", None, at(900.05)),
         ];
         let found = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
-        assert_eq!(whats, ["row 3: `Slave` lies where `D` is"]);
+        assert!(is_at(&found, 3, "Slave", "D"), "{found:?}");
     }
 
     #[test]
@@ -256,8 +251,7 @@ mod tests {
         points.push(point(25, "D", None, [700.0, 0.0, 0.0]));
         points.push(point(26, "shaft-2", None, [700.0, 0.0, 0.05]));
         let found = misplaced(&campaign(""), &points);
-        let whats: Vec<&str> = found.iter().map(|m| m.what.as_str()).collect();
-        assert_eq!(whats, ["row 26: `shaft-2` lies where `D` is"]);
+        assert!(is_at(&found, 26, "shaft-2", "D"), "{found:?}");
     }
 
     #[test]
@@ -269,12 +263,10 @@ mod tests {
         };
         let found = drifting(&campaign, &rows(0.001));
         assert_eq!(found.len(), 1, "{found:?}");
-        assert!(
-            found[0].what.contains("between rows 1 to 10 and rows 91 to 100 it moves 0.0900 mm"),
-            "{}",
-            found[0].what
-        );
+        let rows = [("first", &"1-10" as &dyn IntoArgument), ("second", &"91-100"), ("limit_mm", &0.02)];
+        assert!(found[0].is("reference-drifts", &rows), "{found:?}");
+        assert!(found[0].arguments["moved_mm"] == 0.09, "{found:?}");
         assert!(drifting(&campaign, &rows(0.0001)).is_empty());
-        assert!(drifting(&campaign, &rows(0.001)[..20])[0].what.contains("too few to see it drift"));
+        assert!(drifting(&campaign, &rows(0.001)[..20])[0].is("drift-few-readings", &[("count", &20), ("least", &30)]));
     }
 }

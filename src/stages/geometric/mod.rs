@@ -9,6 +9,7 @@ use crate::stages::identification::Identified;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_campaign::{BallDefinition, Campaign, GeometricDefinition, ScaleBarDefinition, Selection};
 use etalon_documents::*;
 use etalon_identify::geometric::{
@@ -31,9 +32,8 @@ pub fn calibrate(
 ) -> Result<Option<GeometricDocument>> {
     let (Some(definition), Some(measured)) = (&campaign.file.geometric, measured) else { return Ok(None) };
     // the model before its reduction has no d and delta of which geometry alone gives a value
-    let table = robot.rail_table().filter(|_| robot.model() == "prexyt").ok_or_else(|| {
-        Message::error("[geometric] is the geometric calibration of a PreXYT").expected("a robot with model `prexyt`")
-    })?;
+    let prexyt = robot.rail_table().filter(|_| robot.model() == "prexyt");
+    let table = prexyt.ok_or_else(|| error!("geometric-other-robot"))?;
     let Gathered { robot: measured, bars, balls } = measured;
     let u_mm = campaign.file.instrument.standard_uncertainty_mm();
     let found = geometric::steps(&measured, u_mm)?;
@@ -156,20 +156,14 @@ fn bar_message(bar: &ScaleBarResult) -> Option<Message> {
     let name = &bar.name;
     match bar.verdict {
         BarVerdict::Conforming | BarVerdict::NoCertificate => None,
-        BarVerdict::NotConforming => Some(
-            Message::warning(format!(
-                "scale bar `{name}`: an error of {:.4} mm exceeds the permissible {:.4} mm",
-                bar.largest_error_mm, bar.permissible_error_mm
-            ))
-            .hint("check probe, temperature and mounting of the instrument, and measure the bar again"),
-        ),
-        BarVerdict::BarTooUncertain => Some(
-            Message::warning(format!(
-                "scale bar `{name}`: its certificate has {:.1} times less uncertainty than the permissible error, 4 are asked for",
-                bar.uncertainty_ratio.unwrap_or_default()
-            ))
-            .hint("use a bar with a better certificate: this one verifies nothing"),
-        ),
+        BarVerdict::NotConforming => {
+            let (error_mm, limit_mm) = (bar.largest_error_mm, bar.permissible_error_mm);
+            Some(warning!("scale-bar-error", name, error_mm, limit_mm))
+        }
+        BarVerdict::BarTooUncertain => {
+            let ratio = bar.uncertainty_ratio.unwrap_or_default();
+            Some(warning!("scale-bar-uncertain", name, ratio, least = LEAST_RATIO))
+        }
     }
 }
 
@@ -239,13 +233,8 @@ fn step(name: &str, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricSt
 
 /// Where residuals and the instrument's statement differ.
 fn scatter_message(step: &GeometricStep) -> Option<Message> {
-    (step.enlarged_by > 1.0).then(|| {
-        let what = format!(
-            "{}: residuals scatter by {:.4} mm, the instrument states {:.4} mm: uncertainties follow the residuals",
-            step.name, step.standard_deviation_mm, step.expected_mm
-        );
-        Message::warning(what).hint("look for play, a dirty ball or a loose nest; measure the step again")
-    })
+    let (found_mm, stated_mm) = (step.standard_deviation_mm, step.expected_mm);
+    (step.enlarged_by > 1.0).then(|| warning!("step-scatters", step = step.name, found_mm, stated_mm))
 }
 
 fn leads(definition: &GeometricDefinition, found: &Steps) -> Vec<LeadResult> {
@@ -305,8 +294,7 @@ fn tables(
         let rows: Vec<PoseRow> =
             chosen.filter_map(|(_, (pose, observed))| pose_row(robot, *pose, observed, parameters)).collect();
         if rows.is_empty() {
-            let what = format!("at no pose of the table `{}` were K and L measured together", table.title);
-            return Err(Message::error(what).at(place()).hint("measure both balls in the same cycle").into());
+            return Err(error!("table-without-poses", title = table.title).at(place()).into());
         }
         tables.push(PoseTable { title: table.title.clone(), rows });
     }

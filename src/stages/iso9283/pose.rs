@@ -3,6 +3,7 @@
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::warning;
 use etalon_campaign::PosesDefinition;
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use etalon_formats::tables::pose_test::pose_test;
@@ -96,14 +97,7 @@ const WORSE: f64 = 1.1;
 
 /// A warning where the compensation of the set-up's drift makes poses scatter more.
 fn worse(before_mm: f64, after_mm: f64) -> Option<Message> {
-    (after_mm > WORSE * before_mm).then(|| {
-        let what = format!(
-            "compensated by the reference targets, attained positions scatter by {after_mm:.4} mm about the mean of their pose, and by \
-             {before_mm:.4} mm as they were measured"
-        );
-        let hint = "the reference targets have not moved with the measuring system: look for a wrong reading among them, or leave them out";
-        Message::warning(what).hint(hint)
-    })
+    (after_mm > WORSE * before_mm).then(|| warning!("compensation-scatters", before_mm, after_mm))
 }
 
 /// The reference targets' own shape differs by more than this many expanded uncertainties where one of them was measured wrongly.
@@ -111,14 +105,8 @@ const MISSHAPEN: f64 = 2.0;
 
 /// A warning where reference targets do not lie to each other as they did first.
 fn misshapen(epoch: &Iso9283Epoch, expanded_mm: f64) -> Option<Message> {
-    (epoch.rms_mm > MISSHAPEN * expanded_mm).then(|| {
-        let what = format!(
-            "reference targets of cycle {} lie {:.4} mm (root mean square) from where a rigid motion of the first takes them: the \
-             instrument's expanded uncertainty is {expanded_mm:.4} mm",
-            epoch.cycle, epoch.rms_mm
-        );
-        Message::warning(what).hint("one of them moved, or was measured wrongly: measure them again, or leave it out")
-    })
+    let Iso9283Epoch { cycle, rms_mm, .. } = epoch;
+    (*rms_mm > MISSHAPEN * expanded_mm).then(|| warning!("reference-targets-misshapen", cycle, rms_mm, expanded_mm))
 }
 
 impl PreparedTest {

@@ -2,7 +2,8 @@
 
 use super::stated::TestStatement;
 use crate::stages::table_file::{CampaignTables, TableFile};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_campaign::{Campaign, StreamDefinition};
 use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
@@ -29,8 +30,7 @@ pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
     let mut all = Vec::new();
     for stream in &campaign.file.streams {
         if !names.insert(stream.name.get_ref()) {
-            let message = Message::error(format!("stream `{}` is there twice", stream.name.get_ref()));
-            problems.0.push(message.at(campaign.place(&stream.name)));
+            problems.0.push(error!("stream-twice", stream = stream.name.get_ref()).at(campaign.place(&stream.name)));
         }
         let mut wrong = stream.problems(campaign);
         if let Err(more) = stated(stream).check(|key| format!("`{key}`")) {

@@ -2,6 +2,7 @@
 
 use super::{Cells, Row};
 use crate::stages::orientations::AngleOrder;
+use etalon_base::error;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
@@ -36,9 +37,7 @@ pub trait RowKind: Sync {
 
     /// What a row without a pose states of fixed things, with its standard uncertainty (mm).
     fn known(&self, _row: &Row, _u_mm: f64, _robot: &mut dyn Robot) -> Result<Known> {
-        Err(Message::error(format!("a row of kind `{}` has no pose", self.facts().name))
-            .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`")
-            .into())
+        Err(error!("row-without-pose", kind = self.facts().name).into())
     }
 
     /// How a row with a pose is simulated; what it refers to is added to the parameters of `robot`.
@@ -52,8 +51,7 @@ pub trait RowKind: Sync {
 
 /// The error about a `[[known]]` of a kind that has none.
 pub fn no_known(kind: &str) -> Message {
-    Message::error(format!("a row of kind `{kind}` has no [[known]]"))
-        .expected("`point`, `distance`, `plane`, `line` or `sphere`")
+    error!("known-unsupported", kind)
 }
 
 /// Numbers of a row by column, in mm or deg.
@@ -82,7 +80,7 @@ impl Simulated {
         robot: &mut dyn Robot,
     ) -> Result<Self> {
         if near_mm.is_some() {
-            return Err(Message::error("`near_mm` is for places on surfaces").into());
+            return Err(error!("near-without-surface").into());
         }
         let point = Fixture::Point(&cells.target).add_to(robot);
         let numbers = kind.simulated(cells, robot)?.numbers;
@@ -137,7 +135,7 @@ pub(super) fn xyz(place_mm: Vector) -> Numbers {
     XYZ.into_iter().zip(place_mm).collect()
 }
 
-/// The error about a kind that is for arms in space.
-pub(super) fn not_of(what: &str, robot: &dyn Robot) -> Message {
-    Message::error(format!("{what} are for arms in space, not for `{}`", robot.model()))
+/// Error about a kind of rows (`joints` or `poses`) that is for arms in space.
+pub(super) fn not_of(kind: &str, robot: &dyn Robot) -> Message {
+    error!("kind-of-arms", kind, model = robot.model())
 }

@@ -21,8 +21,9 @@ use crate::stages::orientations::{self, AngleOrder, Written, unstated};
 use crate::stages::positions;
 use crate::stages::resolution;
 use cells::STATION;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_formats::table;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
@@ -50,7 +51,7 @@ pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
     let found = KINDS.into_iter().find(|kind| kind.facts().name == name);
     Ok(found.ok_or_else(|| {
         let names = KINDS.iter().map(|kind| kind.facts().name);
-        Message::error(format!("`{name}` is not a kind of observation")).hint_names(name, names)
+        error!("kind-unknown", name).hint_names(name, names)
     })?)
 }
 
@@ -142,12 +143,8 @@ fn misspelt_names(
     let error = |(name, own): (&&str, &Vec<usize>)| {
         let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
         let (_, meant) = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant))).min()?;
-        let (alone, others) = (count(own.len(), "row"), rows[meant].len());
-        let what = format!("`{name}` is named in {alone} only, and `{meant}` in {others}");
-        let message = Message::error(what).at(Place { line: line(own[0]), ..Place::default() });
-        Some(message.hint(format!(
-            "did you mean `{meant}`? else leave the rows of `{name}` out: they do not determine where it is"
-        )))
+        let message = error!("name-on-few-rows", name, count = own.len(), meant, meant_count = rows[meant].len());
+        Some(message.at(Place { line: line(own[0]), ..Place::default() }))
     };
     few.filter_map(error).collect()
 }
@@ -166,12 +163,8 @@ fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
 
 /// A warning where an instrument measured positions, and joints move the base of the chain.
 pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
-    let names = robot.joints_of_base().join(", ");
-    let what = format!(
-        "`base_link` is moved by the joints {names}: positions are taken as measured in a frame that moves with it"
-    );
-    let hint = "if the instrument is fixed in the room, let `base_link` be the root of the URDF";
-    (!names.is_empty()).then(|| Message::warning(what).to_decide().hint(hint))
+    let joints = robot.joints_of_base();
+    (!joints.is_empty()).then(|| warning!("base-moves", joints).to_decide())
 }
 
 /// Observations of `robot` from a table of any kinds; what they refer to is added to its parameters, and what is not the position of
@@ -210,16 +203,11 @@ pub fn observed(
     problems.check()?;
     let names = robot.parameters();
     if let Some((_, p)) = names.iter().enumerate().find(|(i, p)| names[..*i].iter().any(|other| other.name == p.name)) {
-        let what = format!("`{}` would be the name of two parameters", p.name);
-        return Err(Message::error(what).hint("give targets, points and planes names of their own").into());
+        return Err(error!("parameter-name-doubled", name = p.name).hint(phrase!("names-of-fixed-things")).into());
     }
     let partial = rows.iter().filter(|row| row.is_partial).count();
     if partial > 0 {
-        let what = format!(
-            "{} give one or two coordinates of their targets, which count by themselves",
-            count(partial, "row")
-        );
-        messages.push(Message::warning(what).routine());
+        messages.push(warning!("partial-coordinates", count = partial).routine());
     }
     let has_position = BooleanChunked::from_iter_values("position".into(), rows.iter().map(Row::has_position));
     let observations = match has_position.any() {
@@ -251,13 +239,7 @@ fn unnamed_station(rows: &[Row]) -> Option<Message> {
     if all_stated || poses(&unnamed) >= FEWEST_SEEN || poses(&named) < FEWEST_SEEN {
         return None;
     }
-    let message =
-        Message::error("the column `station` is empty here, and other points have one").at(unnamed[0].place());
-    Some(
-        message.hint(
-            "rows without a station would be those of the world, which has to see the robot at three poses at least",
-        ),
-    )
+    Some(error!("station-missing", least = FEWEST_SEEN).at(unnamed[0].place()))
 }
 
 fn header() -> Place {

@@ -2,7 +2,8 @@
 
 use super::kind::xyz;
 use super::{Cells, Facts, Row, RowKind, Simulated};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector};
 use etalon_identify::{Coordinate, Fixture, Kind, Known, Seen};
 use etalon_robots::Robot;
@@ -57,6 +58,6 @@ impl RowKind for Point {
 /// The coordinates that a text names.
 fn coordinates(text: &str) -> Result<[bool; 3]> {
     let known = text.chars().all(|c| "xyz".contains(c)) && !text.is_empty();
-    let wrong = || Message::error(format!("`{text}` does not name coordinates")).expected("\"z\", \"xy\" ..");
+    let wrong = || error!("coordinates-unknown", text);
     if known { Ok(["x", "y", "z"].map(|axis| text.contains(axis))) } else { Err(wrong().into()) }
 }

@@ -61,6 +61,7 @@ pub(crate) fn identified(
         unit: "mm".to_owned(),
         role: Default::default(),
         meaning: String::new(),
+        meaning_id: None,
         tolerance: None,
         nominal: 100.0,
         before: if i + 1 == values.len() { 100.5 } else { 100.0 },

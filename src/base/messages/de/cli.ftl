@@ -82,8 +82,8 @@ pose-unreachable = Pose { $pose }: { $reason }
 
 controller-format-unknown = `{ $name }` ist kein Steuerungsformat
 
-hash-of-other-format = `--controller-hash` gilt für das Format universal-robots
-    .hint = es angeben: --format universal-robots
+hash-of-other-format = `--controller-hash` gilt für die Formate, die ihn enthalten: { $formats }
+    .hint = eines davon mit --format angeben
 
 run-while-exporting = ein Lauf schrieb `{ $folder }`, während Steuerungsdateien entstanden
     .hint = den Befehl wiederholen: sie können von früheren Parametern stammen
@@ -138,7 +138,7 @@ iso230-few-runs = Position { $position } mm hat weniger als zwei Läufe in Richt
 nothing-to-evaluate = nichts zum Auswerten ist angegeben
     .hint = Posen, Aufzeichnung oder Lasten angeben: `etalon iso9283 --help`
 
-drift-set-too-small = --drift-set muss mindestens 2 sein
+drift-set-too-small = { $option } muss mindestens 2 sein
     .hint = die Zahl der Zyklen eines Satzes angeben
 
 commanded-missing = keine Sollposen angegeben: AP ist nicht bestimmt (null); RP braucht keine
@@ -152,6 +152,7 @@ no-whole-pose = `{ $model }` hat keine Kinematik einer ganzen Pose
 
 table-quaternion-length = die Quaternion hat die Länge { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz einer Drehung
+    .hint = die Spalten prüfen, und dass es keine Winkel sind
 
 not-a-report = `{ $file }` endet nicht wie ein Bericht
     .expected = eine Datei, die auf { $endings } endet

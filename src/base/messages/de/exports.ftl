@@ -180,6 +180,9 @@ stated-count-differs = `{ $name }` hat { $found ->
     .expected = { $stated }, nach der Anzahl, die die Datei angibt
     .hint = die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
 
+cell-empty = `{ $column }` ist leer
+    .hint = die Zelle ergänzen oder die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
+
 not-a-number = `{ $text }` ist keine Zahl
     .expected = eine Zahl mit dem Dezimalzeichen `{ $decimal }`{ $thousands ->
             [none] {""}

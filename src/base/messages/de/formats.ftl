@@ -98,9 +98,6 @@ table-failed = die Tabelle kann nicht gebildet werden: { $reason }
 
 not-whole-number = `{ $value }` in der Spalte `{ $column }` ist keine ganze Zahl
 
-cell-empty = die Spalte `{ $column }` hat eine leere Zelle
-    .hint = die Zelle ergänzen oder die Zeile entfernen
-
 stored-table-damaged = die gespeicherte Tabelle ist beschädigt: { $reason }
     .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 

@@ -191,12 +191,12 @@ pose-unreachable = pose { $pose }: { $reason }
 # Example: `--format jsn`
 controller-format-unknown = `{ $name }` is not a controller format
 
-# Means: `--controller-hash` is stated without the format universal-robots.
+# Means: `--controller-hash` is stated without a format that contains the hash of a calibration.
 # Matters: Other formats have no hash of a controller.
 # Do: Name the format, or omit the hash.
 # Example: `--format csv --controller-hash calib_1`
-hash-of-other-format = `--controller-hash` is for the format universal-robots
-    .hint = name it: --format universal-robots
+hash-of-other-format = `--controller-hash` is for the formats that contain it: { $formats }
+    .hint = name one of them with --format
 
 # Means: A run wrote the output folder while files for a controller were made from it.
 # Matters: The files may be made of parameters of two runs.
@@ -319,7 +319,7 @@ nothing-to-evaluate = nothing to evaluate is stated
 # Matters: Drift compares means and scatter of sets of cycles.
 # Do: State two cycles or more.
 # Example: `--drift-set 1`
-drift-set-too-small = --drift-set must be at least 2
+drift-set-too-small = { $option } must be at least 2
     .hint = state the number of cycles of a set
 
 # Means: No commanded poses are stated.
@@ -349,6 +349,7 @@ no-whole-pose = `{ $model }` has no kinematics of a whole pose
 # Example: `qw,qx,qy,qz` = 0.7, 0, 0, 0.6
 table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz of a rotation
+    .hint = check the columns, and that these are not angles
 
 # Means: The name of a file does not end like a report.
 # Matters: The kind of report follows from the ending.

@@ -62,6 +62,24 @@ error-above-nominal = position error at { $set } poses{ $left_out_count ->
 file-worse-than-nominal = format `{ $format }` is not written: { $reason }
     .hint = use a format that holds these parameters; `etalon export --force` writes the file
 
+error-near-nominal = { $case ->
+        [rms] position error not clearly smaller than with nominal parameters
+        [maximum] largest position error above that with nominal parameters
+       *[both] position error not clearly smaller than with nominal parameters, its maximum larger
+    }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
+
+# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS), or
+# the largest error is larger than with nominal parameters.
+# Matters: The robot gains little by the file, or is less accurate at some poses.
+# Do: Use a format that holds all identified parameters. If the format holds them, measure more poses
+# or identify other effects.
+# Example: `universal-robots` for an arm whose transmission ratios cause most of its error
+file-near-nominal = { $formats_count ->
+        [1] format
+       *[other] formats
+    } `{ $formats }`: { $reason }
+    .hint = compare the errors in controllers.json; use a format that holds the parameters left out, if any
+
 # Means: The format leaves out identified parameters, and parameters.json has no covariance of them.
 # Matters: Only the covariance tells how the other parameters change without them.
 # Do: Let the run identify again without these parameters.

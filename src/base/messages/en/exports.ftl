@@ -281,6 +281,13 @@ stated-count-differs = `{ $name }` has { $found ->
     .expected = { $stated }, by the count that the file states
     .hint = export the file again: it was edited or cut off
 
+# Means: A cell is empty that assigns the row to a pose, a cycle or a feature.
+# Matters: The row cannot be matched with others.
+# Do: Complete the cell, or export the file again.
+# Example: a row of a Calypso table without `featureid`
+cell-empty = `{ $column }` is empty
+    .hint = complete the cell, or export the file again: it was edited or cut off
+
 # Means: The text is not a number in the stated decimal and thousands marks.
 # Matters: A guessed mark would change the value by a factor of 1000.
 # Do: State `decimal` and `thousands` as the file uses them, or correct the cell.

@@ -187,13 +187,6 @@ table-failed = cannot build the table: { $reason }
 # Example: `1.5` in the column `cycle`
 not-whole-number = `{ $value }` in the column `{ $column }` is not a whole number
 
-# Means: A cell is empty in a column that needs a value in each row.
-# Matters: The row cannot be matched with others.
-# Do: Complete the cell, or remove the row.
-# Example: an empty cell in the column `cycle`
-cell-empty = the column `{ $column }` has an empty cell
-    .hint = complete the cell, or remove the row
-
 # Means: A table in the output folder is not as the run wrote it.
 # Matters: Results that are computed from it would be wrong.
 # Do: Run the campaign again.

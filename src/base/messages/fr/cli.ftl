@@ -82,8 +82,8 @@ pose-unreachable = pose { $pose } : { $reason }
 
 controller-format-unknown = `{ $name }` n’est pas un format de commande
 
-hash-of-other-format = `--controller-hash` est pour le format universal-robots
-    .hint = l’indiquer : --format universal-robots
+hash-of-other-format = `--controller-hash` est pour les formats qui la contiennent : { $formats }
+    .hint = en indiquer un avec --format
 
 run-while-exporting = une exécution a écrit `{ $folder }` pendant la création de fichiers de commande
     .hint = répéter la commande : ils peuvent provenir de paramètres antérieurs
@@ -138,7 +138,7 @@ iso230-few-runs = la position { $position } mm a moins de deux passages dans la 
 nothing-to-evaluate = rien à évaluer n’est indiqué
     .hint = indiquer poses, enregistrement ou charges : `etalon iso9283 --help`
 
-drift-set-too-small = --drift-set doit être au moins 2
+drift-set-too-small = { $option } doit être au moins 2
     .hint = indiquer le nombre de cycles d’une série
 
 commanded-missing = aucune pose commandée n’est indiquée : AP n’est pas déterminé, et nul (null) ; RP n’en a pas besoin
@@ -152,6 +152,7 @@ no-whole-pose = `{ $model }` n’a pas de cinématique d’une pose complète
 
 table-quaternion-length = le quaternion a la norme { FIXED($length, 4) }
     .expected = 1 : qw, qx, qy, qz d’une rotation
+    .hint = vérifier les colonnes, et que ce ne sont pas des angles
 
 not-a-report = `{ $file }` ne se termine pas comme un rapport
     .expected = un fichier qui se termine par { $endings }

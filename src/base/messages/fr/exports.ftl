@@ -180,6 +180,9 @@ stated-count-differs = `{ $name }` a { $found ->
     .expected = { $stated }, d’après le nombre que le fichier indique
     .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
 
+cell-empty = `{ $column }` est vide
+    .hint = compléter la cellule, ou exporter de nouveau le fichier : il a été modifié ou tronqué
+
 not-a-number = `{ $text }` n’est pas un nombre
     .expected = un nombre avec le séparateur décimal `{ $decimal }`{ $thousands ->
             [none] {""}

@@ -98,9 +98,6 @@ table-failed = impossible de construire le tableau : { $reason }
 
 not-whole-number = `{ $value }` dans la colonne `{ $column }` n’est pas un nombre entier
 
-cell-empty = la colonne `{ $column }` a une cellule vide
-    .hint = compléter la cellule, ou supprimer la ligne
-
 stored-table-damaged = le tableau enregistré est endommagé : { $reason }
     .hint = exécuter de nouveau la campagne : `etalon run CAMPAGNE`
 
