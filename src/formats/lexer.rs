@@ -140,7 +140,7 @@ pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<Po
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '\u{2212}');
     match number(field, decimal) {
         Ok(value) if value.fract() != 0.0 || value.abs() > WHOLE => {
-            Err(error!("not-a-whole-number", text = field).expected(phrase!("pose-number-or-name")))
+            Err(error!("not-whole-number", value = field, column = "pose").expected(phrase!("pose-number-or-name")))
         }
         Ok(value) if field.chars().all(numeric) => Ok((value as i64).into()),
         // of letters as well, like `3E1`

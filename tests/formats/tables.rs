@@ -65,7 +65,7 @@ fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
         ("columns = { z_mm = 9 }", "error[column-number-unknown]: there is no column 9"),
         ("columns = { z_mm = \"x_mm / 0\" }", "error[computed-not-finite]"),
         ("columns = { z = 1 }", "error[observation-column-unknown]: `z`"),
-        ("only = { quality = 1 }", "[column-unknown]: there is no column `quality`"),
+        ("only = { quality = 1 }", "error[column-unknown]: there is no column `quality`"),
         ("only = { target = \"B\" }", "error[no-row-selected]"),
         ("target = \"A\"", "error[stated-and-in-table]: `target`"),
         ("missing = [\"none\"]", "[not-a-number]: `nan`"),

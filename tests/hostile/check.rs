@@ -112,7 +112,7 @@ fn logs_that_do_not_look_as_stated() {
     let (code, said) = etalon(&scratch, "check");
     assert!(code == Some(2) && said.contains("error[delimiter-does-not-split]"), "{said}");
     assert!(said.contains("hint: state `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
-    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-a-whole-number]: `1e300`", "encoders.csv:2:1"]);
+    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-whole-number]: `1e300`", "encoders.csv:2:1"]);
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     for (text, parts) in [
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "[not-a-number]: `x`"]),
-        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "[not-a-whole-number]: `1.5`"]),
+        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "[not-whole-number]: `1.5`"]),
         (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),
     ] {

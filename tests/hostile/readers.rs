@@ -90,7 +90,7 @@ fn trap_10_rows_of_calypso_are_ragged_and_end_in_a_word() {
     refused(
         "calypso",
         &CHR.replace("\tmm\tg\n", "\tmm\tg\th\ti\tj\n"),
-        &["[field-count-differs]", "12 fields", "expected: 11", "f.txt:3"],
+        &["[row-field-count]", "12 fields", "expected: 11", "f.txt:3"],
     );
     refused("calypso", &format!("{CHR}P\t3\n"), &["[rows-after-end]", "`END`", "f.txt:10"]);
     refused(
@@ -218,7 +218,7 @@ fn trap_8_pcdmis_is_in_inch_unless_metric_stands_in_its_place() {
     refused(
         "pcdmis_xyz",
         "XYZIJK    METRIC\nPT_001\t10.2\t3\n1,x,3\n",
-        &["[field-count-differs]", "1 field", "f.txt:3:3", "[not-a-number]: `x`"],
+        &["[row-field-count]", "1 field", "f.txt:3:3", "[not-a-number]: `x`"],
     );
     refused("pcdmis_xyz", "1,2,3\n", &["[format-differs]", "`pcdmis_xyz`", "f.txt:1"]);
 }

@@ -166,8 +166,8 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     let good = "1,1,K,1,2,3,4,5\n";
     for (rows, parts) in [
-        ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "[not-a-whole-number]: `1.5`"]),
-        ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "[not-a-whole-number]: `1e300`"]),
+        ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "[not-whole-number]: `1.5`"]),
+        ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "[not-whole-number]: `1e300`"]),
         ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "[not-a-number]: `x`"]),
         ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "[not-a-number]: `inf`"]),
         ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "error[row-field-count]: the row has 7 fields"]),

@@ -102,10 +102,7 @@ fn trap_7_the_origin_counts_as_not_measured_unless_the_campaign_says_otherwise()
 fn trap_9_names_that_occur_twice_are_no_key() {
     let named = "{ delimiter = \",\", header = 1, columns = { label = \"name\", x = \"x\", y = \"y\", z = \"z\" } }";
     let told = said("name,x,y,z,x\nA,1,2,3,4\n", named);
-    assert!(
-        told.contains("[header-name-repeated]: the header has 2 columns `x`") && told.contains("number of the column"),
-        "{told}"
-    );
+    assert!(told.contains("[heading-twice]: the header names `x`") && told.contains("number of the column"), "{told}");
     // the same target of a pose in two rows
     let files = [("o.txt", "K_1_1 1 2 3\nK_1_1 1 2 4\n")];
     let export =

@@ -228,12 +228,7 @@ fn the_points_of_the_hl6_are_read_with_their_counts_and_its_mixed_separators_ref
         let (points, source) = read(&format!("robots/qkm_polyworks/{file}.txt"), blank, "mm").unwrap();
         assert_eq!((points.len(), source.refused.len()), (count, 0), "{file}");
     }
-    refused(
-        "robots/qkm_polyworks/data_points_cali__test_poses.txt",
-        blank,
-        "mm",
-        &["[field-count-differs]", "1 field"],
-    );
+    refused("robots/qkm_polyworks/data_points_cali__test_poses.txt", blank, "mm", &["[row-field-count]", "1 field"]);
     let comma = "{ delimiter = \",\", columns = [\"x\", \"y\", \"z\"] }";
     assert_eq!(read("robots/qkm_polyworks/data_points_cali__test_poses.txt", comma, "mm").unwrap().0.len(), 9);
     // the controller's program is no table

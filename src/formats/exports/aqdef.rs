@@ -380,7 +380,8 @@ fn no_aqdef() -> Message {
 }
 
 fn whole(content: &str) -> Result<usize, Message> {
-    content.parse().map_err(|_| error!("not-a-whole-number", text = content).expected(phrase!("count-or-index")))
+    let valid = || phrase!("whole-number");
+    content.parse().map_err(|_| error!("record-invalid", text = content, format = "aqdef", valid = valid()))
 }
 
 fn axis(word: &str) -> Option<usize> {

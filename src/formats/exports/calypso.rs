@@ -109,7 +109,7 @@ fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
     let names = split(1);
     let again = |(at, name): &(usize, &Cow<str>)| !name.is_empty() && names.fields[..*at].contains(name);
     for (at, name) in names.fields.iter().enumerate().filter(again) {
-        problems.0.push(error!("header-name-repeated", name = **name, count = 2).at(names.cell(text.file, at)));
+        problems.0.push(error!("heading-twice", column = **name).at(names.cell(text.file, at)));
     }
     let mut table = Table { text, names, rows: Vec::new() };
     let mut ended = false;
@@ -122,8 +122,8 @@ fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
         if line.trim() == "END" {
             ended = true;
         } else if row.fields.iter().skip(table.names.fields.len()).any(|f| !f.is_empty()) {
-            let expected = phrase!("fields-of-header", count = table.names.fields.len());
-            problems.0.push(error!("field-count-differs", found = row.fields.len(), expected).at(text.place(i + 1)));
+            let expected = phrase!("fields-like", like = "header", width = table.names.fields.len());
+            problems.0.push(error!("row-field-count", fields = row.fields.len(), expected).at(text.place(i + 1)));
         } else {
             table.rows.push(row);
         }

@@ -196,7 +196,7 @@ fn header<'t>(
         Header::Rows(count) => Ok(rows.take(*count).last()),
         Header::Words(words) => {
             let found = rows.find(|row| words.iter().all(|word| row.text.contains(word.as_str())));
-            found.map(Some).ok_or_else(|| vec![error!("header-missing", words).at(Place::file(file))])
+            found.map(Some).ok_or_else(|| vec![error!("header-words-missing", words).at(Place::file(file))])
         }
     }
 }
@@ -240,7 +240,7 @@ fn resolved(
             }
             ([one], _) if roles[*one] != ColumnRole::Skip => {
                 let (first, second) = (roles[*one].name(), role.name());
-                wrong.push(error!("column-of-two-roles", number = one + 1, first, second).at(at()));
+                wrong.push(error!("column-stated-twice", column = format!("${}", one + 1), first, second).at(at()));
             }
             ([one], _) => roles[*one] = *role,
             ([], ColumnAt::Name(text)) if Expression::is_likely(text) => match Expression::parse(text, fields) {
@@ -253,7 +253,7 @@ fn resolved(
             }
             (_, column) => {
                 let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
-                let message = error!("header-name-repeated", name, count = found.len());
+                let message = error!("heading-twice", column = name);
                 wrong.push(message.hint(phrase!("state-column-number")).at(at()));
             }
         }
@@ -350,7 +350,7 @@ impl Reader<'_> {
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
         if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != ColumnRole::Skip).map_or(0, |i| i + 1) {
             let expected = phrase!("fields-of-columns", count = self.roles.len());
-            let message = error!("field-count-differs", found = row.fields.len(), expected).at(line());
+            let message = error!("row-field-count", fields = row.fields.len(), expected).at(line());
             problems.0.push(message.hint(phrase!("propose-format")));
             return None;
         }
@@ -444,8 +444,7 @@ impl Reader<'_> {
             }
             point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
             if point.cycle.is_none() {
-                let message = error!("not-a-whole-number", text = field);
-                wrong.push((message.expected(phrase!("count-or-index")), i));
+                wrong.push((error!("not-whole-number", value = field, column = role.name()), i));
             }
         }
         wrong
@@ -643,7 +642,8 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
     let message = error!("direction-not-unit", i, j, k, length);
     let of_angles = norm(ijk.map(|angle| angle.to_radians().cos()));
     let is_angles = (of_angles - 1.0).abs() <= DIRECTION;
-    Err(message.hint(if is_angles { phrase!("skip-direction-angles") } else { phrase!("skip-columns") }))
+    let hint = if is_angles { phrase!("skip-direction-angles") } else { phrase!("skip-columns") };
+    Err(message.hint(hint))
 }
 
 /// Header rows, the last of which names the columns, and the data.

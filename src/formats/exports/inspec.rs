@@ -98,7 +98,7 @@ fn labelled(line: &str) -> Option<(&str, &str)> {
 fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message>> {
     let row = Fields::of(line, text.shown(line), values.split(',').map(str::trim));
     if row.fields.len() != 3 {
-        let message = error!("field-count-differs", found = row.fields.len(), expected = "x, y, z");
+        let message = error!("row-field-count", fields = row.fields.len(), expected = "x, y, z");
         return Err(vec![message.at(text.place(line))]);
     }
     let read: Vec<Result<f64, Message>> = row.fields.iter().map(|f| number(f, Decimal::Point)).collect();

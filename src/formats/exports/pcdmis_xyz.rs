@@ -51,7 +51,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         let row = Fields::of(i + 1, line, line.split(',').map(str::trim));
         if row.fields.len() < 3 {
             let expected = phrase!("three-to-eight-numbers");
-            let message = error!("field-count-differs", found = row.fields.len(), expected).at(text.place(i + 1));
+            let message = error!("row-field-count", fields = row.fields.len(), expected).at(text.place(i + 1));
             problems.0.push(message.hint(phrase!("state-as-delimited")));
             continue;
         }

@@ -55,7 +55,7 @@ fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
             3 | 6 => 0,
             4 | 7 => 1,
             n => {
-                let message = error!("field-count-differs", found = n, expected = phrase!("polyworks-fields"));
+                let message = error!("row-field-count", fields = n, expected = phrase!("polyworks-fields"));
                 problems.0.push(message.hint(phrase!("quote-names")).at(row.place(file)));
                 continue;
             }

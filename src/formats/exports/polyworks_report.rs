@@ -108,7 +108,7 @@ fn read(text: &Text, decimal: Decimal) -> (Vec<Control>, Problems) {
         return (Vec::new(), problems);
     };
     if columns.delimiter == Delimiter::Comma && decimal == Decimal::Comma {
-        problems.0.push(error!("delimiter-is-decimal-mark", mark = ",").at(text.place(columns.line)));
+        problems.0.push(error!("comma-ambiguous").at(text.place(columns.line)));
         return (Vec::new(), problems);
     }
     let dialect = Dialect { delimiter: Some(columns.delimiter), ..Dialect::default() };
@@ -153,8 +153,8 @@ fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, probl
     let place = |at: usize| row.cell(text.file, at);
     let surplus = row.fields.iter().skip(columns.width).any(|f| !f.is_empty());
     if surplus || row.fields.len() <= columns.measured {
-        let expected = phrase!("fields-of-header", count = columns.width);
-        let message = error!("field-count-differs", found = row.fields.len(), expected).at(row.place(text.file));
+        let expected = phrase!("fields-like", like = "header", width = columns.width);
+        let message = error!("row-field-count", fields = row.fields.len(), expected).at(row.place(text.file));
         let commas = surplus && columns.delimiter == Delimiter::Comma;
         problems.0.push(if commas { message.hint(phrase!("commas-in-commas")) } else { message });
         return None;

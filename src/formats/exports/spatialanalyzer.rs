@@ -129,7 +129,7 @@ fn counted(line: &str) -> Result<Vec<ColumnRole>, Message> {
             Ok([&vec![ColumnRole::Label; fields - 3][..], &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]].concat())
         }
         _ => {
-            let message = error!("field-count-differs", found = fields, expected = phrase!("spatialanalyzer-fields"));
+            let message = error!("row-field-count", fields = fields, expected = phrase!("spatialanalyzer-fields"));
             let (delimiter, columns) = match fields {
                 1 => ("blank", "\"label\", \"x\", \"y\", \"z\""),
                 _ => (",", "\"label\", \"label\", \"label\", \"x\", \"y\", \"z\", \"-\""),
@@ -172,7 +172,7 @@ mod tests {
         let spherical = error("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre);
         assert!(spherical.is("coordinates-not-cartesian", &[("found", &"SPHERICAL")]), "{spherical}");
         for (row, found) in [("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", 7), ("C G P 1 2 3\n", 1)] {
-            assert!(error(row, Unit::Millimetre).is("field-count-differs", &[("found", &found)]), "{row}");
+            assert!(error(row, Unit::Millimetre).is("row-field-count", &[("fields", &found)]), "{row}");
         }
     }
 }

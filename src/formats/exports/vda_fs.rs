@@ -71,8 +71,9 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                         problems.0.push(error!("stated-count-differs", name = entity.name, stated, found).at(at()));
                     }
                     Err(_) => {
-                        let message = error!("not-a-whole-number", text = *count);
-                        problems.0.push(message.expected(phrase!("count-or-index")).at(at()));
+                        let valid = phrase!("whole-number");
+                        let message = error!("record-invalid", text = *count, format = "vda_fs", valid);
+                        problems.0.push(message.at(at()));
                     }
                 }
                 points.extend(coordinates(text, entity, fields, unit, &mut problems));

@@ -3,7 +3,7 @@
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header, two_commas};
 use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, number, pose_name, split as split_rows};
+use crate::lexer::{Row, WHOLE, number, parsed, pose_name, split as split_rows};
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_base::{error, phrase};
@@ -133,7 +133,8 @@ pub(crate) fn words_missing(header: &Header) -> Message {
 
 /// Returns the error that a row has another number of fields than the header or the first row.
 pub(crate) fn row_width(file: &str, row: &Row, width: usize, like: &str) -> Message {
-    error!("row-field-count", fields = row.fields.len(), width, like).at(row.place(file))
+    let expected = phrase!("fields-like", width, like);
+    error!("row-field-count", fields = row.fields.len(), expected).at(row.place(file))
 }
 
 /// Returns the error that the delimiter leaves each row in one column, with the delimiter and decimal mark that
@@ -192,7 +193,7 @@ pub(super) fn occurrence_of<T: Copy>(
 
 /// Whether a field is a number, in this decimal mark or with more digits than a number can keep.
 fn is_number(field: &str, decimal: Decimal) -> bool {
-    number(field, decimal).is_ok()
+    parsed(field, decimal, None).is_some()
 }
 
 /// The values of one column, in mm, deg and s; those that do not read are reported.

@@ -144,16 +144,7 @@ export-measured-points = die gemessenen Punkte statt der Geometrie des Teils exp
 
 export-one-dfq = Beschreibung und Werte in einer Datei .dfq exportieren: .dfd hat keine Werte, .dfx keine Namen
 
-field-count-differs = die Zeile hat { $found ->
-        [one] 1 Feld
-       *[other] { $found } Felder
-    }
-    .expected = { $expected }
-    .hint = Trennzeichen, Dezimalzeichen und Anführungszeichen prüfen, und ob die Datei abgeschnitten ist
-
 fields-of-columns = { $count } Felder, wie `columns` angibt
-
-fields-of-header = { $count } Felder, wie im Kopf
 
 polyworks-fields = `x y z` oder `x y z i j k`, davor wahlweise ein Name
 
@@ -190,7 +181,7 @@ stated-count-differs = `{ $name }` hat { $found ->
     .hint = die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
 
 cell-empty = `{ $column }` ist leer
-    .hint = die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
+    .hint = die Zelle ergänzen oder die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
 
 not-a-number = `{ $text }` ist keine Zahl
     .expected = eine Zahl mit dem Dezimalzeichen `{ $decimal }`{ $thousands ->
@@ -217,11 +208,9 @@ number-too-long = `{ $start }...` hat { $characters } Zeichen
     .expected = eine Zahl mit höchstens { $most } Zeichen
     .hint = die Datei neu exportieren oder ihr Trennzeichen angeben
 
-not-a-whole-number = `{ $text }` ist keine ganze Zahl
-
 pose-number-or-name = eine ganze Zahl oder ein Name wie `home`
 
-count-or-index = eine ganze Zahl
+whole-number = eine ganze Zahl
 
 time-invalid = `{ $text }` ist kein Datum mit Uhrzeit
     .expected = eine Zeit wie `11.10.2022 15:06:48.043` oder `2022-10-11T15:06:48`
@@ -235,16 +224,7 @@ quote-unmatched = { $fault ->
 row-is-comment = die Zeile `{ $row }` würde als Kommentar gelesen
     .hint = ein anderes `comment` angeben
 
-column-of-two-roles = Spalte { $number } ist als `{ $first }` und als `{ $second }` angegeben
-    .hint = eine der beiden Angaben berichtigen
-
-header-name-repeated = der Kopf hat { $count } Spalten `{ $name }`
-    .hint = die Spalten umbenennen
-
 state-column-number = statt des Namens die Nummer der Spalte angeben
-
-header-missing = keine Zeile enthält alle Wörter des Kopfes: { $words }
-    .hint = Wörter einer Zeile oder die Anzahl der Kopfzeilen angeben
 
 rows-after-end = auf `{ $end }`, das die Daten beendet, folgen Zeilen
     .hint = diese Zeilen oder `{ $end }` entfernen
@@ -336,9 +316,6 @@ label-pattern-invalid = { $fault ->
     }
     .expected = Text mit {"{"}target{"}"}, {"{"}pose{"}"} und {"{"}cycle{"}"}, je höchstens einmal
     .hint = `label` berichtigen
-
-delimiter-is-decimal-mark = `{ $mark }` ist zugleich Trennzeichen und Dezimalzeichen
-    .hint = die Datei mit Semikolons oder Tabulatoren exportieren oder das andere Dezimalzeichen angeben
 
 state-encoding = die Kodierung der Datei angeben: sie wurde in einer anderen gelesen
 

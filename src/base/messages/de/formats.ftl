@@ -177,12 +177,14 @@ row-field-count = die Zeile hat { $fields ->
         [one] 1 Feld
        *[other] { $fields } Felder
     }
-    .expected = { $like ->
+    .expected = { $expected }
+    .hint = Trennzeichen, Dezimalzeichen und Anführungszeichen prüfen: ein Dezimalkomma vermehrt die Felder; in einer abgeschnittenen Datei fehlen sie
+
+fields-like = { $like ->
         [header] { $width } wie die Kopfzeile
         [first-row] { $width } wie die erste Zeile
        *[names] höchstens { $width } wie die Zeile der Namen
     }
-    .hint = ein Dezimalkomma vermehrt die Felder einer Datei, deren Spalten Kommas trennen: `delimiter` und `decimal` prüfen
 
 delimiter-does-not-split = durch `{ $delimiter }` getrennt haben die Zeilen eine einzige Spalte
 
@@ -344,7 +346,7 @@ observation-column-unknown = `{ $column }` ist keine Spalte von Beobachtungen
 column-stated-twice = die Spalte `{ $column }` ist als `{ $first }` und als `{ $second }` angegeben
     .hint = eine Angabe berichtigen
 
-heading-twice = der Kopf nennt `{ $column }` zweimal
+heading-twice = der Kopf nennt `{ $column }` mehrmals
     .hint = eine der Spalten umbenennen oder entfernen
 
 stated-and-in-table = `{ $key }` ist angegeben, und die Tabelle hat eine Spalte dieses Namens

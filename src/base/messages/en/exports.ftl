@@ -237,20 +237,7 @@ export-measured-points = export the measured points instead of the geometry of t
 
 export-one-dfq = export description and values in one .dfq file: a .dfd file has no values, a .dfx file no names
 
-# Means: The row has another number of fields than its columns or its format define.
-# Matters: Coordinates could be read from the wrong columns.
-# Do: Check delimiter, decimal mark and quotes, and whether the file was cut off.
-# Example: `K 1 10,5 20 30` in a PolyWorks text
-field-count-differs = the row has { $found ->
-        [one] 1 field
-       *[other] { $found } fields
-    }
-    .expected = { $expected }
-    .hint = check delimiter, decimal mark and quotes, and whether the file was cut off
-
 fields-of-columns = { $count } fields, as `columns` states
-
-fields-of-header = { $count } fields, as in the header
 
 polyworks-fields = `x y z` or `x y z i j k`, optionally preceded by a name
 
@@ -294,9 +281,9 @@ stated-count-differs = `{ $name }` has { $found ->
     .expected = { $stated }, by the count that the file states
     .hint = export the file again: it was edited or cut off
 
-# Means: A cell is empty that names the row.
-# Matters: It is unknown to which feature the row belongs.
-# Do: Export the file again: it was edited or cut off.
+# Means: A cell is empty that assigns the row to a pose, a cycle or a feature.
+# Matters: The row cannot be matched with others.
+# Do: Complete the cell, or export the file again.
 # Example: a row of a Calypso table without `featureid`
 cell-empty = `{ $column }` is empty
     .hint = complete the cell, or export the file again: it was edited or cut off
@@ -338,15 +325,9 @@ number-too-long = `{ $start }...` has { $characters } characters
     .expected = a number of at most { $most } characters
     .hint = export the file again, or state its delimiter
 
-# Means: The text is not a whole number.
-# Matters: Poses, cycles, counts and indices are whole numbers.
-# Do: Correct the cell, or read the number from another column.
-# Example: `1.5` in the column `pose`
-not-a-whole-number = `{ $text }` is not a whole number
-
 pose-number-or-name = a whole number, or a name like `home`
 
-count-or-index = a whole number
+whole-number = a whole number
 
 # Means: The text is not a date with a time of day, or day and month could be exchanged.
 # Matters: Poses are assigned to a log by time.
@@ -372,28 +353,7 @@ quote-unmatched = { $fault ->
 row-is-comment = the row `{ $row }` would be read as a comment
     .hint = state another `comment`
 
-# Means: One column is stated for two quantities.
-# Matters: It cannot hold both.
-# Do: Correct one of the two statements.
-# Example: `x = "X"` and `y = "X"`
-column-of-two-roles = column { $number } is stated as `{ $first }` and as `{ $second }`
-    .hint = correct one of the two statements
-
-# Means: Several columns have the same name.
-# Matters: It is unknown which of them is meant.
-# Do: State the number of the column, or rename the columns.
-# Example: a header `X;Y;Z;X;Y;Z` with nominal and measured coordinates
-header-name-repeated = the header has { $count } columns `{ $name }`
-    .hint = rename the columns
-
 state-column-number = state the number of the column instead of its name
-
-# Means: No line of the file has all words of the stated header.
-# Matters: It is unknown where the data begin.
-# Do: State words that are in one line, or the number of header rows.
-# Example: `header = ["Point", "Meas X"]` for a file without `Meas X`
-header-missing = no line has all words of the header: { $words }
-    .hint = state words that are in one line, or the number of header rows
 
 # Means: Rows follow the line that ends the data.
 # Matters: It is unknown whether they are measurements.
@@ -551,13 +511,6 @@ label-pattern-invalid = { $fault ->
     }
     .expected = text with {"{"}target{"}"}, {"{"}pose{"}"} and {"{"}cycle{"}"}, each at most once
     .hint = correct `label`
-
-# Means: A comma separates the columns and is also stated as the decimal mark.
-# Matters: Numbers cannot be told from columns.
-# Do: Export the file with semicolons or tabs.
-# Example: `format = "polyworks_report, decimal comma"` for a report separated by commas
-delimiter-is-decimal-mark = `{ $mark }` is both the delimiter and the decimal mark
-    .hint = export the file with semicolons or tabs, or state the other decimal mark
 
 state-encoding = state the encoding of the file: it was decoded in another one
 

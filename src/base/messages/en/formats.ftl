@@ -327,21 +327,23 @@ header-words-missing = no line holds the words of the header: { $words }
 data-rows-missing = the file has no data rows
     .hint = export it again; if its only row holds values, state `header = false`
 
-# Means: A row has another number of fields than the others.
+# Means: A row has another number of fields than the others, than its columns or than its format.
 # Matters: Its values would be read from the wrong columns.
 # Do: Correct the row: a delimiter is missing or surplus. A decimal comma in a file separated by
-# commas adds fields.
+# commas adds fields. A file that was cut off lacks fields.
 # Example: `1;2;3` below the header `a;b`
 row-field-count = the row has { $fields ->
         [one] 1 field
        *[other] { $fields } fields
     }
-    .expected = { $like ->
+    .expected = { $expected }
+    .hint = check delimiter, decimal mark and quotes: a decimal comma adds fields; a file that was cut off lacks fields
+
+fields-like = { $like ->
         [header] { $width }, as the header
         [first-row] { $width }, as the first row
        *[names] at most { $width }, as the row of names
     }
-    .hint = a decimal comma adds fields in a file separated by commas: check `delimiter` and `decimal`
 
 # Means: The stated delimiter does not occur in the rows.
 # Matters: Each row is a single field.
@@ -678,11 +680,11 @@ observation-column-unknown = `{ $column }` is not a column of observations
 column-stated-twice = the column `{ $column }` is stated as `{ $first }` and as `{ $second }`
     .hint = correct one of them
 
-# Means: The header names a column twice.
+# Means: Several columns have the same heading.
 # Matters: It is unknown which of the columns is meant.
-# Do: Rename or remove one of the columns.
+# Do: Rename or remove one of the columns, or state the number of the column.
 # Example: a header `pose,rho1_mm,rho1_mm`
-heading-twice = the header names `{ $column }` twice
+heading-twice = the header names `{ $column }` more than once
     .hint = rename or remove one of the columns
 
 # Means: A quantity is stated for all rows, and the table has a column of it.

@@ -144,16 +144,7 @@ export-measured-points = exporter les points mesurés au lieu de la géométrie 
 
 export-one-dfq = exporter la description et les valeurs dans un seul fichier .dfq : un .dfd n’a pas de valeurs, un .dfx pas de noms
 
-field-count-differs = la ligne a { $found ->
-        [one] { $found } champ
-       *[other] { $found } champs
-    }
-    .expected = { $expected }
-    .hint = vérifier le séparateur, le séparateur décimal et les guillemets, et si le fichier est tronqué
-
 fields-of-columns = { $count } champs, comme l’indique `columns`
-
-fields-of-header = { $count } champs, comme dans l’en-tête
 
 polyworks-fields = `x y z` ou `x y z i j k`, éventuellement précédés d’un nom
 
@@ -190,7 +181,7 @@ stated-count-differs = `{ $name }` a { $found ->
     .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
 
 cell-empty = `{ $column }` est vide
-    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
+    .hint = compléter la cellule, ou exporter de nouveau le fichier : il a été modifié ou tronqué
 
 not-a-number = `{ $text }` n’est pas un nombre
     .expected = un nombre avec le séparateur décimal `{ $decimal }`{ $thousands ->
@@ -217,11 +208,9 @@ number-too-long = `{ $start }...` a { $characters } caractères
     .expected = un nombre d’au plus { $most } caractères
     .hint = exporter de nouveau le fichier, ou indiquer son séparateur
 
-not-a-whole-number = `{ $text }` n’est pas un nombre entier
-
 pose-number-or-name = un nombre entier, ou un nom comme `home`
 
-count-or-index = un nombre entier
+whole-number = un nombre entier
 
 time-invalid = `{ $text }` n’est pas une date avec une heure
     .expected = une heure comme `11.10.2022 15:06:48.043` ou `2022-10-11T15:06:48`
@@ -235,16 +224,7 @@ quote-unmatched = { $fault ->
 row-is-comment = la ligne `{ $row }` serait lue comme un commentaire
     .hint = indiquer un autre `comment`
 
-column-of-two-roles = la colonne { $number } est indiquée comme `{ $first }` et comme `{ $second }`
-    .hint = corriger l’une des deux indications
-
-header-name-repeated = l’en-tête a { $count } colonnes `{ $name }`
-    .hint = renommer les colonnes
-
 state-column-number = indiquer le numéro de la colonne au lieu de son nom
-
-header-missing = aucune ligne n’a tous les mots de l’en-tête : { $words }
-    .hint = indiquer des mots d’une même ligne, ou le nombre de lignes d’en-tête
 
 rows-after-end = des lignes suivent `{ $end }`, qui termine les données
     .hint = supprimer ces lignes, ou `{ $end }`
@@ -336,9 +316,6 @@ label-pattern-invalid = { $fault ->
     }
     .expected = du texte avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"}, au plus une fois chacun
     .hint = corriger `label`
-
-delimiter-is-decimal-mark = `{ $mark }` est à la fois le séparateur et le séparateur décimal
-    .hint = exporter le fichier avec des points-virgules ou des tabulations, ou indiquer l’autre séparateur décimal
 
 state-encoding = indiquer l’encodage du fichier : il a été lu dans un autre
 

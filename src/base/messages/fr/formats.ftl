@@ -177,12 +177,14 @@ row-field-count = la ligne a { $fields ->
         [one] { $fields } champ
        *[other] { $fields } champs
     }
-    .expected = { $like ->
+    .expected = { $expected }
+    .hint = vérifier le séparateur, le séparateur décimal et les guillemets : une virgule décimale ajoute des champs ; un fichier tronqué en manque
+
+fields-like = { $like ->
         [header] { $width }, comme l’en-tête
         [first-row] { $width }, comme la première ligne
        *[names] au plus { $width }, comme la ligne des noms
     }
-    .hint = une virgule décimale ajoute des champs dans un fichier à colonnes séparées par des virgules : vérifier `delimiter` et `decimal`
 
 delimiter-does-not-split = séparées par `{ $delimiter }`, les lignes n’ont qu’une colonne
 
@@ -344,7 +346,7 @@ observation-column-unknown = `{ $column }` n’est pas une colonne d’observati
 column-stated-twice = la colonne `{ $column }` est indiquée comme `{ $first }` et comme `{ $second }`
     .hint = corriger l’une des deux
 
-heading-twice = l’en-tête nomme `{ $column }` deux fois
+heading-twice = l’en-tête nomme `{ $column }` plusieurs fois
     .hint = renommer ou supprimer l’une des colonnes
 
 stated-and-in-table = `{ $key }` est indiqué, et le tableau a une colonne de ce nom
