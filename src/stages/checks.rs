@@ -80,10 +80,12 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
     let (over_u, limit) = (change.over_u(), found.critical);
     let poses: Vec<_> = found.disagreeing().iter().map(|p| p.pose).collect();
     Some(match poses.is_empty() {
-        true => warning!("robust-fit-differs", parameter = name, over_u, limit),
-        false => warning!("robust-fit-differs-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
-            .to_decide()
-            .hint(phrase!("check-readings")),
+        true => warning!("robust-fit-disagrees", parameter = name, over_u, limit),
+        false => {
+            warning!("robust-fit-disagrees-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
+                .to_decide()
+                .hint(phrase!("check-readings"))
+        }
     })
 }
 

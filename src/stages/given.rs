@@ -33,7 +33,7 @@ pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenPa
         return Err(of_another_robot(robot, document, &missing).into());
     }
     if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
-        return Err(error!("covariance-missing").into());
+        return Err(error!("given-without-covariance").into());
     }
     let inward = |k: usize| robot.parameters()[free[k]].quantity.inward(1.0);
     let n = places.len();

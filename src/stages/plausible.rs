@@ -10,8 +10,8 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
-    moved_between, set_up_error,
+    Identification, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds,
+    far_from_nominal, moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -198,8 +198,6 @@ fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
 /// Largest residual of parameters that explain the measurements, as a share of what tolerances
 /// allow.
 const EXPLAINED: f64 = 0.1;
-/// Largest residual that noise leaves, in standard uncertainties of a coordinate.
-const NOISE: f64 = 3.5;
 
 /// Returns an error where the nominal robot is further from most measurements than its tolerances
 /// allow, and the identified parameters do not explain the measurements within their tolerances.
@@ -220,7 +218,7 @@ fn far_before(
     let rms_mm = rms(left.iter().copied());
     let noise_mm = settings.coordinate_uncertainty_mm();
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
-    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE * noise_mm);
+    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE_DISTANCE * noise_mm);
     let explained = rms(calibration().map(|e| norm(e.after_mm))) < explained_mm
         && settings.prior != Prior::None
         && beyond_tolerance(robot, found).is_none();
