@@ -47,6 +47,7 @@ pub use solution::apart::{Placement, place_apart};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
+pub use solution::start::NOISE_DISTANCE;
 pub use warning::{Origin, SetUpError, Subject, Warning};
 
 use etalon_base::message::Message;

@@ -1,4 +1,5 @@
-//! Controller files of formats that leave identified parameters out: their values, and errors at the measured poses.
+//! Controller files of formats that leave identified parameters out: their values, and errors at
+//! the measured poses.
 
 use super::evaluate::summarise;
 use super::identification::Identified;
@@ -8,7 +9,8 @@ use etalon_controllers::{Exporter, Given, Statement};
 use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
 use etalon_robots::Robot;
 
-/// Identifies again for each of these formats that leaves identified parameters out; `None` if none does.
+/// Identifies again for each of these formats that leaves identified parameters out; `None` if none
+/// does.
 pub fn identify_again(
     given: &Given,
     robot: &dyn Robot,
@@ -54,7 +56,8 @@ fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     refused
 }
 
-/// Values of a format that leaves parameters out or ties them; `None` if the format holds the identified values.
+/// Values of a format that leaves parameters out or ties them; `None` if the format holds the
+/// identified values.
 fn of_format(
     given: &Given,
     robot: &dyn Robot,

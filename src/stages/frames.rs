@@ -82,7 +82,7 @@ fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::FitSettings) 
 
 /// A direction worse known than this spoils a frame: 0.1 deg is 0.5 mm over 300 mm.
 const DIRECTION_POOR_DEG: f64 = 0.1;
-/// A direction worse known than this is none.
+/// Largest standard uncertainty (deg) of a direction that may define a frame.
 const DIRECTION_UNKNOWN_DEG: f64 = 3.0;
 /// `towards` must be off the axis by this share of its distance from the origin.
 const OFF_AXIS: f64 = 0.01;
@@ -150,7 +150,7 @@ fn fixed(definition: String, export_T_world: Pose) -> WorldFrame {
     }
 }
 
-/// What a world frame is made from, by name.
+/// Features and labels that define a world frame, by name.
 #[derive(Default)]
 struct Geometry {
     /// Point and direction of the features.
@@ -214,8 +214,8 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
     Ok(fixed(definition, from_axes(origin, x, y)))
 }
 
-/// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x − u)) / 2 for each coordinate
-/// (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
+/// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x
+/// − u)) / 2 for each coordinate (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
 fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, nominal: &Pose) -> Result<[[f64; 6]; 6]> {
     let mut basis = Basis::of(campaign, points, world);
     let mut sum = [[0.0; 6]; 6];
@@ -240,8 +240,8 @@ const FEW: usize = 300;
 /// Steps of the golden section meet no pattern in which points were measured.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// The points that make a world frame. Of more than a few, some of each label are there for all of it: each has the weight of those it
-/// is there for, and the uncertainty of their mean.
+/// Points that define a world frame. Of many points some of each label stand for all: each has the
+/// weight of those it stands for, and the uncertainty of their mean.
 struct Basis {
     points: Vec<Vector>,
     weights: Vec<f64>,
@@ -341,7 +341,8 @@ fn add_outer(sum: &mut [[f64; 6]; 6], z: &[f64; 6]) {
     }
 }
 
-/// Covariance of a best fit to points at `places`, each with the standard uncertainty `u_mm` of its coordinates.
+/// Covariance of a best fit to points at `places`, each with the standard uncertainty `u_mm` of its
+/// coordinates.
 fn rigid_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     let mut normal = nalgebra::Matrix6::<f64>::zeros();
     for (p, u_mm) in places.iter().zip(u_mm) {
@@ -354,7 +355,8 @@ fn rigid_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     Some(std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])))
 }
 
-/// Covariance of a frame with its origin at the first of `places`, x towards the second and the third in the xy plane.
+/// Covariance of a frame with its origin at the first of `places`, x towards the second and the
+/// third in the xy plane.
 fn three_two_one_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     let ([_, second, third, ..], [_, _, _, ..]) = (places, u_mm) else { return None };
     let mut sum = [[0.0; 6]; 6];
@@ -379,7 +381,8 @@ pub(super) fn target_height_mm(world: &WorldFrame, points: &[Point]) -> f64 {
     centroid(&heights).map_or(0.0, |middle| middle[2])
 }
 
-/// Brings the covariance of the frame of a planar robot to the mean height of its targets: what they see of a tilt is a shift.
+/// Moves the covariance of the frame of a planar robot to the mean height of its targets, where a
+/// tilt is a shift.
 fn at_height(world: &mut WorldFrame, points: &[Point]) {
     let height_mm = target_height_mm(world, points);
     // shift in x and y at this height, and the turn about z
@@ -412,7 +415,8 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
     Some(from_axes(p[0], x, y))
 }
 
-/// The frame that targets carry: their mean places in it, and each pose as the best fit to those places.
+/// Frame that targets carry: their mean places define it, and each pose is the best fit to those
+/// places.
 fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 3 {
@@ -448,8 +452,9 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     if let (true, Some(places)) = (each, whole.values().next()) {
         u_of = places.iter().map(u_at).collect();
     }
-    // Each pose is a best fit to the mean places, which define the world by its origin and axes: an error of theirs is common to all
-    // poses, independent of the errors of the fits, and what the covariance of that definition exceeds that of a fit by.
+    // Each pose is a best fit to the mean places, which define the world by its origin and axes.
+    // Errors of the mean places are common to all poses and independent of the errors of the fits:
+    // the excess of the covariance of that definition over that of a fit.
     let fitted = rigid_covariance(&reference, &u_of);
     let excess = three_two_one_covariance(&reference, &u_of).zip(fitted).map(|(defined, fitted)| {
         let share = 1.0 / locals.len() as f64;
@@ -483,7 +488,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     })
 }
 
-/// Where each of the named targets was, by pose and cycle.
+/// Places of the named targets, by pose and cycle.
 fn measured(points: &[Point], names: &[&str]) -> BTreeMap<Key, Vec<Option<Vector>>> {
     let mut seen: BTreeMap<Key, Vec<Option<Vector>>> = BTreeMap::new();
     for point in points {

@@ -1,4 +1,5 @@
-//! Measured positions of a table, and observations of measured positions with every contradiction in words.
+//! Measured positions of a table, and observations of measured positions with every contradiction
+//! in words.
 
 use crate::stages::resolution;
 use etalon_base::message::{Message, Place, Result};
@@ -11,8 +12,8 @@ use etalon_identify::{
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 
-/// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes that are taken from the
-/// measurement are in `messages`.
+/// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes
+/// that are taken from the measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
     let table = &*resolution::of_table(table, messages)?;
     grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
@@ -88,11 +89,12 @@ const ANY_AXIS: &str = "u_mm";
 /// Standard uncertainties that a coordinate can have, mm.
 const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 
-/// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2 .. czz_mm2`; `None` in rows that
-/// leave them empty.
+/// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2
+/// .. czz_mm2`; `None` in rows that leave them empty.
 ///
 /// # Errors
-/// A row that states some of them, a value that no coordinate has, or a covariance that is not positive definite.
+/// A row that states some of them, a value that no coordinate has, or a covariance that is not
+/// positive definite.
 fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
     let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
     if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {

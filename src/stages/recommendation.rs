@@ -1,8 +1,9 @@
-//! Recommend: which effects the data prove by the poses that are left out, and which parameters deserve to be loaded.
+//! Recommend: which effects the data prove by the poses that are left out, and which parameters
+//! deserve to be loaded.
 //!
-//! Parameters are chosen within every fold of the cross-validation again, so that the error stated for the choice has
-//! not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2). What is not stable is found once, by all poses, and held in
-//! every fold.
+//! Parameters are chosen within every fold of the cross-validation again, so that the error stated
+//! for the choice has not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2).
+//! What is not stable is found once, by all poses, and held in every fold.
 
 use super::cross_validation::{ALL, SIGNIFICANCE, Study, Tried};
 use super::identification::{Selected, check_set_up};
@@ -33,7 +34,8 @@ pub fn recommend(
     Recommendation { study: &study }.document(inputs, messages, report)
 }
 
-/// Largest error at left-out poses of the proven parameters alone, over the error of all parameters.
+/// Largest error at left-out poses of the proven parameters alone, over the error of all
+/// parameters.
 const COSTS: f64 = 1.05;
 
 /// Rule by which parameters of the accepted effects are loaded.
@@ -45,7 +47,7 @@ enum Choice {
     Stable,
 }
 
-/// What is recommended by a study.
+/// Recommendation of a study.
 struct Recommendation<'a> {
     study: &'a Study<'a>,
 }
@@ -116,8 +118,9 @@ impl Recommendation<'_> {
         })
     }
 
-    /// Parameters of the robot itself whose change from nominal is proven: each by itself, and of the others those without which the rest
-    /// is not proven together. Correlated parameters may each be unproven, and matter.
+    /// Parameters of the robot itself whose change from nominal is proven: each by itself, and of
+    /// the others those without which the rest is not proven together. Correlated parameters may
+    /// each be unproven, and matter.
     fn proven(&self, found: &Identification) -> Vec<usize> {
         let changes = self.changes(found);
         let (load, held): (Vec<&Change>, Vec<&Change>) = changes.iter().partition(|c| c.p_value < SIGNIFICANCE);
@@ -133,8 +136,8 @@ impl Recommendation<'_> {
         load
     }
 
-    /// How much the parameters of the robot itself depend on which poses they are identified from: without each part of the first cut, and
-    /// from each half of the measurement.
+    /// Dependence of the parameters of the robot itself on the poses that they are identified from:
+    /// without each part of the first cut, and from each half of the measurement.
     fn stability(&self, model: &Settings, found: &Identification) -> Result<Vec<Stability>> {
         let (study, calibration) = (self.study, &self.study.sets.calibration);
         let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| study.effects[i].is_some()).collect();
@@ -164,7 +167,8 @@ impl Recommendation<'_> {
         (!parameters.is_empty()).then(|| warning!("parameters-unstable", parameters))
     }
 
-    /// Changes of several parameters together over their covariance, as a sum of squares, and its p value.
+    /// Changes of several parameters together over their covariance, as a sum of squares, and its p
+    /// value.
     fn together(&self, found: &Identification, indices: &[usize]) -> Option<[f64; 2]> {
         let places: Vec<usize> =
             indices.iter().map(|i| found.free.iter().position(|f| f == i)).collect::<Option<_>>()?;
@@ -199,7 +203,8 @@ impl Recommendation<'_> {
         changes
     }
 
-    /// The verdict on each parameter that can be identified; those of the model that is recommended are judged in it.
+    /// The verdict on each parameter that can be identified; those of the model that is recommended
+    /// are judged in it.
     fn verdicts(
         &self,
         [all, model]: [&Identification; 2],
@@ -217,7 +222,8 @@ impl Recommendation<'_> {
             let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
             let variance = variance(&values);
-            // two folds share all but two parts of their poses: their values differ by less than independent ones
+            // two folds share all but two parts of their poses: their values differ by less than
+            // independent ones
             let u_fold = judged.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
             Some(ParameterVerdict {
                 name: p.name.clone(),

@@ -1,4 +1,5 @@
-//! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml, columns of tables and options of the command line.
+//! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml,
+//! columns of tables and options of the command line.
 
 use crate::stages::shown;
 use etalon_base::catalogue::{Argument, Phrase};
@@ -66,7 +67,8 @@ const NAMED: usize = 3;
 /// Largest number of outliers that are named.
 const NAMED_OUTLIERS: usize = 40;
 
-/// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
+/// Readings to look at first where the instrument does not explain the residuals: the outliers, or
+/// the largest residuals.
 pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Message {
     match robust.outliers().is_empty() {
         true => {

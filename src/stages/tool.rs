@@ -16,8 +16,9 @@ use std::collections::BTreeSet;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
 
-/// The error that the controller will make at a point with what was found. Its variance is the sum of those of the predicted position, of
-/// parameters that the data do not determine, of what the model leaves out, and of the point's place.
+/// The error that the controller will make at a point with what was found. Its variance is the sum
+/// of those of the predicted position, of parameters that the data do not determine, of what the
+/// model leaves out, and of the point's place.
 pub struct Expected<'a> {
     prediction: ToolPrediction<'a>,
     model_mm: f64,
@@ -29,7 +30,8 @@ impl<'a> Expected<'a> {
     /// that `settings` state.
     pub fn new(prediction: ToolPrediction<'a>, settings: &Settings, accuracy: &AccuracyDocument) -> Self {
         let dimension = prediction.robot.dimension() as f64;
-        // what is measured beyond the instrument's own error, where the residuals show that there is something
+        // what is measured beyond the instrument's own error, where the residuals show that there
+        // is something
         let position = accuracy.sets.last().and_then(|set| set.of(ErrorQuantity::Position));
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
@@ -84,7 +86,7 @@ impl<'a> Expected<'a> {
         }))
     }
 
-    /// What the error is, in words.
+    /// Description of the error.
     fn error(&self) -> String {
         let place = self.prediction.point.point_mm;
         let which = match self.prediction.point.frame {
@@ -97,7 +99,8 @@ impl<'a> Expected<'a> {
         format!("error: the true place of {which} in the base frame minus the one that the controller computes")
     }
 
-    /// On a grid of the workspace that the calibration poses span; `None` without a covariance or inverse kinematics.
+    /// On a grid of the workspace that the calibration poses span; `None` without a covariance or
+    /// inverse kinematics.
     pub fn map(&self, sets: &Sets) -> Result<Option<PredictionMap>> {
         let Some(kinematics) = self.prediction.robot.kinematics() else { return Ok(None) };
         let values = &self.prediction.found.values;
@@ -158,7 +161,7 @@ impl<'a> Expected<'a> {
     }
 }
 
-/// What the numbers are made of, in words.
+/// Description of the numbers.
 const MADE_OF: &str = "nominal minus identified: difference of the positions that both sets of parameters predict; expected: size (k = 1), from \
                        the covariance of the parameters, the tolerance of those that the data do not determine, what the model leaves out beyond the \
                        instrument, and the place of the point on the tool";
@@ -176,8 +179,8 @@ struct Spanning<'a> {
     joints: &'a [f64],
 }
 
-/// The places of a grid over the box of these poses, and its spacing: the least of 1, 2, 5, 10 ... that makes few enough. Along an axis in
-/// which the poses differ by less than that, the middle.
+/// The places of a grid over the box of these poses, and its spacing: the least of 1, 2, 5, 10 ...
+/// that makes few enough. Along an axis in which the poses differ by less than that, the middle.
 fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     let bounds: [[f64; 2]; 3] = std::array::from_fn(|axis| {
         let of = |pick: fn(f64, f64) -> f64| poses.iter().map(|p| p.at_mm[axis]).reduce(pick).unwrap_or(0.0);
@@ -196,8 +199,9 @@ fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     (x.iter().flat_map(yz).collect(), spacing)
 }
 
-/// The size that a normal error of this covariance exceeds once in 20 times: the sum of squares has nearly the distribution g χ²(ν) with the
-/// same mean and variance (Box 1954, Ann. Math. Statist. 25, 290, theorem 3.1).
+/// The size that a normal error of this covariance exceeds once in 20 times: the sum of squares has
+/// nearly the distribution g χ²(ν) with the same mean and variance (Box 1954, Ann. Math. Statist.
+/// 25, 290, theorem 3.1).
 fn p95(covariance: &Matrix3<f64>) -> f64 {
     let (trace, of_square) = (covariance.trace(), (covariance * covariance).trace());
     match Gamma::new(0.5 * trace.powi(2) / of_square, 0.5 * trace / of_square) {

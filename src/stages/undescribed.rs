@@ -1,4 +1,5 @@
-//! Readings that an identified robot does not describe: whose they are, and what they have in common.
+//! Readings that an identified robot does not describe: whose they are, and what they have in
+//! common.
 
 use crate::stages::remedies::reading;
 use crate::stages::shown;
@@ -11,15 +12,17 @@ use etalon_fit::rotation_onto;
 use etalon_math::statistics::rms;
 use std::collections::BTreeMap;
 
-/// A calibrated model leaves thousandths of the workspace; more than this share of it is another robot.
+/// A calibrated model leaves thousandths of the workspace; more than this share of it is another
+/// robot.
 const LEFT: f64 = 0.02;
 /// A motion of the frame explains errors of which it leaves less than this share.
 const EXPLAINS: f64 = 0.2;
 /// Readings or targets that a message names.
 const NAMED: usize = 5;
 
-/// An error where the positions of `set` are not those of the identified robot: what is seen, and where. A cause is named only where the
-/// errors show it. `calibration_fits` if the calibration poses do not show the same.
+/// An error where the positions of `set` are not those of the identified robot: what is seen, and
+/// where. A cause is named only where the errors show it. `calibration_fits` if the calibration
+/// poses do not show the same.
 pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration_fits: bool) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == set).collect();
     let after_mm = rms(of.iter().map(|e| norm(e.after_mm)));
@@ -37,7 +40,7 @@ pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration_fits:
     Some(message.hint(hint))
 }
 
-/// What the errors of `of` have in common; `far` are the readings beyond the limit.
+/// Returns what the errors of `of` have in common; `far` are the readings beyond the limit.
 fn undescribed_hint(of: &[&PointError], far: Vec<&PointError>, calibration_fits: bool, after_mm: f64) -> Phrase {
     if let Some(targets) = targets_alone(of, &far) {
         return phrase!("undescribed-targets", targets);
@@ -54,7 +57,8 @@ fn undescribed_hint(of: &[&PointError], far: Vec<&PointError>, calibration_fits:
     }
 }
 
-/// The targets all of whose readings are far, where no reading of another one is and there are others.
+/// The targets all of whose readings are far, where no reading of another one is and there are
+/// others.
 fn targets_alone(of: &[&PointError], far: &[&PointError]) -> Option<Vec<Argument>> {
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
     of.iter().for_each(|e| counts.entry(&e.target).or_default()[0] += 1);
@@ -70,7 +74,8 @@ fn named(mut far: Vec<&PointError>) -> Vec<Argument> {
     shown(far.iter().map(|e| reading(norm(e.after_mm), &e.target, e.pose, e.cycle)), NAMED)
 }
 
-/// How far the motion of the frame that explains the errors best moves their middle, and what it leaves (root mean square), mm.
+/// Distance (mm) by which the best motion of the frame moves the middle of the readings, and the
+/// errors that it leaves (root mean square, mm).
 fn moved(of: &[&PointError]) -> Option<(f64, f64)> {
     let measured: Vec<_> = of.iter().map(|e| e.at_mm).collect();
     let predicted: Vec<_> = of.iter().map(|e| minus(e.at_mm, e.after_mm)).collect();

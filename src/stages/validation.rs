@@ -96,7 +96,8 @@ impl Values {
     }
 }
 
-/// The given parameters with the most probable base and targets, by what they are given with and by the calibration poses.
+/// The given parameters with the most probable base and targets, by what they are given with and by
+/// the calibration poses.
 fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Vec<f64>> {
     if !sets.calibration_conditions.is_empty() {
         return Err(error!("prior-of-conditions").into());
@@ -126,8 +127,8 @@ fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
     }
 }
 
-/// Probability of errors as large as these of the parameters, base and targets that are given, by their uncertainty and that of the
-/// measurement.
+/// Probability of errors as large as these of the parameters, base and targets that are given, by
+/// their uncertainty and that of the measurement.
 fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Option<f64>> {
     let mut observations = sets.calibration.clone();
     let calibrated =
@@ -140,7 +141,7 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
     Ok(all.p_value(noise.variance).ok())
 }
 
-/// What before and after are.
+/// Definition of the errors before and after.
 fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames) -> String {
     let error = accuracy.definition.split("; before:").next().unwrap_or_default();
     let which = match (identified, frames) {

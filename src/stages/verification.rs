@@ -170,7 +170,7 @@ pub fn plan(
     })
 }
 
-/// What poses are chosen by takes a change that they do not show for this large, mm or rad.
+/// Assumed size (mm or rad) of a change that the chosen poses do not show.
 const UNSEEN: f64 = 1e3;
 
 /// An error where two targets with each other's names are where the parameters put them.

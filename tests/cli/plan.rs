@@ -78,7 +78,7 @@ fn one_working_mode_says_what_it_cannot_tell() {
     .unwrap();
     let refused =
         etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "7"]);
-    assert!(text(&refused.stderr).contains("does not state its assembly mode"), "{}", text_of(&refused));
+    assert!(text(&refused.stderr).contains("error[assembly-mode-missing]"), "{}", text_of(&refused));
 }
 
 #[test]

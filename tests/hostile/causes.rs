@@ -50,7 +50,7 @@ fn one_pose_names_the_parameters_that_it_does_not_tell() {
     assert!(output.status.code() == Some(2) && parts.iter().all(|part| said.contains(part)), "{said}");
     // beside nominal values they have an answer, which nothing checks
     scratch.replace("campaign.toml", "prior = \"none\"", "prior = \"tolerances\"");
-    run(&scratch, 1, &["4 coordinates of the calibration poses determine", "none is left to check them"]);
+    run(&scratch, 1, &["[no-coordinates-to-check]: 4 coordinates of the calibration poses determine", "none is left to check them"]);
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn degrees_that_are_read_as_radians_reach_no_pose() {
     run(
         &scratch,
         2,
-        &["joint `theta1` = 3114.7848 deg is out of range", "all values are in range in degrees instead of radians"],
+        &["error[joint-out-of-range]: pose 1: joint `theta1` = 3114.7848 deg", "all values are in range in degrees instead of radians"],
     );
 }
 
@@ -107,7 +107,7 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
 fn targets_exchanged_everywhere_are_said_to_be() {
     let scratch = copy_sample("prexyt-cmm");
     rewrite(&scratch, "exports/poses.txt", exchanged);
-    let said = run(&scratch, 1, &["K and L are exchanged", "is -146.02"]);
+    let said = run(&scratch, 1, &["error[ball-names-exchanged]", "is -146.02"]);
     assert!(!said.contains("check units, order"), "{said}");
 }
 
@@ -116,7 +116,7 @@ fn targets_exchanged_at_one_pose_are_found_there() {
     let scratch = copy_sample("prexyt-cmm");
     let at_pose_3 = |line: &str| if line[1..].starts_with("_3_") { exchanged(line) } else { line.to_owned() };
     rewrite(&scratch, "exports/poses.txt", at_pose_3);
-    let said = run(&scratch, 1, &["the model does not describe these measurements", "of 80 readings are outliers"]);
+    let said = run(&scratch, 1, &["error[measurements-undescribed]", "of 80 readings are outliers"]);
     // about l_kl at both balls of pose 3, in all five cycles
     let most = said.split("robust fit: ").nth(1).unwrap().lines().next().unwrap();
     let first: Vec<&str> = most.split("), ").take(10).collect();

@@ -18,7 +18,7 @@ fn unreadable_rows_hide_nothing() {
         "[not-a-number]: `one`",
         "encoders.csv:2:5",
         "no point has the label `rail3_b`",
-        "`calibration` selects no pose that was measured",
+        "error[selection-without-pose]: `calibration`",
         "the limit `position_max_mm` must be positive",
         "`bending` means nothing for this model",
     ];
@@ -27,9 +27,9 @@ fn unreadable_rows_hide_nothing() {
 
 #[test]
 fn what_only_a_run_used_to_find_is_found_by_check() {
-    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["poses in both calibration and validation: 9, 10, 11, 12"]);
+    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["error[sets-overlap]: poses in both calibration and validation: 9, 10, 11, 12"]);
     let axis = "y_axis = [\"R_home\", \"R_end\"]";
-    broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["the axis of the world frame has no direction"]);
+    broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["error[world-axis-without-direction]"]);
     let rails = "plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]";
     broken("campaign.toml", rails, "plane = [\"R_home\"]", &["feature `rails`", "campaign.toml:3"]);
     broken(
@@ -49,7 +49,7 @@ fn tables_without_poses_are_found_by_check() {
         assert_eq!(code, Some(2), "{said}");
         parts.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said:\n{said}"));
     };
-    let none = "the table `Orientation 10 deg (table 2.3)` has no pose that was measured";
+    let none = "error[table-selection-empty]: the table `Orientation 10 deg (table 2.3)`";
     table("60-70", &[none, "poses = \"60-70\""]);
     table("x", &["poses = \"x\""]);
 }
@@ -77,7 +77,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\", \"M\"]",
-        &["`M` is not a target of this robot", "campaign.toml:"],
+        &["error[not-of-this-robot]: `M`", "campaign.toml:"],
     );
     campaign(
         "robot = \"robot.toml\"",

@@ -33,7 +33,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
         "no point has the label `R_no`",
         "no point or feature is called `rail9_a`",
         "feature `rails`: ",
-        "the axis of the world frame has no direction",
+        "error[world-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
     ];
     let said = said(&scratch, &parts);

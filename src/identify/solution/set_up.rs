@@ -25,8 +25,9 @@ const FITTED_VALUES: usize = 3;
 const FITTED: f64 = 0.5;
 /// Changes whose sums of squares come this near to the least one are named beside it.
 const AS_GOOD: f64 = 1.2;
-/// Standard uncertainties of a coordinate that noise may leave, where poses are few.
-const NOISE: f64 = 3.0;
+/// Largest residual of one coordinate that noise leaves where poses are few, in its standard
+/// uncertainties.
+const NOISE_COORDINATE: f64 = 3.0;
 /// Changes that are named.
 const NAMED: usize = 3;
 
@@ -55,7 +56,7 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
     let variance = |k: usize| left(k) * robot.parameters()[free[common[k]]].tolerance.powi(2) / 3.0;
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
     let sum: f64 = (first..common.len()).map(variance).sum();
-    let noise = robot.dimension() as f64 * (NOISE * noise_mm).powi(2);
+    let noise = robot.dimension() as f64 * (NOISE_COORDINATE * noise_mm).powi(2);
     let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
     Some((sum / points.max(1) as f64 + noise).sqrt().min(most)).filter(|v| v.is_finite())
 }

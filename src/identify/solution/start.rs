@@ -13,8 +13,9 @@ use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
-/// Distances in standard uncertainties of a coordinate that noise leaves: √3 of them, and as much again.
-const NOISE: f64 = 3.5;
+/// Largest root mean square distance that noise of three coordinates leaves, in standard
+/// uncertainties of a coordinate: twice √3.
+pub const NOISE_DISTANCE: f64 = 3.5;
 
 /// Starting values of all parameters: nominal, for robots with a free base with those of base, targets and fixtures that are `wanted`
 /// found from what was observed.
@@ -63,7 +64,7 @@ fn by_points(
     }
     let spread = spread_mm(&subset);
     // where poses are near each other, noise is a large share of their spread
-    if rms_mm > (UNEXPLAINED * spread).max(NOISE * noise_mm) {
+    if rms_mm > (UNEXPLAINED * spread).max(NOISE_DISTANCE * noise_mm) {
         let what = format!(
             "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
         );

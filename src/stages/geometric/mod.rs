@@ -22,8 +22,9 @@ use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
-/// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign, where anything was; steps that
-/// are not stated are left out. `None` where the campaign has no `[geometric]`.
+/// Finds the robot by geometry alone, and compares it with the parameters identified from the same
+/// campaign, if any; steps that are not stated are left out. `None` if the campaign has no
+/// `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
     robot: &dyn Robot,
@@ -80,7 +81,7 @@ pub fn calibrate(
 /// Name of a parameter, its value, and its repeats where it was repeated.
 type Quantity<'a> = (&'static str, &'a Uncertain, Option<&'a Repeated>);
 
-/// What the steps that were measured give.
+/// Quantities of the measured steps.
 fn quantities(found: &Steps) -> Vec<Quantity<'_>> {
     let mut all: Vec<Quantity> = Vec::new();
     if let Some(base) = &found.base {
@@ -119,7 +120,7 @@ fn fits(found: &Steps) -> Vec<GeometricStep> {
     steps
 }
 
-/// What a scale bar says of the instrument; `None` without a distance.
+/// Result of a scale bar; `None` without a distance.
 fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64) -> Option<ScaleBarResult> {
     let bar = scale_bar(definition.length_mm, pairs)?;
     // a distance has the uncertainty of two points along it
@@ -148,10 +149,11 @@ fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64)
     })
 }
 
-/// The permissible error over the certificate's expanded uncertainty is to be at least this (the 4:1 rule of ANSI/NCSL Z540).
+/// Least ratio of the permissible error to the expanded uncertainty of the certificate (the 4:1
+/// rule of ANSI/NCSL Z540).
 const LEAST_RATIO: f64 = 4.0;
 
-/// What stands against the instrument or its verification.
+/// Warning about the instrument or its verification.
 fn bar_message(bar: &ScaleBarResult) -> Option<Message> {
     let name = &bar.name;
     match bar.verdict {
@@ -206,7 +208,7 @@ fn covariance(quantities: &[Quantity], readings: &Readings) -> Vec<Vec<f64>> {
     quantities.iter().map(|a| quantities.iter().map(|b| entry(a, b)).collect()).collect()
 }
 
-/// How a single ball repeats.
+/// Repeatability of a single ball.
 fn ball(campaign: &Campaign, definition: &BallDefinition, readings: &[Vector]) -> Result<BallResult> {
     let found = pose_repeatability(readings).map_err(|problems| problems.at(&campaign.place(&definition.label)))?;
     Ok(BallResult {
@@ -231,7 +233,7 @@ fn step(name: &str, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricSt
     }
 }
 
-/// Where residuals and the instrument's statement differ.
+/// Warning where residuals exceed the stated uncertainty of the instrument.
 fn scatter_message(step: &GeometricStep) -> Option<Message> {
     let (found_mm, stated_mm) = (step.standard_deviation_mm, step.expected_mm);
     (step.enlarged_by > 1.0).then(|| warning!("step-scatters", step = step.name, found_mm, stated_mm))
@@ -274,7 +276,8 @@ fn workspace(definition: &GeometricDefinition, robot: &dyn RailTable, parameters
     regions.map(region).into_iter().collect()
 }
 
-/// Tables 2.2 to 2.4, mean errors of repeated poses: one for each selection of poses; the three sets of parameters are nominal, geometric and identified.
+/// Tables 2.2 to 2.4, mean errors of repeated poses: one for each selection of poses. The three
+/// sets of parameters are nominal, geometric and identified.
 fn tables(
     campaign: &Campaign,
     definition: &GeometricDefinition,

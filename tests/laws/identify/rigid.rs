@@ -192,7 +192,7 @@ fn a_shape_is_stated_whole() {
         (plate(146.0, "").replace("K = [0, 0, 0], ", ""), "`places_mm` lacks the place of `K`"),
         (
             "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\ncoverage_factor = 2\n[log]".to_owned(),
-            "is not stated",
+            "error[rigid-uncertainty-without-places]",
         ),
     ] {
         let scratch = copy_sample("prexyt-cmm");

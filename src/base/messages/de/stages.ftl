@@ -508,10 +508,10 @@ candidates-unreachable = keine Kandidatenposition wird vom `{ $model }` erreicht
 
 check-readings = dort nach vertauschten Bezeichnungen und falschen Ablesungen suchen; neu messen oder mit `exclude` in [identify] auslassen
 
-robust-fit-differs = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
+robust-fit-disagrees = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 
-robust-fit-differs-at-poses = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); Posen, die den anderen widersprechen: { $poses }
+robust-fit-disagrees-at-poses = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); Posen, die den anderen widersprechen: { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] 1 Position
@@ -671,7 +671,7 @@ step-scatters = { $step }: Residuen streuen um { FIXED($found_mm, 4) } mm, das M
 table-without-poses = an keiner Pose der Tabelle `{ $title }` sind K und L zusammen gemessen
     .hint = beide Kugeln im selben Zyklus messen oder andere Posen wählen
 
-parameters-without-covariance = die Parameter haben keine Kovarianz
+given-without-covariance = die Parameter haben keine Kovarianz
     .hint = aus Daten neu identifizieren, die Freiheitsgrade lassen
 
 calibrated-targets-missing = den Parametern fehlen { $names }: andere Basis oder andere Zielmarken

@@ -1065,7 +1065,7 @@ check-readings = look there for exchanged labels and wrong readings; measure the
 # Do: Look for errors of the robot that the model does not describe, and check the stated
 # uncertainty.
 # Example: a robot with gear errors that are not modelled
-robust-fit-differs = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
+robust-fit-disagrees = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
     .hint = the robot has errors that the model does not describe, or the stated uncertainty is too small
 
 # Means: A robust fit gives other parameters than least squares, by more than chance, and gives some
@@ -1073,7 +1073,7 @@ robust-fit-differs = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1
 # Matters: These poses pull the parameters away from what the other poses show.
 # Do: Look at these poses for exchanged labels and wrong readings.
 # Example: a pose whose log row belongs to another pose
-robust-fit-differs-at-poses = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); poses that disagree with the others: { $poses }
+robust-fit-disagrees-at-poses = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); poses that disagree with the others: { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] 1 position
@@ -1409,7 +1409,7 @@ table-without-poses = at no pose of the table `{ $title }` were K and L measured
 # Matters: Whether new measurements contradict the parameters cannot be judged.
 # Do: Identify again from data that leave some degrees of freedom.
 # Example: parameters identified from as many coordinates as parameters
-parameters-without-covariance = the parameters have no covariance
+given-without-covariance = the parameters have no covariance
     .hint = identify again from data that leave some degrees of freedom
 
 # Means: The observations have a base or targets that the given parameters do not contain.

@@ -508,10 +508,10 @@ candidates-unreachable = aucune position candidate n’est atteinte par le `{ $m
 
 check-readings = y chercher des étiquettes échangées et des lectures fausses ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
 
-robust-fit-differs = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne sont pas normaux
+robust-fit-disagrees = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne sont pas normaux
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
-robust-fit-differs-at-poses = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; poses qui contredisent les autres : { $poses }
+robust-fit-disagrees-at-poses = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; poses qui contredisent les autres : { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] { $count } position
@@ -671,7 +671,7 @@ step-scatters = { $step } : les résidus se dispersent de { FIXED($found_mm, 4) 
 table-without-poses = à aucune pose du tableau `{ $title }` K et L n’ont été mesurées ensemble
     .hint = mesurer les deux billes dans le même cycle, ou choisir d’autres poses
 
-parameters-without-covariance = les paramètres n’ont pas de covariance
+given-without-covariance = les paramètres n’ont pas de covariance
     .hint = identifier de nouveau à partir de données qui laissent des degrés de liberté
 
 calibrated-targets-missing = il manque { $names } aux paramètres : une autre base ou d’autres cibles
