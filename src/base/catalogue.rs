@@ -28,8 +28,21 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 9] =
-    files!["base", "campaign", "cli", "compare", "controllers", "documents", "fit", "simulate", "standards"];
+pub const FILES: [(&str, [&str; 3]); 13] = files![
+    "base",
+    "campaign",
+    "cli",
+    "compare",
+    "controllers",
+    "documents",
+    "fit",
+    "identify",
+    "report",
+    "robots",
+    "run",
+    "simulate",
+    "standards",
+];
 
 /// Named arguments of a text.
 pub type Arguments = BTreeMap<String, Argument>;
