@@ -15,7 +15,7 @@ const BANNED_FIRST: [&str; 12] =
 
 /// Remaining violations of each crate; a number may only be lowered, and the goal is zero.
 const REMAINING: [(&str, usize); 17] = [
-    ("base", 36),
+    ("base", 0),
     ("campaign", 0),
     ("cli", 0),
     ("compare", 0),
@@ -24,11 +24,11 @@ const REMAINING: [(&str, usize); 17] = [
     ("etalon", 0),
     ("fit", 0),
     ("formats", 180),
-    ("identify", 654),
+    ("identify", 0),
     ("math", 0),
     ("report", 0),
     ("robots", 0),
-    ("run", 51),
+    ("run", 0),
     ("simulate", 0),
     ("stages", 347),
     ("standards", 0),

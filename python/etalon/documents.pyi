@@ -1294,19 +1294,19 @@ class Message(Record):
     around: list[Phrase]
     """Texts around the message, from inside: each has the message as its argument `message`."""
     expected: str | None
-    """What was expected there."""
+    """Expected value."""
     hint: str | None
-    """What to do."""
+    """Next action."""
     id: str
     """Id in the catalogue; `etalon explain ID` explains it."""
     place: Place | None
     """Where."""
     rank: Any
-    """How much a reader has to care."""
+    """Importance for a reader."""
     severity: Any
     """Error or warning."""
     what: str
-    """What is wrong, in one English sentence without a full stop."""
+    """Error or remark, in one English sentence without a full stop."""
 
 class MethodErrors(Record):
     """Largest and root-mean-square mean errors."""
@@ -1444,7 +1444,7 @@ class Phrase(Record):
     """Id in the catalogue."""
 
 class Place(Record):
-    """Where a message points: a file, perhaps a line, perhaps columns of it."""
+    """Place of a message: a file, optionally a line and columns."""
     column: int | None
     """Column in characters, from 1."""
     file: str

@@ -94,7 +94,7 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
     // with them, by their weight
     let with = campaign(&weighted.replace(", u1", ", pose = \"Pose\", u1"), "", &rows);
     add(&with, "");
-    ends(&with, "run", 0, &["all readings weigh by their own standard uncertainties, 0.0030 to 0.3000 mm"]);
+    ends(&with, "run", 0, &["[readings-weighted]", "0.0030 to 0.3000 mm"]);
     let table = std::fs::read_to_string(with.path().join("out/observations.csv")).unwrap();
     assert!(table.starts_with("pose,cycle,target,x_mm,y_mm,cxx_mm2,cxy_mm2,cyy_mm2,rho1_mm"), "{}", &table[..200]);
     for (a, b) in parameters(&without).parameters.iter().zip(&parameters(&with).parameters) {

@@ -282,7 +282,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too
     let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "nowhere", "--json"], 2);
-    assert!(found.errors[0].what.contains("there is no campaign"), "{found:?}");
+    assert!(found.errors[0].what.contains("does not exist"), "{found:?}");
 }
 
 #[test]

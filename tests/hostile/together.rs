@@ -31,7 +31,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\"");
     let parts = [
         "no point has the label `R_no`",
-        "no point or feature is called `rail9_a`",
+        "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
         "feature `rails`: ",
         "error[world-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
@@ -90,14 +90,18 @@ fn statements_that_count_for_nothing_are_refused() {
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\"]",
-        &["`targets` leaves out `L`", "campaign.toml:", "all its targets count"],
+        &["[targets-incomplete]: `targets` omits `L`", "campaign.toml:"],
     );
-    campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["`tolerance_s` means nothing", "campaign.toml:"]);
-    campaign("\"cycle\"]", "\"cycle\"]\nclock_offset_s = 1.0", &["`clock_offset_s` means nothing", "campaign.toml:"]);
+    campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["[key-of-other-join]: `tolerance_s`", "campaign.toml:"]);
+    campaign(
+        "\"cycle\"]",
+        "\"cycle\"]\nclock_offset_s = 1.0",
+        &["[key-of-other-join]: `clock_offset_s`", "campaign.toml:"],
+    );
     campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
     campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["both calibration and validation: 13", ":43:14"]);
     campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["a join by time needs", "campaign.toml:28:6"]);
-    campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["exactly one element", ".toml:3"]);
+    campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["[feature-element]", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";
     campaign(
         "format = \"polyworks\"",
@@ -110,7 +114,7 @@ fn statements_that_count_for_nothing_are_refused() {
 fn a_target_that_nobody_measured_points_at_the_campaign() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/poses.txt", "L_", "M_");
-    said(&scratch, &["no export brings the target `L`", "--> campaign/campaign.toml"]);
+    said(&scratch, &["[target-not-exported]: no export contains the target `L`", "--> campaign/campaign.toml"]);
 }
 
 #[test]

@@ -313,8 +313,8 @@ fn between_two_rows_joints_that_move_evenly_are_exact() {
 #[test]
 fn statements_about_standstills_that_contradict_are_errors() {
     for (stated, join, part) in [
-        ("", "clock_offset_s = \"standstills\"\ntolerance_s = 0", "a log that states none"),
-        (STANDSTILL, "clock_offset_s = 0\ntolerance_s = 0\ninterpolate = true", "nothing to interpolate"),
+        ("", "clock_offset_s = \"standstills\"\ntolerance_s = 0", "[standstills-missing]"),
+        (STANDSTILL, "clock_offset_s = 0\ntolerance_s = 0\ninterpolate = true", "[interpolate-with-standstills]"),
         (
             "standstill = { at_least_s = 1.0 }\n",
             "clock_offset_s = 0\ntolerance_s = 0",

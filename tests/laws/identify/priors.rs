@@ -55,9 +55,10 @@ fn accuses(message: &Message) -> bool {
     if message.id == "identified-worse-than-nominal" {
         return false;
     }
-    let causes = ["check that first", "has moved in between", "of another campaign"];
+    let causes = ["check that first", "of another campaign"];
     let hint = message.hint.as_deref().unwrap_or_default();
-    message.severity == Severity::Error || causes.iter().any(|cause| hint.contains(cause))
+    let is_moved = message.id == "reference-moved";
+    is_moved || message.severity == Severity::Error || causes.iter().any(|cause| hint.contains(cause))
 }
 
 fn outcome(seed: u64) -> Outcome {
