@@ -69,6 +69,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             condition: 1.0,
             rank: 0,
             scaling: String::new(),
+            scaling_phrase: None,
             singular_values: vec![],
             held_singular_values: vec![],
             rank_cut: 1e-9,

@@ -165,15 +165,11 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         value: s.value,
         parameters: s.parameters.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
     };
-    let mut scaling =
-        "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms".to_owned();
-    if o.eliminated > 0 {
-        scaling += &format!(
-            "; of {} parameters, after elimination of the {} coordinates of unknown points",
-            o.rank - o.eliminated,
-            o.eliminated
-        );
-    }
+    let known = o.rank - o.eliminated;
+    let scaling = match o.eliminated {
+        0 => phrase!("observability-scaling"),
+        coordinates => phrase!("observability-scaling-eliminated", parameters = known, coordinates),
+    };
     ObservabilitySummary {
         o1,
         o2,
@@ -182,7 +178,8 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         o5,
         condition: o.condition,
         rank: o.rank,
-        scaling,
+        scaling: scaling.to_string(),
+        scaling_phrase: Some(scaling),
         singular_values: o.singular_values.iter().map(named).collect(),
         held_singular_values: o.held_singular_values.iter().map(named).collect(),
         rank_cut: RANK_TOLERANCE,

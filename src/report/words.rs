@@ -132,6 +132,11 @@ impl Words {
         names::of_document(name).map_or_else(|| name.to_owned(), |phrase| self.tr(&phrase))
     }
 
+    /// Text of a document by its text of the catalogue, if the document has it.
+    pub fn worded(&self, text: &str, phrase: Option<&Phrase>) -> String {
+        phrase.map_or_else(|| text.to_owned(), |phrase| self.tr(phrase))
+    }
+
     /// Text of a document by its id in the catalogue; the text itself without an id.
     pub fn by_id(&self, id: Option<&str>, text: &str) -> String {
         let phrase = id.map(|id| Phrase { id: id.to_owned().into(), arguments: Arguments::new() });

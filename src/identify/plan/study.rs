@@ -4,8 +4,10 @@
 use super::{Criterion, Plan, pool_of, search::Choice};
 use crate::Result;
 use crate::{Observation, Settings, ToolPoint, identify_from};
+use etalon_base::catalogue::Phrase;
 use etalon_base::error;
 use etalon_base::noise::Noise;
+use etalon_base::phrase;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::middle_pair;
@@ -29,10 +31,10 @@ pub struct Setting<'a> {
 }
 
 /// The point whose errors a study has.
-pub fn point_of(robot: &dyn Robot) -> &'static str {
+pub fn point_of(robot: &dyn Robot) -> Phrase {
     match robot.platform() {
-        Some(_) => "the platform's centre C in the base frame",
-        None => "the targets in the world",
+        Some(_) => phrase!("platform-in-base"),
+        None => phrase!("targets-in-world"),
     }
 }
 

@@ -24,8 +24,12 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
-    section.summarise(tr!(words, "definition-of-errors"), Text::document(&accuracy.definition, words), "");
-    section.push(Block::detail(Text::document(&accuracy.definition, words)));
+    section.summarise(
+        tr!(words, "definition-of-errors"),
+        Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words),
+        "",
+    );
+    section.push(Block::detail(Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words)));
     if accuracy.sets.is_empty() {
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
@@ -40,7 +44,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
                     set = name,
                     poses = set.poses,
                     errors = set.count,
-                    point = words.named(point)
+                    point = words.worded(point, accuracy.point_phrase.as_ref())
                 )
             }
         };
@@ -112,7 +116,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
             largest = um(tool.expanded_max_mm),
             undetermined = um(tool.held_mm),
         )));
-        section.push(Block::detail(Text::document(&tool.definition, words)));
+        section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
     }
     let table = poses(errors, words);
     if !table.is_empty() {

@@ -39,7 +39,9 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
-    let point = identified.map(|i| words.named(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let point = identified
+        .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
+        .filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
             tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))

@@ -67,11 +67,10 @@ pub(crate) fn source(source: UncertaintySource) -> Phrase {
     }
 }
 
-/// Names that documents enumerate in texts: elements, methods, points, movements, quantities of a
+/// Names that documents enumerate in texts: elements, methods, movements, quantities of a
 /// comparison. `None` for any other text.
 pub(crate) fn of_document(name: &str) -> Option<Phrase> {
     Some(match name {
-        "zeros of the joints" => phrase!("zeros-of-the-joints"),
         "plane" => phrase!("plane"),
         "line" => phrase!("line"),
         "circle" => phrase!("circle"),
@@ -81,10 +80,6 @@ pub(crate) fn of_document(name: &str) -> Option<Phrase> {
         "identified" => phrase!("identified"),
         "base shift" => phrase!("base-shift"),
         "base rotation" => phrase!("base-rotation"),
-        "the platform's centre as the balls measure it" => phrase!("platform-as-measured"),
-        "the targets as measured" => phrase!("targets-as-measured"),
-        "the platform's centre C in the base frame" => phrase!("platform-in-base"),
-        "the targets in the world" => phrase!("targets-in-world"),
         "position" => phrase!("position"),
         "orientation" => phrase!("orientation"),
         "calibration" => phrase!("calibration"),
