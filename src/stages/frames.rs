@@ -6,7 +6,6 @@ use crate::stages::repeats;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
-use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
