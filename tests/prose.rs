@@ -23,14 +23,14 @@ const REMAINING: [(&str, usize); 17] = [
     ("documents", 0),
     ("etalon", 0),
     ("fit", 0),
-    ("formats", 180),
+    ("formats", 0),
     ("identify", 0),
     ("math", 0),
     ("report", 0),
     ("robots", 0),
     ("run", 0),
     ("simulate", 0),
-    ("stages", 347),
+    ("stages", 2),
     ("standards", 0),
 ];
 

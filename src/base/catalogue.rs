@@ -82,6 +82,7 @@ impl Eq for Argument {}
 /// assert_eq!(approaches.text("de"), "2 Anfahrrichtungen");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(description = "Text of the catalogue with its arguments.")]
 pub struct Phrase {
     /// Id in the catalogue.
     pub id: Cow<'static, str>,

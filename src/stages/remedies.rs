@@ -24,7 +24,7 @@ pub fn remedied(error: Error) -> Problems {
         Error::KindsWithoutUncertainty => Some("uncertainty"),
         Error::OwnUncertainties => Some("own-uncertainties"),
         Error::ReadingsWithoutUncertainty { .. } => Some("row-uncertainty"),
-        Error::NotPlanar { model } => return error!("pose-residuals-not-planar", model).into(),
+        Error::NotPlanar { model } => return error!("residuals-pose-not-planar", model).into(),
         Error::NoSuchPart { .. } => Some("part"),
         Error::TooFewPoses { .. } => Some("positions"),
         Error::BaseNotFound => Some("base"),

@@ -182,7 +182,7 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     match termination.is_success() {
         true if document.is_plausible() => None,
         true => Some(tr!(words, "parameters-implausible")),
-        false => Some(tr!(words, "identification-failed", reason = termination.phrase())),
+        false => Some(tr!(words, "identification-ended", reason = termination.phrase())),
     }
 }
 

@@ -940,7 +940,7 @@ target-repeated = target `{ $target }` occurs twice
 # Matters: There is nothing to identify from.
 # Do: Check the file and its exclusions.
 # Example: a table that holds a header alone
-no-observations = there are no observations
+table-without-observations = there are no observations
     .hint = check the file and the exclusions
 
 # Means: The arms of the nominal robot are too short, or too far apart, to meet at these joint
@@ -1009,7 +1009,7 @@ coordinate-uncertainty-unusable = `{ $column }` = { $value } is not the uncertai
 # unit.
 # Do: Check the columns `cxx_mm2` ..
 # Example: a correlation above 1
-covariance-not-positive-definite = the covariance of the row is not positive definite
+position-covariance-invalid = the covariance of the row is not positive definite
     .hint = check order and unit of the columns `cxx_mm2` ..
 
 unplaced = { $kind ->
@@ -1054,7 +1054,7 @@ placed-by-validation-unjudged = { $unplaced }; readings without redundancy are n
 # Matters: There are no configurations to choose from.
 # Do: State joint values instead of positions.
 # Example: candidates in metres
-candidates-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
+candidate-positions-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
     .hint = state joint values, one column per joint with its unit
 
 check-readings = look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]
@@ -1585,7 +1585,7 @@ hold-unknown = `hold` names `{ $pattern }`, which is not a parameter of this rob
 # Matters: Pose residuals are defined for the platform of a planar robot.
 # Do: Use `residuals = "targets"`.
 # Example: `residuals = "pose"` with a six-axis arm
-pose-residuals-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
     .hint = use `residuals = "targets"`
 
 remedy = { $remedy ->
