@@ -23,7 +23,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("documents", 0),
     ("etalon", 0),
     ("fit", 0),
-    ("formats", 223),
+    ("formats", 206),
     ("identify", 654),
     ("math", 0),
     ("report", 0),

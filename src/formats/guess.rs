@@ -1,21 +1,22 @@
-//! How the rows of a text could be split into numbers: every delimiter with every pair of marks, weighed.
+//! Ways to split the rows of a text into numbers: every delimiter with every pair of marks gets a
+//! score.
 
 use super::lexer::{Row, parsed, split};
 use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
 use std::borrow::Cow;
 
-/// Rows by which ways to split are ranked; the best are then weighed on more.
+/// Number of rows by which all ways to split are ranked.
 const SAMPLE: usize = 2000;
-/// Rows on which the best ways are weighed.
+/// Number of rows by which the best ways are ranked.
 const MOST: usize = 200_000;
 /// Lines that start like this may be comments.
 const COMMENTS: [&str; 4] = ["//", "#", "%", "$$"];
 /// Words that end files.
 const ENDS: [&str; 3] = ["END", "EOF", "End"];
-/// What is weighed between fields.
+/// Delimiters that are tried.
 const DELIMITERS: [Delimiter; 5] =
     [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Bar, Delimiter::Comma, Delimiter::Blank];
-/// Marks that are weighed: numbers with groups of digits last.
+/// Decimal and thousands marks that are tried; numbers with groups of digits come last.
 const MARKS: [(Decimal, Option<Thousands>); 7] = [
     (Decimal::Point, None),
     (Decimal::Comma, None),
@@ -33,16 +34,18 @@ pub(super) struct Guess<'t> {
     pub dialect: Dialect,
     /// Rows before the data.
     pub header: usize,
-    /// The last of them, or the last comment before the data where that has as many words as the data have columns.
+    /// Last row of the header, or the last comment before the data if it has one word for each
+    /// column.
     pub names: Option<Row<'t>>,
     /// `true` if the names are those of a comment.
     pub commented: bool,
-    /// Rows of data that were looked at, and those that have as many fields as most, two of them numbers.
+    /// Number of data rows (`rows`), and of data rows with the usual number of fields and at least
+    /// two numbers (`read`).
     pub rows: usize,
     pub read: usize,
-    /// Line of the first one that has not.
+    /// Line of the first other data row.
     pub unread: Option<usize>,
-    /// Of each column, whether it holds numbers alone (or cells that mean "not measured").
+    /// `true` for each column of numbers (or cells that mean "not measured").
     pub numeric: Vec<bool>,
     /// Numbers, those with a decimal mark, and those with it before exactly three digits.
     pub numbers: usize,
@@ -58,7 +61,8 @@ impl Guess<'_> {
     }
 }
 
-/// Ways to split the text, or the cells of a sheet, that explain it nearly as well as the best one, which is the first.
+/// Ways to split the text, or the cells of a sheet, whose score is near the best one; the best is
+/// the first.
 pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
     let sample = &text[..text.split_inclusive('\n').take(SAMPLE).map(str::len).sum()];
     let starts = |mark: &&str| sample.lines().any(|line| line.trim_start().starts_with(*mark));
@@ -129,7 +133,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
         field.split_once(mark).is_some_and(|(_, after)| after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit()))
     };
     let threes = used.iter().filter(three).count();
-    // a reading that splits decimal numbers in two has whole numbers everywhere: prefer those with fractions
+    // a reading that splits decimal numbers in two has only whole numbers: prefer fractions
     let plain = if dialect.thousands.is_some() { 0.95 } else { 1.0 };
     // rows before the data that hold numbers may be data
     let worded = |row: &&Row| {
@@ -193,7 +197,8 @@ fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
     times.into_iter().max_by_key(|&(count, times)| (times, count)).map(|(count, _)| count)
 }
 
-/// The names of all columns, if the header has as many as the data. Units in brackets that blanks part from their names belong to them.
+/// Names of all columns, if the header has as many names as the data have columns. A unit in
+/// brackets belongs to the name before it.
 pub(super) fn names(guess: &Guess) -> Option<Vec<String>> {
     let fields: Vec<&str> = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref).collect();
     let columns = guess.numeric.len();

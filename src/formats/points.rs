@@ -10,7 +10,8 @@ use std::fmt::{self, Debug, Formatter};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// A row of an export. A reader fills in what the row states; what the campaign states of the export comes after.
+/// A row of an export: the reader sets the statements of the row; statements of the campaign
+/// follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File, as the campaign names it.
@@ -31,13 +32,14 @@ pub struct Point {
     pub cycle: Option<i64>,
     /// Time in seconds.
     pub time_s: Option<f64>,
-    /// Place; no numbers where one of them does not read.
+    /// Place; NaN if one of its numbers is invalid.
     pub xyz_mm: Vector,
-    /// Of x, y and z, where the file states it.
+    /// Standard uncertainty of x, y and z, if the file states it.
     pub standard_uncertainty_mm: Option<Box<Vector>>,
     /// Direction of surface or probe, of length 1, where the file states it.
     pub direction: Option<Box<Vector>>,
-    /// Orientation of the measured body in the frame of the file, as a quaternion with the scalar first, where the file states it.
+    /// Orientation of the measured body in the frame of the file (quaternion, scalar first), if the
+    /// file states it.
     pub orientation: Option<Box<[f64; 4]>>,
     /// Temperature during the measurement (°C), where the file states it.
     pub temperature_c: Option<f64>,
@@ -54,7 +56,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// A part of a text; a copy of what is none.
+    /// A part of a text; a copy if `part` is not a part of it.
     pub fn of(whole: &Arc<str>, part: &str) -> Self {
         let from = (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize);
         let range = from.and_then(|from| Some((u32::try_from(from).ok()?, u32::try_from(from + part.len()).ok()?)));
@@ -103,7 +105,7 @@ impl Debug for Line {
 pub struct Names(IndexSet<Arc<str>>);
 
 impl Names {
-    /// More than these are names that each row has for itself: keeping them would cost more than it saves.
+    /// Maximum number of names that are kept: with more names, each row has its own.
     const MOST: usize = 4096;
 
     /// The name, which shares its memory with those before it.
@@ -119,7 +121,8 @@ impl Names {
     }
 }
 
-/// Points as a table: `export row line label target pose cycle time_s x_mm y_mm z_mm`, and what few files state.
+/// Points as a table: `export row line label target pose cycle time_s x_mm y_mm z_mm`, and columns
+/// that few files state.
 pub fn table(points: &[Point]) -> Result<DataFrame> {
     Stated::of(points).table(points)
 }
@@ -127,7 +130,7 @@ pub fn table(points: &[Point]) -> Result<DataFrame> {
 /// Rows of a piece of a table that is written.
 const PIECE: usize = 100_000;
 
-/// The same as Parquet, written piece by piece: exports have millions of rows.
+/// Table of the points as Parquet, written piece by piece: exports have millions of rows.
 pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
     let (stated, mut bytes) = (Stated::of(points), Vec::new());
     let mut written = RowGroups::new(&mut bytes, &stated.table(&[])?)?;
@@ -136,7 +139,7 @@ pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// What some points state, of which a table has columns.
+/// Optional columns of a table of points.
 struct Stated {
     /// All names of poses are numbers.
     numbered_poses: bool,
