@@ -74,7 +74,7 @@ pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     column.i64().map_err(failed)?.iter().map(whole).collect()
 }
 
-/// Returns the line of a row in its file; `None` where the table does not state it.
+/// Returns the line of a row in its file; `None` if the table does not state it.
 pub fn lines(table: &DataFrame) -> Result<impl Fn(usize) -> Option<usize> + use<>> {
     let lines = if table.column("line").is_ok() { integers(table, "line")? } else { Vec::new() };
     Ok(move |row| lines.get(row).map(|line| *line as usize))

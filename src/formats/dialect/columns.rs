@@ -108,7 +108,7 @@ pub enum ColumnRole {
     Deleted,
     /// Date and time of day, such as `11.10.2022 15:06:48.043` or `2022-10-11T15:06:48`.
     Timestamp,
-    /// Date, where the time of day is in another column.
+    /// Date, if the time of day is in another column.
     Date,
     /// Time in milliseconds.
     TimeMs,

@@ -220,12 +220,27 @@ mod tests {
     #[test]
     fn what_is_no_expression_is_refused() {
         let header: Vec<Cow<str>> = ["x_t", "x_dif"].map(Cow::from).to_vec();
-        let said = |text: &str| Expression::parse(text, &header).unwrap_err().to_string();
-        assert!(said("x_t - x_dff").contains("did you mean `x_dif`"));
-        for wrong in ["", "x_t -", "(x_t", "x_t x_dif", "$0", "$", "x_t ^ 2", "1..2", "x_t)"] {
-            assert!(Expression::parse(wrong, &header).is_err(), "{wrong}");
+        let refused = |text: &str| Expression::parse(text, &header).unwrap_err();
+        let unknown = refused("x_t - x_dff");
+        assert!(unknown.is("column-unknown", &[("column", &"x_dff")]), "{unknown}");
+        assert!(unknown.hint.is_some_and(|hint| hint.contains("`x_dif`")));
+        let (brackets, signs, long) = ("(".repeat(900), "-".repeat(900), "x".repeat(1001));
+        for (wrong, fault, rest) in [
+            ("", "incomplete", ""),
+            ("x_t -", "incomplete", ""),
+            ("(x_t", "bracket-open", ""),
+            ("x_t x_dif", "left-over", "x_dif"),
+            ("$0", "column-number", ""),
+            ("$", "column-number", ""),
+            ("x_t ^ 2", "left-over", "^ 2"),
+            ("x_t)", "left-over", ")"),
+            (&brackets, "brackets-too-deep", ""),
+            (&signs, "too-many-signs", ""),
+            (&long, "too-long", ""),
+        ] {
+            let message = refused(wrong);
+            assert!(message.is("expression-malformed", &[("fault", &fault), ("rest", &rest)]), "{message}");
         }
-        assert!(Expression::parse(&"(".repeat(900), &header).is_err());
-        assert!(Expression::parse(&"-".repeat(900), &header).is_err());
+        assert!(refused("1..2").is("column-unknown", &[]));
     }
 }

@@ -521,6 +521,49 @@ mod tests {
     }
 
     #[test]
+    fn each_contradiction_of_a_dialect_has_its_message() {
+        for (stated, id) in [
+            (
+                "delimiter = ';', columns = ['x', 'y', 'qw', 'qx', 'qy', 'qz', 'rx_deg', 'ry_deg', 'rz_deg']",
+                "columns-in-two-forms",
+            ),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j']", "column-group-incomplete"),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'qw', 'qx', 'qy']", "column-group-incomplete"),
+            ("delimiter = ';', columns = ['x', 'y'], rotation = 'zyx'", "key-needs-columns"),
+            ("delimiter = ';', columns = ['x', 'y'], types = { 1 = ['x', 'y', 'z'] }", "key-needs-columns"),
+            ("delimiter = ';', columns = ['x', 'y', 'u95x', 'u95y']", "coverage-factor-missing"),
+            ("delimiter = ';', columns = ['x', 'y', 'u95x'], coverage_factor = 2.0", "uncertainty-column-count"),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'u1', 'u2']", "uncertainty-column-count"),
+            ("delimiter = ';', columns = ['x', 'y'], coverage_factor = 0.0", "key-not-positive"),
+            ("columns = ['x', 'y']", "column-separation-unclear"),
+            ("delimiter = ';', sheet = 'A', columns = ['x', 'y']", "column-separation-unclear"),
+            ("widths = [8, 0], columns = ['x', 'y']", "column-width-zero"),
+            ("widths = [8], columns = ['x', 'y']", "more-columns-than-widths"),
+            ("delimiter = ',', decimal = ',', columns = ['x', 'y']", "comma-ambiguous"),
+            ("delimiter = ';', thousands = '.', columns = ['x', 'y']", "thousands-mark-ambiguous"),
+            ("delimiter = ' ', thousands = ' ', columns = ['x', 'y']", "thousands-mark-ambiguous"),
+            ("delimiter = ';', columns = ['x', 'y', 'y']", "column-role-twice"),
+            ("delimiter = ';', columns = ['x', 'y', 'c1']", "coordinates-of-two-kinds"),
+            ("delimiter = ';', columns = ['c1', 'c2', 'c3']", "row-types-missing"),
+            (
+                "delimiter = ';', columns = ['type', 'c1', 'c2', 'c3'], types = { 1 = ['x', 'y'] }",
+                "row-type-incomplete",
+            ),
+            ("delimiter = ';', columns = ['x', 'z']", "not-coordinates"),
+            ("delimiter = ';', columns = ['label']", "not-coordinates"),
+            ("delimiter = ';', columns = ['azimuth', 'zenith', 'distance']", "angle-unit-missing"),
+            ("delimiter = ';', columns = ['x', 'y'], coordinates = 'spherical'", "coordinate-type-differs"),
+            ("delimiter = ';', columns = { x = 'X', y = 'Y' }", "header-not-stated"),
+        ] {
+            let ids: Vec<_> = read(&format!("{{ {stated} }}")).check().into_iter().map(|message| message.id).collect();
+            assert_eq!(ids, [id], "{stated}");
+        }
+        let sound =
+            "{ delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j', 'k', 'u1', 'u2', 'u3', 'qw', 'qx', 'qy', 'qz'] }";
+        assert_eq!(read(sound).check(), []);
+    }
+
+    #[test]
     fn units_of_headings_are_in_brackets_or_behind_the_name() {
         let of = |name: &str| Unit::of_heading(name).map(Unit::name);
         assert_eq!(

@@ -37,7 +37,7 @@ use toml::Spanned;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Log {
-    /// Name of the log, where there are several.
+    /// Name of the log, if there are several.
     #[serde(default = "default_log")]
     pub name: String,
     /// Name of the file.

@@ -35,7 +35,7 @@ fn without_points(text: &str) -> Option<(&'static str, f64)> {
     }
 }
 
-/// Content of a text that states what it is.
+/// Content of a text with a known mark.
 enum Known {
     /// Points in the format of this name.
     Points(&'static str, Recognised),
@@ -43,7 +43,7 @@ enum Known {
     Other(&'static str),
 }
 
-/// Returns what a text states that it is.
+/// Recognises a text by its mark: a format of exports, or a document without points.
 fn known(text: &str) -> Option<Known> {
     match (recognise(text), without_points(text)) {
         (Some((_, found)), Some((kind, score))) if score > found.score => Some(Known::Other(kind)),
@@ -366,7 +366,7 @@ mod tests {
             "pose;target;x_mm;y_mm;z_mm;J1_rad;J2_rad\n1;K;1,5;2,5;3,5;0,1;0,2\n2;K;1,6;2,6;3,6;0,3;0,4\n",
         )
         .toml;
-        // joints called otherwise than q1, q2 may be those of a URDF: a table of observations
+        // joints with other names than q1, q2 may be the joints of a URDF: a table of observations
         assert!(text.contains("[observations]") && text.contains("column 6 `J1_rad` is joint 1"), "{text}");
         assert!(!text.contains("[log]") && !text.contains("pose = \"row\""), "{text}");
         let text = propose("m.csv", "pose;x;y;z\n1;1,5;2,5;3,5\n2;1,6;2,6;3,6\n").toml;

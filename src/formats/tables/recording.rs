@@ -12,7 +12,7 @@ use etalon_standards::iso9283::pose::test::CommandedPose;
 const MOST_LEFT_OUT: f64 = 0.01;
 
 /// Builds a recording from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated
-/// rate, times follow from the numbers of the samples and `time_s` is not read.
+/// rate, times follow from the sample numbers; `time_s` is not read.
 pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
     let n = positions_mm.len();
