@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 13] = files![
+pub const FILES: [(&str, [&str; 3]); 15] = files![
     "base",
     "campaign",
     "cli",
@@ -36,11 +36,13 @@ pub const FILES: [(&str, [&str; 3]); 13] = files![
     "controllers",
     "documents",
     "fit",
+    "formats",
     "identify",
     "report",
     "robots",
     "run",
     "simulate",
+    "stages",
     "standards",
 ];
 
@@ -142,7 +144,8 @@ impl Argument {
 
     fn value(&self, language: &str) -> FluentValue<'static> {
         match self {
-            Self::Whole(value) => FluentValue::from(*value),
+            // a number of Fluent is a double
+            Self::Whole(value) if value.unsigned_abs() <= 1 << 53 => FluentValue::from(*value),
             Self::Number(value) => FluentValue::from(*value),
             _ => FluentValue::from(self.text(language)),
         }
