@@ -193,7 +193,7 @@ impl Error {
             Self::Unsteady => error!("identifiability-unsteady"),
             Self::Failed { termination, cause, .. } => {
                 let reason = cause.as_ref().map_or_else(|| ended(termination), Cause::phrase);
-                error!("identification-failed", reason)
+                error!("identification-without-result", reason)
             }
             Self::Unexplained(warning) => warning.message,
             Self::Other(problems) => return problems.0,

@@ -56,7 +56,7 @@ parameters-inseparable = `{ $parameter }` ist nicht getrennt von { $others } ide
 
 identifiability-unsteady = die Menge der getrennt identifizierbaren Parameter ändert sich zwischen den Schritten des Lösers
 
-identification-failed = die Identifikation endete ohne Ergebnis: { $reason }
+identification-without-result = die Identifikation endete ohne Ergebnis: { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] keine Konvergenz innerhalb der Iterationsgrenze

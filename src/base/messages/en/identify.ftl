@@ -134,7 +134,7 @@ identifiability-unsteady = the set of separately identifiable parameters changes
 # Matters: No parameters are identified.
 # Do: Check units, order and signs of the joints, and nominal parameters.
 # Example: joint values in radians read as degrees
-identification-failed = the identification ended without a result: { $reason }
+identification-without-result = the identification ended without a result: { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] not converged within the iteration limit

@@ -56,7 +56,7 @@ parameters-inseparable = `{ $parameter }` n’est pas identifiable séparément 
 
 identifiability-unsteady = l’ensemble des paramètres identifiables séparément change entre les pas du solveur
 
-identification-failed = l’identification s’est terminée sans résultat : { $reason }
+identification-without-result = l’identification s’est terminée sans résultat : { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] pas de convergence avant la limite d’itérations
