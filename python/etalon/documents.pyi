@@ -715,6 +715,8 @@ class GeometricStep(Record):
     """Largest residual."""
     name: str
     """Fitted feature."""
+    name_phrase: Phrase | None
+    """Text of the catalogue that is `name` in English."""
     norm_mm: float
     """Root of the sum of squared residuals."""
     standard_deviation_mm: float
@@ -1369,6 +1371,8 @@ class ObservabilitySummary(Record):
     """
     scaling: str
     """Scaling of the indices."""
+    scaling_phrase: Phrase | None
+    """Text of the catalogue that is `scaling` in English."""
     singular_values: list[SingularValueEntry]
     """Singular values of the Jacobian at the solution, descending, with columns scaled to unit length. The ratio of
     the largest to the smallest is the condition number; the squares add up to the number of parameters.
@@ -1388,6 +1392,8 @@ class ParameterEntry(Record):
     """
     meaning: str
     """Meaning and sign of the parameter, in words."""
+    meaning_id: str | None
+    """Id of the meaning in the catalogue of texts."""
     name: str
     """Name as in the thesis."""
     nominal: float
@@ -1598,6 +1604,8 @@ class Region(Record):
     """Corners of the region in the base frame, counterclockwise; z is zero."""
     name: str
     """Name of the region."""
+    name_phrase: Phrase | None
+    """Text of the catalogue that is `name` in English."""
 
 class ReliabilitySummary(Record):
     """Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977)."""
@@ -1791,6 +1799,8 @@ class Sketch(Record):
     """Lines of the drawing."""
     title: str
     """Title of the drawing."""
+    title_id: str | None
+    """Id of the title in the catalogue of texts."""
 
 class SolverSummary(Record):
     """Solver and its termination."""
@@ -1928,6 +1938,8 @@ class StudyDocument(Record):
     """Largest error of each pose with all positions measured (thesis, fig. 4.9)."""
     point: str
     """Point whose position errors are evaluated, in words."""
+    point_phrase: Phrase | None
+    """Text of the catalogue that is `point` in English."""
     runs: int
     """Number of identifications whose mean is evaluated."""
     steps: list[StudyStep]
@@ -1969,6 +1981,8 @@ class ToolAccuracy(Record):
     """
     definition: str
     """Definition of "before" and "after" in this object, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     expanded_max_mm: float
     """Largest expected error with the identified parameters (mm, k = 2)."""
     frame: Any
@@ -2000,6 +2014,8 @@ class Uncontrolled(Record):
     """Labels, features or targets with the error; empty if it concerns all readings."""
     what: str
     """Description of the error."""
+    what_phrase: Phrase | None
+    """Text of the catalogue that is `what` in English."""
 
 class Unmatched(Record):
     """A row without a partner in the join, or with more than one."""
@@ -2062,6 +2078,8 @@ class WorldFrame(Record):
     """
     definition: str
     """Definition of the frame, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     max_mm: float | None
     """Largest distance of a target from its best-fit position."""
     planar: bool
@@ -2103,6 +2121,8 @@ class AccuracyDocument(Document):
     """
     definition: str
     """Definition of "before" and of "error" in this document, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     effects: list[EffectProof]
     """Effects of the robot that are proved by poses left out of the identification: effects chosen by `effects =
     "proven"`, and effects that are not identified.
@@ -2123,6 +2143,8 @@ class AccuracyDocument(Document):
     """
     point: str
     """Point whose errors are in `sets`, in words."""
+    point_phrase: Phrase | None
+    """Text of the catalogue that is `point` in English."""
     schema: str
     """Schema and version: `etalon/accuracy/1`."""
     sets: list[AccuracySet]
@@ -2368,6 +2390,8 @@ class GeometricDocument(Document):
     """Covariance of the values of all quantities, in their order and units."""
     definition: str
     """Assignment of the measured features to geometric quantities, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     leads: list[LeadResult]
     """Leads of the screws."""
     messages: list[Message]
@@ -2617,6 +2641,8 @@ class RecommendationDocument(Document):
     """Position errors at poses that were left out of the identification (mm)."""
     meaning: list[str]
     """Recommendation in words."""
+    meaning_phrases: list[Phrase]
+    """Texts of the catalogue that are `meaning` in English."""
     messages: list[Message]
     """Warnings, with remedies."""
     parameters: list[ParameterVerdict]
@@ -2684,6 +2710,8 @@ class VerificationDocument(Document):
     """All single movements that may explain the residuals, the best explanation first."""
     meaning: str
     """Verdict in words."""
+    meaning_phrase: Phrase | None
+    """Text of the catalogue that is `meaning` in English."""
     messages: list[Message]
     """Warnings, with remedies."""
     model_mm: float
