@@ -262,7 +262,10 @@ fn galil(file: &File) -> Option<f64> {
 fn c_code(file: &File) -> Option<f64> {
     let (inputs_of, hexapod) = (file.coded(), file.ran.robot.model() == "hexapod");
     let (read, call) = match hexapod {
-        true => (18, "if (!etalon_direct(in, in + 6)) return 1; for (i = 0; i < 12; i++) out[i] = in[6 + i];"),
+        true => (
+            18,
+            "if (!etalon_direct(in, in + 6)) { printf(\"\\n\"); continue; } for (i = 0; i < 12; i++) out[i] = in[6 + i];",
+        ),
         false => (inputs_of, "etalon_direct(in, out);"),
     };
     // a delta moves its platform without turning it
@@ -316,7 +319,7 @@ fn component(file: &File) -> Option<f64> {
     let main = format!(
         "{variables}{code}\n#include <stdio.h>\nint main(void) {{ double q[9] = {{0}}; EmcPose p = {{{{0}}}}; int i;\n\
          for (;;) {{ for (i = 0; i < {joints}; i++) if (scanf(\"%lf\", q + i) != 1) return 0;\n{scan}\n\
-         if (kinematicsForward(q, &p, 0, 0)) return 1;\n\
+         if (kinematicsForward(q, &p, 0, 0)) {{ printf(\"\\n\"); continue; }}\n\
          printf(\"%.17g %.17g %.17g %.17g %.17g %.17g\\n\", p.tran.x, p.tran.y, p.tran.z, p.a, p.b, p.c); }}\n}}\n"
     );
     let headers = [("main.c", main.as_str()), ("rtapi_math.h", "#include <math.h>\n"), ("kinematics.h", KINEMATICS_H)];
@@ -338,7 +341,7 @@ fn python_code(file: &File) -> Option<f64> {
     file.write();
     let direct = if file.ran.robot.model() == "hexapod" { "v[:6], v[6:]" } else { "v" };
     let script = format!(
-        "import sys, etalon_kinematics as e\nfor line in sys.stdin:\n  v = [float(x) for x in line.split()]\n  print(*map(repr, e.direct({direct})))"
+        "import sys, etalon_kinematics as e\nfor line in sys.stdin:\n  v = [float(x) for x in line.split()]\n  print(*map(repr, e.direct({direct}) or []))"
     );
     let mut command = Command::new("python3");
     let command = command.args(["-B", "-c", &script]).current_dir(file.ran.scratch.root());
