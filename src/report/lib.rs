@@ -76,7 +76,7 @@ impl<'a> Report<'a> {
     }
 
     /// Warnings and errors of all documents.
-    fn messages(&self) -> Vec<&'a Message> {
+    pub fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
         let geometric = self.geometric.iter().flat_map(|g| &g.messages);
         let controllers = self.controllers.iter().flat_map(|c| &c.messages);
@@ -112,6 +112,8 @@ impl<'a> Report<'a> {
             subtitle,
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
+            issued: self.campaign.issue.issued.clone(),
+            draft: None,
             version: self.provenance().version,
             verdict: self.verdict(words),
             sections: sections::all(self, words),
@@ -156,12 +158,12 @@ impl<'a> Report<'a> {
 
 /// Title of the calibration of a robot without a name.
 fn of_model(document: &ParametersDocument, words: &Words) -> String {
-    tr!(words, "calibration-report-of-model", model = isolated(&one_line(&document.robot)))
+    tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
 }
 
 /// Subject of an answer.
 fn named(robot: &str, words: &Words) -> String {
-    tr!(words, "robot-of-model", model = isolated(&one_line(robot)))
+    tr!(words, "robot-of-model", model = words.model(robot))
 }
 
 /// A document attached to a PDF.
@@ -259,7 +261,7 @@ impl Faces {
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
         let words = Words::of(presentation.language)?;
-        let robot = isolated(&one_line(&document.robot));
+        let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
             subtitle: tr!(words, "plan-for-model", model = robot),
@@ -343,7 +345,7 @@ impl Faces {
         Self::new(Contents { version, ..contents }, vec![attached], presentation, words)
     }
 
-    /// Creates the certificate of a campaign: one page of its report, for the customer.
+    /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language)?;

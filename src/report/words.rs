@@ -6,7 +6,7 @@ pub(super) mod comparison;
 pub(super) mod names;
 
 use etalon_base::catalogue::{Argument, Arguments, Phrase};
-use etalon_base::message::{Message, Result, printable};
+use etalon_base::message::{Message, Result, one_line, printable};
 use etalon_documents::Language;
 use std::collections::BTreeMap;
 
@@ -125,6 +125,11 @@ impl Words {
         let number =
             text.trim_start_matches(['+', '-', '−', '±', '<', '>', '(', ' ']).starts_with(|c: char| c.is_ascii_digit());
         if number || text.starts_with("p ") { self.number(&text) } else { text }
+    }
+
+    /// Kind of a robot by the key of its model; any other model as it is.
+    pub fn model(&self, key: &str) -> String {
+        names::model(key).map_or_else(|| isolated(&one_line(key)), |phrase| self.tr(&phrase))
     }
 
     /// A name that documents enumerate in this language; any other name as it is.

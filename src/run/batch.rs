@@ -8,13 +8,14 @@
 use crate::run::documents::{Documents, Run};
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
+use etalon_base::files;
 use etalon_base::folder::{self, Durability};
-use etalon_base::message::{Problems, Result};
+use etalon_base::message::{Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
-    ParametersDocument, PoseCharacteristic,
+    AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict, CampaignSummary,
+    Characteristics, Conformity, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -129,13 +130,16 @@ fn campaign(
     if let Some(documents) = current(&campaign, last).filter(recent) {
         let run = Run::read(&documents)?;
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
-        describe(entry, &run.campaign, run.report().is_met(), identified.map(|i| i.0));
+        let report = run.report();
+        describe(entry, &run.campaign, report.is_met(), identified.map(|i| i.0));
+        entry.checks = checks(identified, &run.tested, report.messages().into_iter());
         return Ok((rows(identified, &run.tested), None));
     }
     let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
     entry.computed = true;
     let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
     describe(entry, &found.summary, found.met, identified.map(|i| i.0));
+    entry.checks = checks(identified, &found.tested, found.messages.iter());
     Ok((rows(identified, &found.tested), Some(output)))
 }
 
@@ -143,6 +147,52 @@ fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, param
     entry.ended = if met { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
+    let given = &campaign.conditions;
+    let stated = given.robot_type.as_ref().map(|kind| match &given.robot_maker {
+        Some(maker) => format!("{maker} {kind}"),
+        None => kind.clone(),
+    });
+    entry.alike = stated.or_else(|| parameters.map(nominal)).or_else(|| entry.robot.clone());
+}
+
+/// Model with a checksum of the nominal parameters: equal for robots of one kind.
+fn nominal(document: &ParametersDocument) -> String {
+    let of_robot = document.parameters.iter().filter(|p| p.role == Role::Robot);
+    let listed: String = of_robot.map(|p| format!("{} = {} {}\n", p.name, p.nominal, p.unit)).collect();
+    format!("{} {}", document.robot, &files::sha256(listed.as_bytes())[..8])
+}
+
+/// Checks of a result, in the order of reading.
+fn checks<'a>(
+    identified: Option<(&ParametersDocument, &AccuracyDocument)>,
+    tested: &Characteristics,
+    messages: impl Iterator<Item = &'a Message>,
+) -> Vec<BatchCheck> {
+    let check =
+        |name: &str, verdict| BatchCheck { name: name.to_owned(), verdict, value: None, limit: None, unit: None };
+    let pass = |passed| if passed { BatchVerdict::Pass } else { BatchVerdict::Fail };
+    let limits = identified.iter().flat_map(|i| &i.1.limits).chain(tested.limits()).map(|l| BatchCheck {
+        value: Some(l.value),
+        limit: Some(l.limit),
+        unit: Some(l.unit.clone()),
+        ..check(
+            l.name.into(),
+            match l.conformity {
+                Conformity::Conforming => BatchVerdict::Pass,
+                Conformity::Neither => BatchVerdict::Conditional,
+                Conformity::NotConforming => BatchVerdict::Fail,
+            },
+        )
+    });
+    let mut all: Vec<BatchCheck> = limits.collect();
+    if let Some((parameters, _)) = identified {
+        all.push(check("solver", pass(parameters.solver.termination.is_success())));
+        all.push(check("robot", pass(parameters.is_plausible())));
+    }
+    let decide = messages.filter(|m| m.rank == Rank::Decide).count();
+    let verdict = if decide > 0 { BatchVerdict::Conditional } else { BatchVerdict::Pass };
+    all.push(BatchCheck { value: Some(decide as f64), ..check("warnings", verdict) });
+    all
 }
 
 fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &Characteristics) -> Vec<Row> {

@@ -196,6 +196,8 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
             .unwrap();
     }
     let wanted = ["--truth", "actual.toml", "--workspace", "plate.csv", "--report", "plan.html", "--targets", "t.json"];
+    // every kind of report
+    let wanted = [&wanted[..], &["--report", "plan.xlsx", "--report", "plan.pdf"]].concat();
     let fixed = ["--prior", "none", "--positions", "7", "--nodes", "0", "--standard-uncertainty-um", "10"];
     let found = plan(folder.path(), &[&fixed[..], &wanted].concat());
     let knee = found.greedy.knee_configurations.unwrap();
@@ -221,6 +223,9 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
         assert!(page.contains(name), "{name}");
     }
     assert!(page.contains(&format!("knee: {knee}")) && !page.contains("NaN"));
+    for (file, start) in [("plan.xlsx", &b"PK"[..]), ("plan.pdf", b"%PDF")] {
+        assert!(std::fs::read(folder.path().join(file)).unwrap().starts_with(start), "{file}");
+    }
 
     // every configuration is a target, with the numbers of the plan
     let json: serde_json::Value =

@@ -102,7 +102,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both(phrase!("verdict"), "", |s| match s.accepted {
             true => term(words, phrase!("accepted")),
             false => term(words, phrase!("not-accepted")),
-        });
+        })
+        .decisive();
     effects.push(Block::Table(Table::of(words, &document.steps, columns)));
     let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
     let change = |p: &ParameterVerdict| {
@@ -121,7 +122,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both(phrase!("verdict"), "", |p| match p.verdict {
             LoadVerdict::Load => term(words, phrase!("to-load")),
             LoadVerdict::Hold => term(words, phrase!("to-hold")),
-        });
+        })
+        .decisive();
     parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
     vec![effects, parameters]
 }

@@ -61,8 +61,11 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
 /// Number of limits met, undecided limits, and decision rule.
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
-    let undecided: Vec<&str> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.into()).collect();
+    let undecided: Vec<String> = limits
+        .iter()
+        .filter(|l| l.conformity == Conformity::Neither)
+        .map(|l| words.tr(&names::limit(l.name)))
+        .collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() => String::new(),
@@ -332,7 +335,7 @@ mod tests {
         );
         assert!(
             open.sentences[2]
-                .starts_with("Within its uncertainty it is undecided whether the limit is met: position_max")
+                .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error")
         );
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
@@ -354,7 +357,7 @@ mod tests {
             "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
              (ISO 14253-1): all 2 poses conform.",
             "The instrument is good enough for every pose.",
-            "Within its uncertainty it is undecided whether the limit is met: accuracy_max_mm. Decision rule: guarded acceptance \
+            "Within its uncertainty it is undecided whether the limit is met: largest accuracy AP. Decision rule: guarded acceptance \
              (ISO 14253-1).",
         ];
         assert_eq!(
