@@ -90,10 +90,31 @@ class BallResult(Record):
     standard_deviation_mm: float
     """Standard deviation of the distance."""
 
+class BatchCheck(Record):
+    """A check of a campaign's result."""
+    limit: float | None
+    """Largest permissible value."""
+    name: str
+    """`solver` (convergence), `robot` (plausible parameters), `warnings` (warnings that need a decision), or the
+    name of a limit in campaigns.
+    """
+    unit: str | None
+    """Unit of value and limit."""
+    value: float | None
+    """Value in the unit of the limit, or number of warnings."""
+    verdict: Any
+    """Verdict."""
+
 class BatchEntry(Record):
     """One campaign of a batch."""
+    alike: str | None
+    """Robots that are alike have the same text: type as stated, otherwise model and nominal parameters. Results are
+    compared among robots that are alike.
+    """
     campaign: str
     """Folder, as the user named it."""
+    checks: list[BatchCheck]
+    """Checks of the result: solver, robot, warnings, and each limit."""
     computed: bool
     """`true` if the campaign was run; `false` if nothing has changed since its last run."""
     date: str | None

@@ -10,7 +10,7 @@ use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
 use etalon_base::files;
 use etalon_base::folder::{self, Durability};
-use etalon_base::message::{Problems, Rank, Result};
+use etalon_base::message::{Message, Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{

@@ -147,9 +147,9 @@ impl Chart {
         self.svg.rect(look, (x, end.min(zero)), (width, (end - zero).abs().max(0.5)), tooltip);
     }
 
-    /// Draws the limit of each single error of a quantity, on the horizontal axis if `across`: a
-    /// limit of a mean or a root mean square is none of the marks'. Its name is in the legend so
-    /// that it covers no marks.
+    /// Draws the limit of single errors of a quantity, on the horizontal axis if `across`. Limits
+    /// of a mean or a root mean square are not drawn: the marks are single errors. The name is in
+    /// the legend so that it covers no marks.
     pub fn limit(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, (across, words): (bool, &Words)) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
         let drawn = |l: &&LimitVerdict| l.name.of_each_error() == Some(quantity) && axis.contains(l.limit);
