@@ -21,8 +21,7 @@ pub struct ReportCommand {
     folder: Option<PathBuf>,
     #[command(flatten)]
     dressed: Dressed,
-    /// Write the certificate instead: one page for the customer, certificate.html and
-    /// certificate.pdf.
+    /// Write the certificate for the customer instead: certificate.html and certificate.pdf.
     #[arg(long, conflicts_with = "write_templates")]
     certificate: bool,
     /// Write the built-in templates to this folder instead.

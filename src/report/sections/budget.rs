@@ -1,7 +1,6 @@
 //! Uncertainty budget: contribution of each source to the uncertainty of all parameters and errors
 //! (GUM 5.1.2).
 
-use super::verdict::error_name;
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
 use crate::number;
@@ -19,15 +18,17 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         return None;
     }
     let mut section = Section::new("budget", tr!(words, "uncertainty-budget"));
-    section.push(Block::note(tr!(words, "budget-note")));
-    section.push(Block::Table(table(parameters, words)));
+    let note = Block::note(tr!(words, "budget-note"));
+    section.push(note);
     let figures = figures(accuracy, words);
     if !figures.is_empty() {
         section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
+    section.figures(shares::picture(&accuracy.budget, figure, words));
     section.push(Block::facts(sources(parameters, words)));
-    section.figures(shares::picture(parameters, words));
+    let of_parameters = vec![Block::Table(table(parameters, words))];
+    section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
 }
@@ -96,7 +97,7 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     let mut sources: Vec<Source> = document.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
-    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, error_name(f.quantity, f.figure)));
+    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, names::error(f.quantity, f.figure)));
     let columns = sources.into_iter().fold(start, |columns, source| {
         let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)

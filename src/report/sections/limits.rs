@@ -1,9 +1,8 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use super::verdict::quantity;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, significant, strong_term, term};
 use crate::number;
-use crate::words::{Words, tr};
+use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::phrase;
 use etalon_documents::{Acceptance, Characteristics, Conformity, DecisionRule, LimitVerdict};
@@ -15,8 +14,8 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// Section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
+        .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))
         .sheet("limit", "", |l| l.name.to_string())
-        .page(phrase!("limit"), "", |l| Text::from(quantity(l.name, words)))
         .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both(phrase!("reached"), "", |l| {
             reached(l).map_or(Cell::Missing, |shown| Cell::Number { value: l.value.unwrap_or(f64::NAN), shown })
@@ -26,6 +25,7 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
         .both(phrase!("margin"), "", |l| significant(l.margin, 2))
         .both(phrase!("risk"), "%", |l| significant(l.risk().map(|risk| 100.0 * risk), 2))
         .both(phrase!("verdict"), "", |l| judged(l, words))
+        .decisive()
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", tr!(words, "limits"));
     section.table("", "", Table::of(words, all, columns).on("Limits"));
@@ -88,6 +88,16 @@ fn reached(l: &LimitVerdict) -> Option<String> {
 mod tests {
     use super::*;
     use etalon_documents::LimitQuantity;
+
+    #[test]
+    fn the_verdict_is_beside_the_name_where_a_narrow_screen_shows_it() {
+        let limit = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.04, Some(0.02), DecisionRule::Guarded);
+        let section = of(&[&limit], false, &Words::default()).unwrap();
+        let page = serde_json::to_value(&section).unwrap();
+        let heads = page["blocks"][0]["header"].as_array().unwrap();
+        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 6));
+        assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
+    }
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {

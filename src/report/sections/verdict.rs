@@ -6,8 +6,6 @@ use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
-use etalon_base::catalogue::Phrase;
-use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
@@ -39,7 +37,9 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
     sentences.extend(reservations(&judgement, words));
-    let point = identified.map(|i| words.named(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let point = identified
+        .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
+        .filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
             tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
@@ -116,9 +116,9 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.acceptance == Acceptance::Fail).count();
     let undecided: Vec<String> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| quantity(l.name, words)).collect();
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| words.tr(&names::limit(l.name))).collect();
     let not_measured: Vec<String> =
-        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| quantity(l.name, words)).collect();
+        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| words.tr(&names::limit(l.name))).collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() || !not_measured.is_empty() => String::new(),
@@ -157,7 +157,7 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
     let sentence = tr!(
         words,
         "limited-error",
-        quantity = quantity(l.name, words),
+        quantity = words.tr(&names::limit(l.name)),
         count = set.poses,
         set = words.tr(&names::set(set.name)),
         before = number::fixed(before * factor, decimals),
@@ -196,36 +196,13 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     Some(tr!(
         words,
         "error-at-poses",
-        quantity = words.tr(&error_name(e.quantity, Figure::Max)),
+        quantity = words.tr(&names::error(e.quantity, Figure::Max)),
         count = set.poses,
         set = words.tr(&names::set(set.name)),
         before = number::fixed(before, decimals),
         after = reached,
         unit
     ))
-}
-
-/// Name of a limited quantity.
-pub(super) fn quantity(limit: LimitQuantity, words: &Words) -> String {
-    match limit {
-        LimitQuantity::RepeatabilityMaxMm => tr!(words, "characteristic-rp-max"),
-        LimitQuantity::AccuracyMaxMm => tr!(words, "characteristic-ap-max"),
-        limit => limit.of_errors().map_or_else(String::new, |(of, figure)| words.tr(&error_name(of, figure))),
-    }
-}
-
-/// Name of a figure of errors.
-pub(super) fn error_name(quantity: ErrorQuantity, figure: Figure) -> Phrase {
-    match (quantity, figure) {
-        (ErrorQuantity::Position, Figure::Mean) => phrase!("error-position-mean"),
-        (ErrorQuantity::Position, Figure::Rms) => phrase!("error-position-rms"),
-        (ErrorQuantity::Orientation, _) => phrase!("error-orientation-max"),
-        (ErrorQuantity::Distance, _) => phrase!("error-distance-max"),
-        (ErrorQuantity::Surface, _) => phrase!("error-surface-max"),
-        (ErrorQuantity::Contact, _) => phrase!("error-contact-max"),
-        (ErrorQuantity::Coordinate, _) => phrase!("error-coordinate-max"),
-        _ => phrase!("error-position-max"),
-    }
 }
 
 /// Size of the residuals relative to the measurement uncertainty.
@@ -297,7 +274,7 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     match termination.is_success() {
         true if document.is_plausible() => None,
         true => Some(tr!(words, "parameters-implausible")),
-        false => Some(tr!(words, "identification-failed", reason = termination.to_string())),
+        false => Some(tr!(words, "identification-ended", reason = termination.phrase())),
     }
 }
 
@@ -501,7 +478,7 @@ mod tests {
             "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
              (ISO 14253-1): all 2 poses conform.",
             "The instrument is good enough for every pose.",
-            "Within its uncertainty it is undecided whether the limit is met: accuracy_max_mm. Decision rule: guarded acceptance \
+            "Within its uncertainty it is undecided whether the limit is met: largest accuracy AP. Decision rule: guarded acceptance \
              (ISO 14253-1).",
         ];
         assert_eq!(
