@@ -221,7 +221,7 @@ impl PoseOptions {
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         if self.drift_set.is_some_and(|size| size < 2) {
-            return Err(error!("drift-set-too-small").into());
+            return Err(error!("drift-set-too-small", option = "--drift-set").into());
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 //! compile here instead of changing documents.
 
 use crate::mirror::mirror;
+use etalon_base::catalogue::Phrase;
 use etalon_identify as identify;
 use std::fmt;
 
@@ -33,6 +34,11 @@ impl Termination {
     /// `true` if the parameters may be used.
     pub fn is_success(self) -> bool {
         etalon_math::Termination::from(self).is_success()
+    }
+
+    /// The reason in words.
+    pub fn phrase(self) -> Phrase {
+        etalon_math::Termination::from(self).phrase()
     }
 }
 

@@ -4,8 +4,7 @@
 
 use super::html;
 use super::number::{apart, decimals, quantile, significant, stated, with_uncertainty};
-use super::sections::verdict::quantity;
-use super::words::{Words, tr};
+use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{
     Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, LimitQuantity, Presentation,
@@ -198,7 +197,7 @@ fn check_name(name: &str, words: &Words) -> String {
         "warnings" => tr!(words, "warnings-and-remarks"),
         limit => {
             let found = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);
-            found.map_or_else(|| limit.to_owned(), |q| quantity(*q, words))
+            found.map_or_else(|| limit.to_owned(), |q| words.tr(&names::limit(*q)))
         }
     }
 }

@@ -22,6 +22,7 @@ mod tests;
 pub(crate) mod words;
 mod workbook;
 
+use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
     AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
@@ -219,7 +220,7 @@ impl Attachment {
         document: &T,
     ) -> Result<Self> {
         let text = serde_json::to_string_pretty(document)
-            .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+            .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
         Ok(Self { name, relationship, description, mime: "application/json", text: text + "\n" })
     }
 }

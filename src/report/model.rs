@@ -247,6 +247,11 @@ impl Text {
         words.of_document(text).map_or_else(|| Self::english(text), Self::from)
     }
 
+    /// A text of a document in the language of the report; English without a catalogue entry.
+    pub fn worded(text: &str, phrase: Option<&Phrase>, words: &Words) -> Self {
+        phrase.map_or_else(|| Self::document(text, words), |phrase| words.tr(phrase).into())
+    }
+
     /// A line of a file, or a checksum.
     pub fn code(text: &str) -> Self {
         Self::of(one_line(text), Mark::Code)

@@ -4,7 +4,8 @@
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
 use super::words::{Words, tr};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// Maximum number of rows of a sheet, without the header and a line on omitted rows.
@@ -52,7 +53,7 @@ struct Sheet<'a> {
 
 /// All tables as a workbook (.xlsx); the bytes depend on nothing else.
 pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
-    let fail = |e: XlsxError| Message::error(format!("cannot write the workbook: {e}"));
+    let fail = |e: XlsxError| error!("cannot-encode", format = "XLSX", reason = e.to_string());
     let mut workbook = Workbook::new();
     let created = rust_xlsxwriter::ExcelDateTime::from_ymd(1980, 1, 1).map_err(fail)?;
     let properties = rust_xlsxwriter::DocProperties::new().set_creation_datetime(&created);

@@ -1,7 +1,9 @@
-//! Many campaigns in one process: each is run, or read back where nothing of it has changed, and their results are one table.
+//! Many campaigns in one process. An unchanged campaign is read back instead of run; all results
+//! form one table.
 //!
-//! Documents of a batch are not synced one by one: what counts as done on a restart is a folder whose files all have the hashes of its
-//! manifest, so a power cut costs no more than the campaigns that the system had not written yet, which are run again.
+//! Documents of a batch are not synced one by one. On a restart, a campaign counts as done if all
+//! files of its folder have the hashes of its manifest; after a power failure, the others are run
+//! again.
 
 use crate::run::documents::{Documents, Run};
 use crate::run::output::current;
@@ -9,6 +11,7 @@ use crate::run::pipeline::{self, Wanted};
 use etalon_base::files;
 use etalon_base::folder::{self, Durability};
 use etalon_base::message::{Message, Problems, Rank, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
     Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary,
@@ -22,9 +25,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
 
-/// Campaigns whose results are in memory at once; as many are a row group of the table.
+/// Number of campaigns in memory at once; their results form one row group of the table.
 const AT_ONCE: usize = 256;
-/// Of the thread of a campaign, bytes.
+/// Stack size of the thread of a campaign (bytes).
 const STACK: usize = 8 << 20;
 
 /// One result of one campaign.
@@ -43,14 +46,14 @@ struct Row {
 /// All campaigns of a batch, in the order in which they were named.
 #[derive(Debug)]
 pub struct Batch {
-    /// How each ended.
+    /// Outcome of each campaign.
     pub document: BatchDocument,
-    /// Their results, as far as its page shows them.
+    /// Results that the page of the batch shows.
     pub figures: BatchFigures,
 }
 
-/// Runs campaigns on all cores, without those of which nothing has changed `since`, and writes their
-/// results as Parquet; `ended` is called after each.
+/// Runs campaigns on all cores and writes their results as Parquet. Campaigns that are unchanged
+/// `since` are read back. Calls `ended` after each campaign.
 pub fn batch<W: Write + Send>(
     folders: &[PathBuf],
     wanted: Wanted,
@@ -81,12 +84,12 @@ pub fn batch<W: Write + Send>(
     }
     written.finish()?;
     let folders = computed.iter().map(PathBuf::as_path);
-    folder::flush(folders).map_err(|e| Message::error(format!("the results cannot be synced to the disk: {e}")))?;
+    folder::flush(folders).map_err(|e| error!("results-not-synced", reason = e.to_string()))?;
     Ok(Batch { document: BatchDocument::new(campaigns), figures })
 }
 
-/// What `work` makes of each item, in order. Each core has a thread with a pool of its own: a thread of a common pool that waits for
-/// another one (as tables do) takes up the next item meanwhile, deeper and deeper in its stack.
+/// Results of `work` for all items, in order. Each core has a thread with its own pool: a waiting
+/// thread of a common pool would begin the next item deeper in its stack.
 fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Result<Vec<T>> {
     let next = AtomicUsize::new(0);
     let some = || -> std::result::Result<Vec<(usize, T)>, ThreadPoolBuildError> {
@@ -94,13 +97,13 @@ fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) ->
         let taken = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&i| i < items.len());
         Ok(pool.install(|| std::iter::from_fn(taken).map(|i| (i, work(&items[i]))).collect()))
     };
-    let failed = |what: String| Message::error(format!("the campaigns cannot be run at once: {what}"));
+    let failed = |reason: &str| error!("threads-failed", reason);
     let mut all = Vec::with_capacity(items.len());
     std::thread::scope(|scope| -> Result<()> {
         let threads: Vec<_> = (0..rayon::current_num_threads()).map(|_| scope.spawn(some)).collect();
         for thread in threads {
-            let made = thread.join().map_err(|_| failed("a thread has ended".to_owned()))?;
-            all.extend(made.map_err(|e| failed(e.to_string()))?);
+            let made = thread.join().map_err(|_| failed("ended"))?;
+            all.extend(made.map_err(|e| failed(&e.to_string()))?);
         }
         Ok(())
     })?;
@@ -108,7 +111,7 @@ fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) ->
     Ok(all.into_iter().map(|(_, made)| made).collect())
 }
 
-/// Results of one campaign, and its output folder where that was written; `entry` is filled in.
+/// Results of one campaign, and its output folder if it was written; completes `entry`.
 fn campaign(
     folder: &Path,
     (wanted, since): (Wanted, Option<SystemTime>),
@@ -117,7 +120,7 @@ fn campaign(
     let campaign = Campaign::read(folder)?;
     if let Some(name) = campaign.missing_variable() {
         entry.ended = BatchEnd::Skipped;
-        entry.message = Some(format!("its data are below ${name}, which is not set"));
+        entry.message = Some(phrase!("data-elsewhere", name).to_string());
         return Ok(Default::default());
     }
     let output = campaign.output()?;
@@ -233,7 +236,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
     rows
 }
 
-/// What the page shows of the results of a campaign: errors after calibration, the largest AP and RP, and parameters.
+/// Results that the page shows: errors after calibration, largest AP and RP, and parameters.
 fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
     let errors = of("error").filter(|row| !row.item.ends_with("before")).chain(of("parameter"));
@@ -244,7 +247,7 @@ fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
     largest.chain(errors.map(|row| (row.item.as_str(), row.unit.as_str(), row.value, row.standard_uncertainty)))
 }
 
-/// One row a result: parameters, errors before and after, limits, AP and RP by pose.
+/// Table of results, one a row: parameters, errors before and after, limits, AP and RP by pose.
 fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
     let all = || found.iter().flat_map(|(entry, rows)| rows.iter().map(move |row| (entry, row)));
     let text = |name: &str, of: fn(&BatchEntry, &Row) -> Option<String>| {
@@ -271,8 +274,8 @@ fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
     frame(all().count(), columns)
 }
 
-/// The campaigns that arguments name: folders, their `campaign.toml`, folders of campaigns, and lists
-/// of campaigns, one a line, `#` before a remark.
+/// Campaigns named by arguments: folders, their `campaign.toml`, folders of campaigns, and lists of
+/// campaigns (one a line, remarks after `#`).
 pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let mut all = Vec::new();
     let mut problems = Problems::default();
@@ -288,13 +291,13 @@ pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
         }
         let Some(text) = problems.keep(etalon_base::files::read_text(path)) else { continue };
         let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
-        // beside the list, as paths in a campaign are beside it
+        // relative to the list, like paths in a campaign
         all.extend(lines.map(|line| path.parent().unwrap_or(Path::new("")).join(line)));
     }
     let mut sorted: Vec<&PathBuf> = all.iter().collect();
     sorted.sort();
     for pair in sorted.windows(2).filter(|pair| pair[0] == pair[1]) {
-        problems.0.push(Message::error(format!("`{}` is named twice", pair[0].display())));
+        problems.0.push(error!("campaign-twice", folder = pair[0].display().to_string()));
     }
     problems.check()?;
     Ok(all)

@@ -19,29 +19,30 @@ use etalon_documents::{
 use etalon_report::{Faces, Report};
 use etalon_robots::Robot;
 
-/// What a run writes.
+/// Files that a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// Documents, controller files and the reports.
     Reports,
-    /// No reports: `etalon report` can write them. Nor tables of points, joint values and observations, which reports are not made of.
+    /// No reports: `etalon report` can write them. Nor tables of points, joint values and
+    /// observations, which reports are not made of.
     Documents,
 }
 
-/// What a run found, for the one who called it.
+/// Results of a run in memory.
 #[derive(Debug)]
 pub struct Outcome {
     /// Parameters and errors, where the campaign identifies any.
     pub identified: Option<Identified>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
-    /// Whether every limit is met, and the result can be that of a robot.
+    /// `true` if every limit is met, and the result can be that of a robot.
     pub met: bool,
     /// The verdict with its reasons.
     pub judgement: VerdictDocument,
     /// The report, where it was wanted.
     pub faces: Option<Faces>,
-    /// What the campaign states about itself.
+    /// Statements of the campaign about itself.
     pub summary: CampaignSummary,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
@@ -76,7 +77,7 @@ pub fn run_for(campaign: &Campaign, wanted: Wanted, durability: Durability) -> R
     write(campaign, wanted, durability, evaluate(campaign)?, out)
 }
 
-/// The same, and nothing is written.
+/// Runs a campaign without writing anything.
 pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     let mut walk = Walk::sound(campaign, Mode::Run)?;
     walk.on(campaign).map_err(|problems| {
@@ -179,7 +180,7 @@ fn write(
     Ok(Outcome { written, identified, tested, met, judgement: verdict, faces, summary, messages })
 }
 
-/// What controller files are made of, before anything is identified again for them.
+/// Input of controller files before parameters are identified again for them.
 fn given<'a>(
     campaign: &'a Campaign,
     robot: &'a dyn Robot,
@@ -211,7 +212,8 @@ mod tests {
     use etalon_base::files::{self, record_opened};
     use std::path::{Path, PathBuf};
 
-    /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other files.
+    /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other
+    /// files.
     fn copy(sample: &str, more: &str, others: &[(&str, &str)]) -> tempfile::TempDir {
         fn copy_all(from: &Path, to: &Path) {
             for entry in std::fs::read_dir(from).unwrap().flatten() {

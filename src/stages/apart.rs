@@ -1,10 +1,14 @@
-//! Targets and fixtures (sockets, anchors, surfaces, stations) that validation poses alone show: they are placed by their own readings, with
-//! the identified robot held, and their readings count in the statistics by what the placement leaves of them.
+//! Targets and fixtures (sockets, anchors, surfaces, stations) of validation poses alone. Their own
+//! readings place them, with the identified robot held; the redundancy that the placement leaves
+//! counts in the statistics.
 
 use super::evaluate::{self, Sets};
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use crate::stages::shown;
+use etalon_base::catalogue::Argument;
+use etalon_base::message::{Message, Result};
 use etalon_base::pattern::matches_pattern;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::{self as documents, ParameterStatus, ParametersDocument, PointError};
 use etalon_identify::{
     Condition, Identification, Kind, Known, Observation, Placement, RigidPart, Settings, place_apart,
@@ -25,19 +29,20 @@ pub struct Apart {
     settings: Settings,
 }
 
-/// How they were placed, with the identified parameters.
+/// Placement of the targets and fixtures, with the identified parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Placed {
     groups: Vec<Vec<usize>>,
     /// Redundancy numbers of the readings of each group.
     redundancies: Vec<Vec<f64>>,
-    /// Those of all readings that have a position error, in the order of the errors.
+    /// Redundancies of all readings with a position error, in the order of the errors.
     of_errors: Vec<f64>,
     uncertainties: BTreeMap<usize, f64>,
 }
 
 impl Apart {
-    /// Takes the readings of what no calibration pose shows out of `sets` and `settings`, which hold its parameters.
+    /// Takes the readings that no calibration pose shows out of `sets` and `settings`, which hold
+    /// the parameters of their targets and fixtures.
     pub(crate) fn take(robot: &dyn Robot, sets: &mut Sets, settings: &mut Settings) -> Self {
         let Some(arm) = robot.free_base() else { return Self::default() };
         let groups = unplaced(robot, arm, sets, settings);
@@ -131,8 +136,8 @@ impl ExtendAt for Vec<Vec<f64>> {
     }
 }
 
-/// Parameters of each target and fixture that validation readings show, and nothing else: no calibration reading, no stated place, no
-/// tolerance, and no rigid part with a target that is placed.
+/// Returns the parameters of each target and fixture that only validation readings show: no
+/// calibration reading, no stated place, no tolerance, and no rigid part with a placed target.
 fn unplaced(robot: &dyn Robot, arm: &dyn FreeBase, sets: &Sets, settings: &Settings) -> Vec<Vec<usize>> {
     let of = |observations: &[Observation], conditions: &[Condition]| -> Vec<Vec<usize>> {
         let conditions = conditions.iter().flat_map(|c| c.shows(arm));
@@ -179,30 +184,23 @@ impl Placed {
         }
         let all = self.groups.iter().zip(&self.redundancies);
         let uncontrolled: Vec<&Vec<usize>> = all.filter(|(_, r)| !Self::is_assessed(r)).map(|(g, _)| g).collect();
-        let what = format!(
-            "{} measured at validation poses alone: {}; no calibration pose shows them, so they are placed by these readings, with the \
-             identified robot held",
-            noun(robot, self.groups.iter()),
-            names(robot, self.groups.iter())
-        );
-        let hint = "measure them at calibration poses too, or move a pose where they are measured to `calibration`";
+        let (kind, count) = kind_and_count(robot, &self.groups);
+        let unplaced = phrase!("unplaced", kind, count, names = names(robot, self.groups.iter()));
         let nothing = uncontrolled.len() == self.groups.len();
         if nothing && sets.validation.is_empty() && sets.validation_conditions.is_empty() {
-            let what = format!("{what}: nothing is left to validate with");
-            return Err(Message::error(what).hint(hint).into());
+            return Err(error!("validation-leaves-nothing", unplaced).into());
         }
         let message = match uncontrolled[..] {
-            [] => Message::warning(format!("{what}; the statistics take this into account")),
-            _ => Message::warning(format!(
-                "{what}; readings that no others control are not judged: those of {}",
-                names(robot, uncontrolled.iter().copied())
-            ))
-            .to_decide(),
+            [] => warning!("placed-by-validation", unplaced),
+            _ => {
+                let names = names(robot, uncontrolled.iter().copied());
+                warning!("placed-by-validation-unjudged", unplaced, names).to_decide()
+            }
         };
-        Ok(Some(message.hint(hint)))
+        Ok(Some(message))
     }
 
-    /// What `accuracy.json` states of them.
+    /// Entries of `accuracy.json`.
     pub fn documents(&self, robot: &dyn Robot) -> Vec<documents::PlacedApart> {
         let of = |(group, r): (&Vec<usize>, &Vec<f64>)| documents::PlacedApart {
             name: name(robot, group),
@@ -213,7 +211,8 @@ impl Placed {
         self.groups.iter().zip(&self.redundancies).map(of).collect()
     }
 
-    /// Marks their parameters, with the uncertainty that their readings give them beside the residuals that were `found`.
+    /// Marks the placed parameters in the document, with the uncertainty of their readings beside
+    /// the residuals that were `found`.
     pub fn mark(&self, robot: &dyn Robot, found: &Identification, document: &mut ParametersDocument) {
         let stated = document.residuals.stated_standard_uncertainty_mm.unwrap_or(0.0);
         let equations = (found.degrees_of_freedom + found.free.len()) as f64;
@@ -231,21 +230,20 @@ impl Placed {
     }
 }
 
-/// How many there are.
-fn noun<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>> + Clone) -> String {
-    let all = |role: Role| groups.clone().all(|g| robot.parameters()[g[0]].role == role);
-    match groups.clone().count() {
-        n if all(Role::Target) => count(n, "target"),
-        n if all(Role::Fixture) => count(n, "fixture"),
-        n => format!("{n} targets and fixtures"),
-    }
+/// Kind of the groups (`targets`, `fixtures` or `both`), and their number.
+fn kind_and_count(robot: &dyn Robot, groups: &[Vec<usize>]) -> (&'static str, usize) {
+    let all = |role: Role| groups.iter().all(|g| robot.parameters()[g[0]].role == role);
+    let kind = match () {
+        () if all(Role::Target) => "targets",
+        () if all(Role::Fixture) => "fixtures",
+        () => "both",
+    };
+    (kind, groups.len())
 }
 
-/// The first of their names.
-fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>> + Clone) -> String {
-    let shown: Vec<String> = groups.clone().take(NAMED).map(|g| format!("`{}`", name(robot, g))).collect();
-    let more = if groups.count() > NAMED { ", ..." } else { "" };
-    format!("{}{more}", shown.join(", "))
+/// Names of the first groups.
+fn names<'g>(robot: &dyn Robot, groups: impl Iterator<Item = &'g Vec<usize>>) -> Vec<Argument> {
+    shown(groups.map(|g| format!("`{}`", name(robot, g))), NAMED)
 }
 
 /// The name that all parameters of a target or fixture begin with.

@@ -1,8 +1,10 @@
-//! Candidates of a table: poses with joint values, or positions that the robot finds its own joint values for.
+//! Candidates of a table: poses with joint values, or positions that the robot finds its own joint
+//! values for.
 
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_formats::table;
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::Observation;
@@ -20,7 +22,8 @@ pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates
     within_reach(robot, all).map_err(remedied)
 }
 
-/// One configuration a row; rows that differ in the target alone are one configuration of several targets.
+/// One configuration a row; rows that differ in the target alone are one configuration of several
+/// targets.
 fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let modes = stated_modes(robot, table)?;
     let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
@@ -29,17 +32,11 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
     let mut places = BTreeMap::new();
     for (row, (&pose, mut joints)) in poses.iter().zip(values).enumerate() {
         if joints.iter().any(|q| !q.is_finite()) {
-            return Err(Message::error(format!(
-                "pose {pose} of the candidates: a joint value is missing or not a number"
-            ))
-            .into());
+            return Err(error!("joint-value-missing").within(phrase!("in-candidate", pose)).into());
         }
         if robot.has_assembly_modes() {
-            joints.push(modes[row].ok_or_else(|| {
-                Message::error(format!("pose {pose} of the candidates does not state its assembly mode"))
-                    .expected("1 or -1 in the column `assembly`")
-                    .hint("candidates may also be positions: `pose,x_mm,y_mm` without joints gives all working modes")
-            })?);
+            joints
+                .push(modes[row].ok_or_else(|| error!("assembly-mode-missing").within(phrase!("in-candidate", pose)))?);
         }
         let key = (pose, joints.iter().map(|q| q.to_bits()).collect::<Vec<_>>());
         let k = *places.entry(key).or_insert_with(|| {
@@ -50,8 +47,8 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
         });
         if let Some(name) = names.as_ref().map(|n| &n[row]) {
             let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
-                let message =
-                    Message::error(format!("pose {pose} of the candidates: `{name}` is not a target of this robot"));
+                let message = error!("not-of-this-robot", name, kind = "target");
+                let message = message.within(phrase!("in-candidate", pose));
                 message.hint_names(name, robot.targets().iter().map(String::as_str))
             })?;
             all[k].targets[target] = Some([0.0; 3]);
@@ -71,12 +68,7 @@ fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> R
         }
     }
     if all.is_empty() {
-        return Err(Message::error(format!(
-            "no position is reached by the `{}`, or the model has no inverse",
-            robot.model()
-        ))
-        .hint("state joint values, one column per joint with its unit")
-        .into());
+        return Err(error!("candidate-positions-unreachable", model = robot.model()).into());
     }
     Ok(all)
 }

@@ -1,7 +1,9 @@
-//! Coordinates that nobody measured: what the nominal robot computes from the joint values, rounded.
+//! Coordinates that were commanded, not measured: the nominal robot computes them from the joint
+//! values.
 
-use etalon_base::message::{Message, count};
+use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, phrase};
 use etalon_identify::Observation;
 use etalon_robots::Robot;
 
@@ -14,8 +16,8 @@ const ALLOWANCE: f64 = 1.2;
 /// Difference (mm) of computed coordinates that are not rounded.
 const COMPUTED_MM: f64 = 1e-6;
 
-/// An error where coordinates of a target are those that `robot` with these values (nominal, base and targets placed) computes from the joint
-/// values, to the rounding of the file: they were commanded, not measured.
+/// Returns an error where `robot` with these values (nominal, base and targets placed) computes the
+/// coordinates of a target from the joint values, to the rounding of the file: they were commanded.
 pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Observation]) -> Option<Message> {
     let names = robot.targets().iter().enumerate().filter_map(|(k, name)| {
         let measured: Vec<(Vector, Vector)> = observations
@@ -26,19 +28,13 @@ pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Obser
     });
     let named: Vec<(&String, usize, f64)> = names.collect();
     let (_, _, largest_mm) = named.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let targets: Vec<String> =
-        named.iter().map(|(name, positions, _)| format!("`{name}` ({})", count(*positions, "position"))).collect();
-    let what = format!(
-        "the coordinates of {} are those that the nominal robot computes from the joint values, to {largest_mm:.2e} mm, the rounding of the file: \
-         they were commanded, not measured",
-        targets.join(", ")
-    );
-    let hint =
-        "name the measured coordinates in `columns`; where the data are simulated, state `synthetic` in the campaign";
-    Some(Message::error(what).hint(hint))
+    let target = |(name, count, _): &(&String, usize, f64)| phrase!("target-positions", target = name, count);
+    let targets: Vec<_> = named.iter().map(target).collect();
+    Some(error!("coordinates-commanded", targets, largest_mm))
 }
 
-/// The largest difference (mm) of positions from computed ones, if these reproduce them all to their rounding.
+/// The largest difference (mm) of positions from computed ones, if these reproduce them all to
+/// their rounding.
 fn reproduced_mm(positions: &[(Vector, Vector)]) -> Option<f64> {
     if positions.len() < FEWEST {
         return None;
@@ -65,7 +61,8 @@ mod tests {
         let at = |of: &dyn Fn(f64) -> f64| (0..20).map(|i| (computed(i).map(of), computed(i))).collect::<Vec<_>>();
         assert!(reproduced_mm(&at(&|v| (v * 10.0).round() / 10.0)).is_some_and(|mm| mm < 0.09));
         assert!(reproduced_mm(&at(&|v| v)).is_some_and(|mm| mm == 0.0));
-        // an error of a hundredth in data of a thousandth, and of a micrometre in data of a tenth of it
+        // an error of a hundredth in data of a thousandth, and of a micrometre in data of a tenth
+        // of it
         assert_eq!(reproduced_mm(&at(&|v| ((v + 0.01) * 1000.0).round() / 1000.0)), None);
         assert_eq!(reproduced_mm(&at(&|v| ((v + 0.001) * 10_000.0).round() / 10_000.0)), None);
         assert_eq!(reproduced_mm(&at(&|v| v)[..9]), None);

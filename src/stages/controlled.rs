@@ -1,7 +1,10 @@
-//! What controls the frames of a campaign: nominal places of their points, and what no data can show.
+//! Controls of the frames of a campaign: nominal places of their points, and errors that no data
+//! show.
 
 use etalon_base::message::{Message, Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, centroid, minus, norm};
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, WorldDefinition};
 use etalon_documents::{FeaturesDocument, FramesDocument, Uncontrolled};
 use etalon_fit::rotation_onto;
@@ -13,7 +16,8 @@ use std::f64::consts::FRAC_PI_2;
 const STEPS: usize = 300;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
-/// How far a base may be from the nominal place that robot.toml states, where it states no tolerance: mm and rad.
+/// Largest distance (mm) and rotation (rad) of a base from its nominal place in robot.toml, where
+/// robot.toml states no tolerance.
 const BASE: (f64, f64) = (100.0, 0.2);
 
 /// A point with a nominal place.
@@ -25,7 +29,8 @@ struct Nominal<'a> {
     expanded_mm: f64,
 }
 
-/// Refuses points that are not where their nominal geometry has them, by more than the tolerance that is stated for it and their uncertainty.
+/// Rejects points farther from their nominal places than their stated tolerance and uncertainty
+/// allow.
 ///
 /// # Errors
 /// A name that was not measured, or the point that is off.
@@ -44,14 +49,8 @@ pub fn check_nominal(campaign: &Campaign, points: &[Point], frames: &FramesDocum
     if off_mm <= allowed_mm {
         return Ok(());
     }
-    let by = format!("tolerance {tolerance_mm} mm, U = {expanded_mm:.4} mm");
-    let hint = "check the point, its label and `nominal_mm`, or state the tolerance of the drawing";
     if farthest(&pairs(-1.0, None)).1 <= allowed_mm {
-        let what = "the points that make the world frame are a mirror image of their nominal places";
-        return Err(Message::error(what)
-            .at(place())
-            .hint("two axes of the export are exchanged, or one has the other sign")
-            .into());
+        return Err(error!("frame-points-mirrored", off_mm, limit_mm = allowed_mm).at(place()).into());
     }
     let without = |i: usize| {
         let others = pairs(1.0, Some(i));
@@ -59,18 +58,14 @@ pub fn check_nominal(campaign: &Campaign, points: &[Point], frames: &FramesDocum
         (i, left_mm, norm(minus(pose.apply(known[i].nominal_mm), known[i].measured_mm)))
     };
     let explains = (0..known.len()).filter(|_| known.len() > 3).map(without).filter(|(_, left, _)| *left <= allowed_mm);
-    let what = match explains.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((i, _, off_mm)) => {
-            format!("`{}` is {off_mm:.3} mm from its nominal place beside the other points ({by})", known[i].name)
-        }
+    let message = match explains.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((i, _, off_mm)) => error!("frame-point-off", point = known[i].name, off_mm, tolerance_mm, expanded_mm),
         None => {
-            let [a, b, measured_mm, nominal_mm] = worst_pair(&known);
-            format!(
-                "from {a} to {b} it is {measured_mm} mm measured, and {nominal_mm} mm by their nominal places ({by})"
-            )
+            let (first, second, measured_mm, nominal_mm) = worst_pair(&known);
+            error!("frame-points-off", first, second, measured_mm, nominal_mm, tolerance_mm, expanded_mm)
         }
     };
-    Err(Message::error(what).at(place()).hint(hint).into())
+    Err(message.at(place()).into())
 }
 
 /// The points that state a nominal place, where they were measured.
@@ -100,34 +95,31 @@ fn with_nominal<'c>(
                 known.push(Nominal { name, nominal_mm: *nominal_mm, measured_mm, expanded_mm });
             }
             None => {
-                let message = Message::error(format!("`nominal_mm` names `{name}`, which was not measured"));
-                problems.0.push(message.hint_names(name, labels()));
+                problems.0.push(error!("nominal-point-unmeasured", point = name).hint_names(name, labels()));
             }
         }
     }
     problems.check()?;
     if known.len() < 3 {
-        let message = Message::error("`nominal_mm` needs three points or more");
-        return Err(message.hint("add points of the frame, or remove it").into());
+        return Err(error!("nominal-few-points").into());
     }
     Ok(known)
 }
 
 /// Names, measured and nominal distance of the two points whose distance is off most.
-fn worst_pair(known: &[Nominal]) -> [String; 4] {
+fn worst_pair<'a>(known: &[Nominal<'a>]) -> (&'a str, &'a str, f64, f64) {
     let pairs = (0..known.len()).flat_map(|b| (0..b).map(move |a| (&known[a], &known[b])));
     let distances = pairs.map(|(a, b)| {
         let of = |place: fn(&Nominal) -> Vector| norm(minus(place(a), place(b)));
         (a.name, b.name, of(|p| p.measured_mm), of(|p| p.nominal_mm))
     });
     let off = |d: &(&str, &str, f64, f64)| (d.2 - d.3).abs();
-    let (a, b, measured, nominal) =
-        distances.max_by(|x, y| off(x).total_cmp(&off(y))).unwrap_or(("", "", f64::NAN, f64::NAN));
-    [format!("`{a}`"), format!("`{b}`"), format!("{measured:.3}"), format!("{nominal:.3}")]
+    distances.max_by(|x, y| off(x).total_cmp(&off(y))).unwrap_or(("", "", f64::NAN, f64::NAN))
 }
 
-/// The motion that brings the first of each pair to the second so that the farthest is as near as possible, and how far that is: weighted
-/// least squares, with weights that grow by the distances (Lawson 1961).
+/// Returns the motion that brings the first of each pair to the second with the smallest largest
+/// distance, and that distance: weighted least squares whose weights grow with the distances
+/// (Lawson 1961).
 fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
     let mut weights = vec![1.0 / pairs.len() as f64; pairs.len()];
     let mut best = (Pose::identity(), f64::INFINITY);
@@ -153,7 +145,8 @@ fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
     best
 }
 
-/// What no reading of a campaign can show of its frames, with the keys that would control it.
+/// Returns the errors of the frames that no reading of a campaign shows, with the keys that would
+/// control them.
 pub fn not_controlled(
     campaign: &Campaign,
     robot: Option<&dyn Robot>,
@@ -165,14 +158,16 @@ pub fn not_controlled(
         let points: Vec<String> = once_measured(world, features).into_iter().filter(|name| !nominal(name)).collect();
         if !points.is_empty() {
             all.push(Uncontrolled {
-                what: "points that define the world frame without redundancy: one that is off moves the frame and nothing else".to_owned(),
+                what: phrase!("unshown-frame-points").to_string(),
+                what_phrase: Some(phrase!("unshown-frame-points")),
                 points,
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
         }
         if world.nominal_mm.is_empty() && world.each.is_some() {
             all.push(Uncontrolled {
-                what: "places of the targets that carry the world frame: they are those that were measured".to_owned(),
+                what: phrase!("unshown-frame-targets").to_string(),
+                what_phrase: Some(phrase!("unshown-frame-targets")),
                 points: world.targets.iter().flatten().map(|target| target.get_ref().clone()).collect(),
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
@@ -182,7 +177,8 @@ pub fn not_controlled(
     let missing: Vec<&str> = base(robot).filter(|name| !campaign.robot.states_nominal(name)).collect();
     if !missing.is_empty() {
         all.push(Uncontrolled {
-            what: "a shift or rotation that all readings have in common: the base takes it up".to_owned(),
+            what: phrase!("unshown-shift").to_string(),
+            what_phrase: Some(phrase!("unshown-shift")),
             points: Vec::new(),
             keys: vec![format!("[nominal] {} of robot.toml", missing.join(", "))],
         });
@@ -225,7 +221,8 @@ fn once_measured(world: &WorldDefinition, features: &FeaturesDocument) -> Vec<St
     names
 }
 
-/// A warning where the identified base is not where robot.toml states it, without a tolerance of its own.
+/// Returns a warning where the identified base is far from its place in robot.toml, which states no
+/// tolerance.
 pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) -> Option<Message> {
     let stated = base(robot).all(|name| campaign.robot.states_nominal(name)) && robot.free_base().is_some();
     if !stated || robot.parameters().iter().any(|p| p.role == Role::Base && p.tolerance.is_finite()) {
@@ -252,29 +249,19 @@ pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) ->
         let left = carried.inverse().then(&found);
         left.angle_rad() <= BASE.1 && norm(minus(carried.translation_mm, found.translation_mm)) <= BASE.0
     });
-    let off =
-        format!("the base is {off_mm:.0} mm and {:.1} deg from the place that robot.toml states", off_rad.to_degrees());
-    let what = match exchanged {
+    let off_deg = off_rad.to_degrees();
+    let message = match exchanged {
         Some(turn) => {
             let axis = |k: usize| {
                 let to = turn.axis(k);
                 let along = (0..3).max_by(|&a, &b| to[a].abs().total_cmp(&to[b].abs())).unwrap_or(0);
                 format!("{}{}", if to[along] < 0.0 { "-" } else { "" }, ["x", "y", "z"][along])
             };
-            format!(
-                "{off}: the axes of the world frame are exchanged, x, y, z of robot.toml are its {}, {}, {}",
-                axis(0),
-                axis(1),
-                axis(2)
-            )
+            warning!("world-axes-exchanged", off_mm, off_deg, axes = [axis(0), axis(1), axis(2)])
         }
-        None => off,
+        None => warning!("base-off-nominal", off_mm, off_deg, limit_mm = BASE.0, limit_deg = BASE.1.to_degrees()),
     };
-    Some(
-        Message::warning(what)
-            .to_decide()
-            .hint("check axes, unit and points of the world frame, and [nominal] of robot.toml"),
-    )
+    Some(message.to_decide())
 }
 
 /// The rotations that bring a cube to itself, but for none.

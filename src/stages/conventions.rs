@@ -1,18 +1,23 @@
-//! Conventions of orientations: a table states them in a unit, an order, a handedness, a direction; each may be another than the columns
-//! say. A slip is named that brings the observed orientations to those of the nominal robot where positions place it.
+//! Conventions of orientations. A table states orientations in a unit, an order, a handedness and a
+//! direction; each may differ from what the columns say. A slip is named if it brings the observed
+//! orientations to those of the nominal robot, which positions place.
 
 use crate::stages::orientations::{AngleOrder, Form, Written};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::{error, phrase};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfits_rad};
 use etalon_math::statistics::median;
 use etalon_robots::Robot;
 
 /// Poses at which conventions are tried.
 const SUBSET: usize = 48;
-/// Median angle (rad) between observed and nominal orientations below which no slip is looked for: joints of robots are wrong by that.
+/// Median angle (rad) between observed and nominal orientations below which no slip is searched
+/// for: joints of robots are wrong by as much.
 const RIGHT: f64 = 3.0 * DEG;
-/// A slip leaves less than this share of the angles that the table leaves as stated, and of the turns of the robot itself.
+/// Largest share of the angles that a slip leaves, of the angles as stated and of the turns of the
+/// robot itself.
 const LEFT: f64 = 0.2;
 /// Slips that leave at most this many times the least are named beside it.
 const AS_GOOD: f64 = 1.5;
@@ -22,13 +27,14 @@ const DEG: f64 = std::f64::consts::PI / 180.0;
 
 /// A slip, the observed orientations without it, and the joint that is reversed.
 struct Slip {
-    what: String,
+    what: Phrase,
     bodies: Vec<Option<Pose>>,
     reversed: Option<usize>,
 }
 
-/// An error that names the slip with which observed orientations are those of the robot, where they are far from these as stated: `written` are
-/// those of the table, in the order of the conditions.
+/// Returns an error that names the slip with which observed orientations fit the robot, where they
+/// are far from it as stated. `written` are the orientations of the table, in the order of the
+/// conditions.
 pub fn wrong(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -55,7 +61,7 @@ pub fn wrong(
         return None;
     }
     let joints = (0..robot.joints().len()).map(|joint| Slip {
-        what: format!("`{}` reversed", robot.joints()[joint].name),
+        what: phrase!("orientation-slip", slip = "joint", name = robot.joints()[joint].name),
         bodies: stated.clone(),
         reversed: Some(joint),
     });
@@ -65,17 +71,15 @@ pub fn wrong(
         let values = values.unwrap_or_else(|| Some(placed.clone()))?;
         Some((trial.misfit_rad(&slip.bodies, slip.reversed, &values)?, slip.what))
     };
-    let mut explaining: Vec<(f64, String)> =
+    let mut explaining: Vec<(f64, Phrase)> =
         slips.filter_map(judged).filter(|(left, _)| *left < LEFT * stated_rad.min(turns_rad)).collect();
     explaining.sort_by(|a, b| a.0.total_cmp(&b.0));
     let least = explaining.first()?.0;
     let near = explaining.iter().take_while(|(left, _)| *left <= AS_GOOD * least).take(NAMED);
-    let named: Vec<String> = near.map(|(left, what)| format!("with {what} by {:.2} deg", left.to_degrees())).collect();
-    let what = format!(
-        "observed orientations differ from those of the nominal robot by {:.1} deg (median)",
-        stated_rad.to_degrees()
-    );
-    Some(Message::error(what).hint(format!("they differ {}: check that first", named.join(", as well "))))
+    let slip = |(left, slip): &(f64, Phrase)| phrase!("slip-leaves", slip, left_deg = left.to_degrees());
+    let slips: Vec<Phrase> = near.map(slip).collect();
+    let message = error!("orientations-off", robot = "nominal", median_deg = stated_rad.to_degrees());
+    Some(message.hint(phrase!("check-slips", slips)))
 }
 
 /// Observed orientations to try slips on.
@@ -118,50 +122,48 @@ impl Trial<'_> {
 /// The orientations of a table without one slip, for each.
 fn slips(written: &[Written], order: Option<AngleOrder>, stated: &[Option<Pose>]) -> Vec<Slip> {
     let mut all = Vec::new();
-    let mut add = |what: String, bodies: Vec<Option<Pose>>| all.push(Slip { what, bodies, reversed: None });
+    let mut add = |slip: &str, name: &str, bodies: Vec<Option<Pose>>| {
+        all.push(Slip { what: phrase!("orientation-slip", slip, name), bodies, reversed: None });
+    };
     let numbers = |how: &dyn Fn([f64; 9]) -> Option<Pose>| written.iter().map(|row| how(row.numbers)).collect();
     let form = written[0].form;
     let three = |n: [f64; 9]| [n[0], n[1], n[2]];
     match form {
         Form::Quaternion => {
             let by = |at: [usize; 4]| numbers(&|n| quaternion(at.map(|k| n[k])));
-            add("the scalar of the quaternions last".to_owned(), by([3, 0, 1, 2]));
-            add("the scalar of the quaternions first".to_owned(), by([1, 2, 3, 0]));
+            add("scalar-last", "", by([3, 0, 1, 2]));
+            add("scalar-first", "", by([1, 2, 3, 0]));
             let inverse = |at: [usize; 4]| numbers(&|n| Some(quaternion(at.map(|k| n[k]))?.inverse()));
-            add("the scalar of the quaternions last, and the inverse rotations".to_owned(), inverse([3, 0, 1, 2]));
+            add("scalar-last-inverse", "", inverse([3, 0, 1, 2]));
         }
         Form::Angles => {
             for other in AngleOrder::all().into_iter().filter(|other| Some(*other) != order) {
-                add(format!("angles in the order `{other}`"), numbers(&|n| Some(other.pose(three(n)))));
+                add("order", &other.to_string(), numbers(&|n| Some(other.pose(three(n)))));
             }
-            add(
-                "rotation vectors instead of angles".to_owned(),
-                numbers(&|n| Some(Pose::from_rotation_vector(three(n)))),
-            );
+            add("vectors", "", numbers(&|n| Some(Pose::from_rotation_vector(three(n)))));
         }
         Form::Vector => {
             for order in AngleOrder::all() {
-                let what = format!("angles in the order `{order}` instead of rotation vectors");
-                add(what, numbers(&|n| Some(order.pose(three(n)))));
+                add("order-of-vectors", &order.to_string(), numbers(&|n| Some(order.pose(three(n)))));
             }
         }
         Form::None | Form::Matrix => {}
     }
     if matches!(form, Form::Angles | Form::Vector) {
-        for (factor, unit) in [(1.0 / DEG, "radians instead of degrees"), (DEG, "degrees instead of radians")] {
+        for (factor, unit) in [(1.0 / DEG, "radians"), (DEG, "degrees")] {
             let scaled = |n: [f64; 9]| Written { form, numbers: n.map(|v| factor * v) }.pose(order).ok();
-            add(format!("angles in {unit}"), numbers(&scaled));
+            add(unit, "", numbers(&scaled));
         }
     }
     let turned = |how: &dyn Fn(Vector) -> Vector| {
         let turn = |body: &Option<Pose>| Some(Pose::from_rotation_vector(how(body.as_ref()?.rotation_vector_rad())));
         stated.iter().map(turn).collect()
     };
-    add("the inverse rotations".to_owned(), turned(&|v| v.map(|v| -v)));
+    add("inverse", "", turned(&|v| v.map(|v| -v)));
     // a mirror turns the axis of a rotation over, and keeps its part along the normal
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         let mirrored = |v: Vector| [0, 1, 2].map(|i| if i == axis { v[i] } else { -v[i] });
-        add(format!("a left-handed frame ({name} reversed)"), turned(&mirrored));
+        add("left-handed", name, turned(&mirrored));
     }
     all
 }

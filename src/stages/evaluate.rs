@@ -3,7 +3,8 @@
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
+use etalon_base::{error, phrase};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, Limits, Selections};
@@ -28,9 +29,9 @@ pub struct Sets {
     pub calibration: Vec<Observation>,
     /// To test on; may be empty.
     pub validation: Vec<Observation>,
-    /// What else was observed, to identify on.
+    /// Conditions beside the positions, to identify from.
     pub calibration_conditions: Vec<Condition>,
-    /// The same to test on.
+    /// Conditions beside the positions, to test on.
     pub validation_conditions: Vec<Condition>,
 }
 
@@ -44,7 +45,8 @@ impl Sets {
     }
 }
 
-/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
+/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log
+/// that is identified.
 pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
     let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
     let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| poses.range(..pose).count());
@@ -182,7 +184,8 @@ impl BeforeAfter<'_> {
     }
 }
 
-/// Adds the time of each observation (s) from the first, as the last of what errors are drawn against; `true` if there are times.
+/// Adds the time of each observation (s) from the first, as the last of what errors are drawn
+/// against; `true` if there are times.
 pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool {
     if times.is_empty() {
         return false;
@@ -206,11 +209,6 @@ pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool 
 fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
 }
-
-/// Whose errors those of a platform are: parameters that shift balls and tool alike do not show in them.
-const MEASURED_CENTRE: &str = "the platform's centre as the balls measure it";
-/// Whose errors those of other robots are.
-const MEASURED_TARGETS: &str = "the targets as measured";
 
 /// Parameters that are judged, with the observations that judge them and those that place base,
 /// targets and fixtures.
@@ -250,9 +248,10 @@ impl ErrorUncertainty {
         let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;
         let coordinate_mm = settings.coordinate_uncertainty_mm();
-        let validates =
-            !sets.validation.is_empty() || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
-        let (observations, conditions) = sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
+        let validates = !sets.validation.is_empty()
+            || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
+        let (observations, conditions) =
+            sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
         let errors = JudgedErrors {
             robot,
             values,
@@ -296,8 +295,9 @@ fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
     systematic.frames.iter().filter(|f| f.pose.is_some()).map(of).fold(0.0, f64::max).sqrt()
 }
 
-/// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a coordinate: the root of the trace of the
-/// inverse of Σ(|r|²I - r rᵀ), r from their centroid; planar robots turn about z alone.
+/// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a
+/// coordinate: the root of the trace of the inverse of Σ(|r|²I - r rᵀ), r from their centroid;
+/// planar robots turn about z alone.
 fn rotation_per_mm(o: &Observation, planar: bool) -> Option<f64> {
     let measured: Vec<Vector> = o.targets.iter().flatten().copied().collect();
     let middle = centroid(&measured)?;
@@ -324,28 +324,20 @@ pub fn evaluate(
         }
     }
     let verdicts = verdicts(limits, sets.last(), &uncertainty);
-    let (point, error) = if robot.platform().is_some() {
-        (
-            MEASURED_CENTRE,
-            "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
-         positions are those of C in the base frame",
-        )
-    } else {
-        (
-            MEASURED_TARGETS,
-            "each target's measured position minus the one that the model predicts from the joints; orientation is the \
-         rotation that is left between measured and predicted targets; positions are those of the targets in the world",
-        )
+    let (point, error) = match robot.platform() {
+        // parameters that shift balls and tool alike do not show in these errors
+        Some(_) => (phrase!("platform-as-measured"), phrase!("error-of-platform")),
+        None => (phrase!("targets-as-measured"), phrase!("error-of-targets")),
     };
+    let definition = phrase!("error-definition", error, values = phrase!("values-of-identification"));
     AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
         campaign: None,
         provenance: None,
-        definition: format!(
-            "error: {error}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
-             poses; after: all identified parameters; statistics are of sizes, each repeat counted"
-        ),
-        point: point.to_owned(),
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
+        point: point.to_string(),
+        point_phrase: Some(point),
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
@@ -426,14 +418,16 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
     }
 }
 
-/// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum of sizes.
+/// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum
+/// of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     sizes.sort_by(f64::total_cmp);
     let (Some(&max), Some(p95)) = (sizes.last(), quantile(&sizes, 0.95)) else { return Statistics::default() };
     Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
 }
 
-/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns
+/// `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
 pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let text =
         |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
@@ -486,8 +480,7 @@ const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before
 /// The errors from such a table.
 pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     let set = |name: &String| -> Result<PoseSet> {
-        let unknown =
-            || Message::error(format!("`{name}` is not a set of poses")).expected("calibration or validation");
+        let unknown = || error!("pose-set-unknown", name);
         Ok(PoseSet::ALL.into_iter().find(|set| set.name() == name).ok_or_else(unknown)?)
     };
     let sets = table::texts(frame, "set")?.iter().map(set).collect::<Result<Vec<_>>>()?;
@@ -499,8 +492,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     };
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
     let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
-    let quantity =
-        |name: &String| name.parse().map_err(|_| Message::error(format!("`{name}` is no quantity of errors")));
+    let quantity = |name: &String| name.parse().map_err(|_| error!("error-quantity-unknown", name));
     let quantities: Vec<ErrorQuantity> =
         table::texts(frame, QUANTITY)?.iter().map(quantity).collect::<std::result::Result<_, _>>()?;
     let known = ["set", "pose", "cycle", "target", QUANTITY, "before_deg", "after_deg"];

@@ -1,6 +1,9 @@
-//! Excitation: how far each joint moves in the calibration poses, and what that leaves to tolerances.
+//! Excitation: how far each joint moves in the calibration poses, and what that leaves to
+//! tolerances.
 
-use etalon_base::message::{Message, count};
+use crate::stages::shown;
+use etalon_base::message::Message;
+use etalon_base::warning;
 use etalon_documents::JointTravel;
 use etalon_identify::{Observation, Settings, fit_frames, left_to_tolerances};
 use etalon_robots::{Quantity, Robot};
@@ -47,22 +50,9 @@ pub(super) fn still_joints(robot: &dyn Robot, observations: &[Observation], sett
     let message = |&joint: &usize| {
         let left = left_to_tolerances(robot, &subset, &settings, &values, joint).ok()?;
         let first = *left.first()?;
-        let names: Vec<String> =
-            left.iter().take(NAMED).map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
-        let more = if left.len() > NAMED { ", ..." } else { "" };
-        let name = &robot.joints()[joint].name;
-        let what = format!(
-            "`{name}` does not move: the data leave {} to {}: {}{more}",
-            count(left.len(), "parameter"),
-            if left.len() == 1 { "its tolerance" } else { "their tolerances" },
-            names.join(", ")
-        );
-        let hint = format!(
-            "move `{name}` between the calibration poses, or keep to its value when the robot is used; else errors up to the tolerance of \
-             `{}` remain",
-            robot.parameters()[first].name
-        );
-        Some(Message::warning(what).hint(hint))
+        let names: Vec<String> = left.iter().map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
+        let (joint, first) = (&robot.joints()[joint].name, &robot.parameters()[first].name);
+        Some(warning!("joint-does-not-move", joint, count = left.len(), parameters = shown(names, NAMED), first))
     };
     still.iter().filter_map(message).collect()
 }

@@ -1,7 +1,9 @@
 //! Parameters that were identified before, to be compared with observations of today.
 
+use crate::stages::shown;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument};
 use etalon_identify::{GivenParameters, Observation, Settings, Variance};
 use etalon_robots::{Parameter, Robot, Role};
@@ -31,8 +33,7 @@ pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenPa
         return Err(of_another_robot(robot, document, &missing).into());
     }
     if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
-        let message = Message::error("the parameters have no covariance");
-        return Err(message.hint("identify again from data that leave some degrees of freedom").into());
+        return Err(error!("given-without-covariance").into());
     }
     let inward = |k: usize| robot.parameters()[free[k]].quantity.inward(1.0);
     let n = places.len();
@@ -54,19 +55,16 @@ fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d Para
 }
 
 fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
-    let shown = missing.iter().take(5).map(|p| format!("`{}`", p.name)).collect::<Vec<_>>().join(", ");
-    let names = if missing.len() > 5 { shown + ", ..." } else { shown };
+    let names = shown(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
     if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
-        let message = Message::error(format!("the parameters have no {names}: another base or other targets"));
-        return message.hint("observe the targets of the calibration, where they were on the moving part");
+        return error!("calibrated-targets-missing", names);
     }
-    let what = format!("the parameters of `{}` are not those of this robot (`{}`)", document.robot, robot.model());
-    let lack = if names.is_empty() { String::new() } else { format!("they lack {names}; ") };
-    Message::error(what).hint(lack + "name the robot.toml that they were identified with")
+    let message = error!("parameters-of-other-robot", identified = document.robot, stated = robot.model());
+    if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }
 }
 
-/// Refuses parameters of the robot that its description lacks: their values would be left out. Those without effect, at a nominal zero, may
-/// be missing.
+/// Rejects parameters of the robot that its description lacks: their values would be left out.
+/// Parameters without effect, at a nominal zero, may be missing.
 ///
 /// # Errors
 /// The names of these parameters, with the lines that robot.toml needs.
@@ -79,15 +77,10 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
     if lacking.is_empty() || document.robot != robot.model() {
         return Ok(());
     }
-    let shown: Vec<String> = lacking.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
-    let more = if lacking.len() > NAMED { ", ..." } else { "" };
-    let what = format!("robot.toml does not describe {}{more}, which the parameters hold", shown.join(", "));
+    let names = shown(lacking.iter().map(|name| format!("`{name}`")), NAMED);
+    let message = error!("parameters-undescribed", names);
     let lines = needed_lines(robot, &lacking);
-    let hint = match lines[..] {
-        [] => "name the robot.toml that they were identified with".to_owned(),
-        _ => format!("add {} to robot.toml, before its first table", lines.join(" and ")),
-    };
-    Err(Message::error(what).hint(hint).into())
+    Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())
 }
 
 /// Parameters that a message names.
@@ -118,7 +111,8 @@ fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
     keys.into_iter().filter(|(key, _)| is_needed(key)).map(line).collect()
 }
 
-/// Nominal values, and those of parameters of these roles as a document has them: of the robot itself all, of others where it has them.
+/// Returns nominal values, with the document's values for parameters of these roles: all parameters
+/// of the robot itself, the others where the document has them.
 ///
 /// # Errors
 /// A document of another robot.
@@ -139,7 +133,8 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
     Ok(values)
 }
 
-/// A warning where the nominal values of the robot are not those from which the parameters were identified.
+/// Returns a warning where a nominal value of the robot differs from the one that the parameters
+/// were identified with.
 pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
     let differs = |p: &&Parameter| {
         let stated = p.quantity.outward(p.nominal);
@@ -148,28 +143,24 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
     };
     let p = robot.parameters().iter().find(differs)?;
     let then = entry(document, p)?.nominal;
-    let what = format!(
-        "`{}` is nominally {} {} in robot.toml and was {then} when the parameters were identified",
-        p.name,
-        p.quantity.outward(p.nominal),
-        p.quantity.unit()
-    );
-    Some(Message::warning(what).hint("check that the parameters are those of this robot"))
+    let stated = p.quantity.outward(p.nominal);
+    Some(warning!("nominal-value-changed", parameter = p.name, stated, unit = p.quantity.unit(), identified = then))
 }
 
-/// How far a coordinate is measured from where the given parameters put it, if nothing has changed.
+/// Expected deviation of a measured coordinate from the given parameters, if nothing has changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExpectedDeviation {
     /// Standard uncertainty of a measured coordinate, mm.
     pub measured_mm: f64,
-    /// What the model left unexplained in the calibration (standard deviation), mm.
+    /// Deviation that the model left unexplained in the calibration (standard deviation, mm).
     pub model_mm: f64,
-    /// What both rest on.
+    /// Kind of both variances.
     pub variance: Variance,
 }
 
 impl ExpectedDeviation {
-    /// From the calibration; `stated_mm` is the standard uncertainty of a coordinate where it is measured with another instrument.
+    /// Deviation of a calibration; `stated_mm` is the standard uncertainty of a coordinate where it
+    /// is measured with another instrument.
     ///
     /// # Errors
     /// A calibration whose residuals give no standard deviation.
@@ -179,8 +170,7 @@ impl ExpectedDeviation {
         let Some(u) = residuals.stated_standard_uncertainty_mm else {
             let shown_mm = residuals.rms * (residuals.count as f64 / dof).sqrt();
             if dof == 0.0 || !shown_mm.is_finite() {
-                let message = Message::error("the calibration shows no standard deviation of a coordinate");
-                return Err(message.hint("identify with a stated standard uncertainty").into());
+                return Err(error!("calibration-without-residuals").into());
             }
             let measured_mm = stated_mm.unwrap_or(shown_mm);
             let model_mm = (shown_mm.powi(2) - measured_mm.powi(2)).max(0.0).sqrt();
@@ -200,8 +190,9 @@ impl ExpectedDeviation {
         self.measured_mm.hypot(self.model_mm)
     }
 
-    /// Settings with the noise of a measured coordinate. What the model leaves unexplained is beside it in the covariance of each position:
-    /// it is common to all positions of a pose, which are weighted so that their mean has its variance.
+    /// Returns settings with the noise of a measured coordinate. The covariance of each position
+    /// also holds what the model leaves unexplained: it is common to all positions of a pose, whose
+    /// weights give their mean this variance.
     pub fn applied(&self, observations: &mut [Observation], settings: Settings) -> Settings {
         let mut points: BTreeMap<PoseName, usize> = BTreeMap::new();
         for o in observations.iter() {

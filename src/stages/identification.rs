@@ -13,14 +13,17 @@ use crate::stages::join::{Joined, Observations};
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::plausible::plausibility;
-use crate::stages::remedies::{readings_to_check, remedied};
+use crate::stages::remedies::{outliers_excluded, remedied};
 use crate::stages::repeats::stale;
+use crate::stages::shown;
 use crate::stages::solved::Solved;
 use crate::stages::table_file::{in_campaign, in_files};
 use crate::stages::tool::Expected;
-use etalon_base::message::{Message, Problems, Result, Severity, count};
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose_name::PoseName;
-use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
+use etalon_base::{error, phrase, warning};
+use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
     AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
@@ -33,7 +36,7 @@ use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
-/// What a campaign identifies.
+/// Result of the identification of a campaign.
 #[derive(Clone, Debug)]
 pub struct Identified {
     /// Identified parameters.
@@ -44,15 +47,15 @@ pub struct Identified {
     pub errors: Vec<PointError>,
     /// The observations that were used.
     pub sets: Sets,
-    /// What they were weighed with.
+    /// Settings and weights of the identification.
     pub settings: Settings,
-    /// What the solver found.
+    /// Result of the solver.
     pub found: Identification,
-    /// What it takes to identify again.
+    /// Input for another identification.
     pub again: Again,
 }
 
-/// What it takes to identify the same observations again.
+/// Input for another identification from the same observations.
 #[derive(Clone, Debug)]
 pub struct Again {
     systematic: Systematic,
@@ -174,7 +177,8 @@ pub fn identify(
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
 }
 
-/// Sets the effects that the data prove, where the campaign asks for these, and gives what each is worth.
+/// Sets the effects that the data prove, if the campaign asks for them, and returns the gain of
+/// each.
 fn proven_effects(
     robot: &dyn Robot,
     stated: &Identify,
@@ -197,16 +201,11 @@ fn would_prove(proof: &EffectProof) -> Option<Message> {
         return None;
     }
     let effect = format!("{:?}", proof.effect).to_lowercase();
-    let of = if joints.is_empty() { String::new() } else { format!(" of joints {}", joints.join(", ")) };
-    let what = format!(
-        "{effect}{of} would prove itself: the error at calibration poses that are left out falls from {without_mm:.3} to {with_mm:.3} mm \
-         (position, root mean square)"
-    );
-    let hint = match robot_key {
-        Some(line) => format!("add `{line}` to robot.toml"),
-        None => format!("add \"{effect}\" to `effects` in [identify], or state `effects = \"proven\"`"),
-    };
-    Some(Message::warning(what).hint(hint))
+    let message = warning!("effect-would-prove", effect, count = joints.len(), joints, without_mm, with_mm);
+    Some(match robot_key {
+        Some(line) => message.hint(phrase!("add-lines", lines = [format!("`{line}`")])),
+        None => message,
+    })
 }
 
 impl Solved {
@@ -235,7 +234,8 @@ impl Solved {
         Ok(messages)
     }
 
-    /// Errors before and after. What shows that the result can be no robot comes first among its warnings, then what is `said`.
+    /// Returns errors before and after. Warnings that the result can be no robot come first, then
+    /// what is `said`.
     pub fn judge(
         &mut self,
         robot: &dyn Robot,
@@ -267,7 +267,8 @@ pub struct Selected {
     pub messages: Vec<Message>,
 }
 
-/// What a campaign selects of the observations of its first log; what they refer to is added to the parameters of `robot`.
+/// Selects the observations of the first log as the campaign states; the fixed things that they
+/// refer to become parameters of `robot`.
 pub fn select(
     campaign: &Campaign,
     stated: &Identify,
@@ -333,7 +334,8 @@ impl<'a> Input<'a> {
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
     }
 
-    /// What was observed, and what is identified from it: what the rows of a table refer to is added to the parameters of `robot`.
+    /// Observations and their settings; the fixed things that the rows of a table refer to become
+    /// parameters of `robot`.
     pub fn read(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
         let checked = match self.observations {
             Observations::Table(table) => joint_range::check_table(robot, table, &self.exclusions, Joints::Measured),
@@ -344,7 +346,7 @@ impl<'a> Input<'a> {
         checked.and_then(read).map_err(&self.place)
     }
 
-    /// The same without what is excluded, which `messages` name.
+    /// Observations without the excluded ones, which `messages` name.
     pub fn observed(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
         let mut observed = self.read(robot, messages)?;
         messages.extend(exclude(&self.exclusions, robot, &mut observed)?);
@@ -352,8 +354,8 @@ impl<'a> Input<'a> {
     }
 }
 
-/// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
-/// nowhere near the measurements.
+/// Signs of a wrong set-up of the first log that are visible before an identification: repeated
+/// readings, or a nominal robot far from the measurements.
 pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Preview> {
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Preview::default());
@@ -373,12 +375,12 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     Ok(Preview { messages, joints })
 }
 
-/// What a check shows of observations.
+/// Findings of a check of observations.
 #[derive(Default)]
 pub struct Preview {
     /// Errors and warnings.
     pub messages: Vec<Message>,
-    /// How far the joints move in the calibration poses.
+    /// Ranges of the joints in the calibration poses.
     pub joints: Vec<JointTravel>,
 }
 
@@ -389,11 +391,12 @@ pub(super) fn check_set_up(robot: &dyn Robot, observations: &[Observation], sett
     problem.map_or(Ok(()), |problem| Err(etalon_documents::warning_message(&problem).into()))
 }
 
-/// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.
+/// Share of the readings that may be left out as outliers: beyond it the model or the set-up is
+/// wrong.
 const MOST_OUTLIERS: f64 = 0.1;
 
-/// Leaves the outliers of a robust fit out of `observations`, of which `fewest` readings must remain, and names them; `None` where
-/// there are none.
+/// Leaves the outliers of a robust fit out of `observations`, of which `fewest` readings must
+/// remain, and names them; `None` without outliers.
 fn leave_outliers_out(
     robot: &dyn Robot,
     observations: &mut Vec<Observation>,
@@ -407,17 +410,13 @@ fn leave_outliers_out(
         return Ok(None);
     }
     if robust.readings.len() - outliers.len() < fewest {
-        let what = "`outliers = \"exclude\"` would leave out more than a tenth of all readings";
-        return Err(Message::error(what)
-            .hint("the model or the set-up is wrong: see what `outliers = \"keep\"` reports")
-            .into());
+        return Err(error!("outliers-too-many", share_percent = 100.0 * MOST_OUTLIERS).into());
     }
     for outlier in outliers {
         observations[outlier.observation].targets[outlier.target] = None;
     }
     observations.retain(|o| o.targets.iter().any(Option::is_some));
-    let left_out = readings_to_check(&robust, robot);
-    Ok(Some(Message::warning(format!("excluded by `outliers = \"exclude\"`: {}", left_out.what))))
+    Ok(Some(outliers_excluded(&robust, robot)))
 }
 
 /// A log, its observations and what they identify.
@@ -427,7 +426,8 @@ struct LogFit<'a> {
     found: &'a Identification,
 }
 
-/// A warning where the residuals with one log correlate with its difference from another; `used` is the campaign's choice.
+/// Returns a warning where the residuals with one log correlate with its difference from another
+/// log; `used` is the campaign's choice.
 fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> Option<Message> {
     let compared =
         etalon_identify::compare_logs(robot, &this.found.values, &this.sets.calibration, &that.sets.calibration)?;
@@ -435,23 +435,24 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
         return None;
     }
     let of_position = (robot.dimension() as f64).sqrt();
-    let what = format!(
-        "with log `{}`, residuals correlate with the difference of the two logs, r = {:.2}: the root mean square of positions is {:.3} mm, \
-         with log `{}` {:.3} mm",
-        this.name,
-        compared.correlation,
-        of_position * this.found.rms,
-        that.name,
-        of_position * that.found.rms
-    );
-    let message = Message::warning(what);
+    let message = |log: &LogFit, hint| {
+        warning!(
+            "log-correlates",
+            log = this.name,
+            correlation = compared.correlation,
+            rms_mm = of_position * this.found.rms,
+            other = that.name,
+            other_rms_mm = of_position * that.found.rms
+        )
+        .hint(phrase!("use-log", log = log.name, hint))
+    };
     Some(match this.name == used {
-        true => message.to_decide().hint(format!("identify with log `{}`: name it first", that.name)),
-        false => message.routine().hint(format!("log `{}` is the one to use, as this campaign does", that.name)),
+        true => message(that, "name-first").to_decide(),
+        false => message(that, "is-used").routine(),
     })
 }
 
-/// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
+/// Errors of selections and tables without a measured pose, and of sets that share poses.
 pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Result<()> {
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     // what does not read is reported with the statements
@@ -463,31 +464,29 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     ];
     for (text, selection) in stated.into_iter().filter_map(|(text, selection)| Some((text?, selection?))) {
         if let Some(name) = selection.mistaken(poses) {
-            let message = Message::error(format!("`{name}` names no pose that was measured")).at(campaign.place(text));
+            let message = error!("selected-pose-unmeasured", pose = name).at(campaign.place(text));
             let names: Vec<String> = poses.iter().map(PoseName::to_string).collect();
             problems.0.push(message.hint_names(&name.to_string(), names.iter().map(String::as_str)));
         }
     }
     let numbered = || poses.iter().copied().enumerate();
+    let without_pose = |poses_stated: &Spanned<StatedPoses>, set: &str| {
+        let hint = measured(poses);
+        error!("selection-without-pose", set).at(campaign.place(poses_stated)).hint(hint)
+    };
     if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
-        let message = Message::error("`calibration` selects no pose that was measured");
-        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(measured(poses)));
+        problems.0.push(without_pose(&identify.calibration, "calibration"));
     }
     if let Some(text) = &identify.validation {
         if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
-            let message = Message::error("`validation` selects no pose that was measured");
-            problems.0.push(message.at(campaign.place(text)).hint(measured(poses)));
+            problems.0.push(without_pose(text, "validation"));
         }
         let shared: Vec<String> = numbered()
             .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))
             .map(|(_, pose)| pose.to_string())
             .collect();
         if !shared.is_empty() {
-            let shown = shared.iter().take(20).cloned().collect::<Vec<_>>().join(", ");
-            let more = if shared.len() > 20 { ", ..." } else { "" };
-            let what = format!("poses in both calibration and validation: {shown}{more}");
-            let message = Message::error(what).at(campaign.place(text));
-            problems.0.push(message.hint("`validation = \"rest\"` takes all that calibration does not"));
+            problems.0.push(error!("sets-overlap", poses = shown(shared, 20)).at(campaign.place(text)));
         }
     }
     let in_use = |&(i, pose): &(usize, PoseName)| selections.calibrates(pose, i) || selections.validates(pose, i);
@@ -495,8 +494,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     for table in campaign.file.geometric.iter().flat_map(|g| &g.table) {
         let found = match Selection::parse(table.poses.get_ref()) {
             Ok(selection) if used.iter().enumerate().any(|(i, &pose)| selection.contains(pose, i, false)) => continue,
-            Ok(_) => Message::error(format!("the table `{}` has no pose that was measured", table.title))
-                .hint("a table shows poses of `calibration` and `validation`"),
+            Ok(_) => error!("table-selection-empty", title = table.title),
             Err(message) => message,
         };
         problems.0.push(found.at(campaign.place(&table.poses)));
@@ -504,12 +502,10 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
     problems.check().map(|_| ())
 }
 
-/// Which poses there are to select from.
-fn measured(poses: &BTreeSet<PoseName>) -> String {
+/// Poses that there are to select from.
+fn measured(poses: &BTreeSet<PoseName>) -> Phrase {
     match (poses.first(), poses.last()) {
-        (Some(first), Some(last)) => {
-            format!("{} are measured and joined, from {first} to {last}", count(poses.len(), "pose"))
-        }
-        _ => "no pose is measured and joined".to_owned(),
+        (Some(first), Some(last)) => phrase!("poses-measured", count = poses.len(), first, last),
+        _ => phrase!("poses-unmeasured"),
     }
 }

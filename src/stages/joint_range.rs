@@ -1,24 +1,29 @@
-//! Joint values that no robot reaches: a lost decimal mark, turns too many. A gain would absorb one of them without a trace,
-//! because an angle far from all others weighs more than they do.
+//! Joint values that no robot reaches: a lost decimal mark, turns too many. A gain would absorb one
+//! of them without a trace, because an angle far from all others weighs more than they do.
 
 use crate::stages::exclusions::Exclusion;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_formats::table;
 use etalon_formats::tables::joints::joint_values;
 use etalon_robots::{Joint, JointRange, Quantity, Robot};
 use polars::prelude::DataFrame;
 use std::f64::consts::TAU;
 
-/// How far a sliding joint may be beyond its stated limits, mm: rounding of the limits, and overshoot of the drive.
+/// Allowance (mm) of a sliding joint beyond its stated limits: rounding of the limits, and
+/// overshoot of the drive.
 const OVERSHOOT_MM: f64 = 0.1;
-/// How far a joint that turns may be beyond them, rad.
+/// Allowance (rad) of a turning joint beyond its stated limits.
 const OVERSHOOT_RAD: f64 = 0.1 * TAU / 360.0;
-/// Largest angle of a joint without stated limits, rad: joints of arms turn by up to 1.3 turns to either side.
+/// Largest angle of a joint without stated limits, rad: joints of arms turn by up to 1.3 turns to
+/// either side.
 const LARGEST_ANGLE: f64 = 2.0 * TAU;
-/// Largest distance of a value from the middle half of its column, in widths of that half, where the joint turns without end.
+/// Largest distance of a value from the middle half of its column, in widths of that half, where
+/// the joint turns without end.
 const WIDTHS_OF_ANGLES: f64 = 3.0;
-/// Largest distance of a value of a sliding joint without stated limits from the middle half, mm: no machine has a longer axis.
+/// Largest distance of a value of a sliding joint without stated limits from the middle half, mm:
+/// no machine has a longer axis.
 const LARGEST_LENGTH: f64 = 1e5;
 /// Largest distance in widths of the middle half, of such a joint.
 const WIDTHS_OF_LENGTHS: f64 = 100.0;
@@ -36,14 +41,11 @@ pub struct JointRow {
     pub place: Place,
 }
 
-/// Values that a joint may have, mm or rad, their reason, and what to do where that is wrong.
+/// Values that a joint may have (mm or rad), and their reason: `limits`, `turns` or `others`.
 struct Expected {
     ends: [f64; 2],
     reason: &'static str,
-    remedy: &'static str,
 }
-
-const STATE: &str = "state its limits in the robot file";
 
 /// Use of joint values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,13 +115,11 @@ fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<E
             let overshoot = if is_angle { OVERSHOOT_RAD } else { OVERSHOOT_MM };
             let mut ends = [lower - overshoot, upper + overshoot].map(|end| end / gain);
             ends.sort_by(f64::total_cmp);
-            let reason = "the limits that the robot file states, and 0.1 beyond them";
-            Some(Expected { ends, reason, remedy: "correct its limits in the robot file" })
+            Some(Expected { ends, reason: "limits" })
         }
         JointRange::Unstated if is_angle => {
             let largest = LARGEST_ANGLE / gain.abs();
-            let reason = "two turns, as the robot file states no limits";
-            Some(Expected { ends: [-largest, largest], reason, remedy: STATE })
+            Some(Expected { ends: [-largest, largest], reason: "turns" })
         }
         JointRange::Unstated => around(column, LARGEST_LENGTH / gain.abs(), WIDTHS_OF_LENGTHS),
         JointRange::Endless => around(column, LARGEST_ANGLE / gain.abs(), WIDTHS_OF_ANGLES),
@@ -134,41 +134,35 @@ fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
         (*sorted.get(sorted.len() / 4)?, *sorted.get(sorted.len().saturating_sub(1 + sorted.len() / 4))?);
     let far = least.max(widths * (upper - lower));
     let ends = [lower - far, upper + far];
-    (sorted.len() >= FEWEST).then_some(Expected { ends, reason: "as half of its values lie together", remedy: STATE })
+    (sorted.len() >= FEWEST).then_some(Expected { ends, reason: "others" })
 }
 
-/// One message for a joint most of whose values are out of range; `first` is that of the first of them.
+/// One message for a joint most of whose values are out of range; `first` is that of the first of
+/// them.
 fn column_out_of_range(joint: &Joint, column: &[f64], expected: &Expected, out: usize, first: &Message) -> Message {
     let (factor, units) = match joint.quantity {
-        Quantity::Angle => (1f64.to_radians(), "degrees instead of radians"),
-        _ => (1e-3, "millimetres instead of metres"),
+        Quantity::Angle => (1f64.to_radians(), "degrees"),
+        _ => (1e-3, "millimetres"),
     };
     let [lower, upper] = expected.ends;
     let fits = column.iter().filter(|value| value.is_finite()).all(|value| (lower..=upper).contains(&(factor * value)));
-    let what = format!("{} ({out} of {} values are)", first.what, column.len());
-    let message = Message { what, ..first.clone() };
-    if fits {
-        message.hint(format!("check the unit of its column: all values are in range in {units}"))
-    } else {
-        message
-    }
+    let message = first.clone().within(phrase!("values-of-column", count = out, total = column.len()));
+    if fits { message.hint(phrase!("check-column-unit", units)) } else { message }
 }
 
 fn out_of_range(joint: &Joint, value: f64, expected: &Expected, row: &JointRow) -> Message {
     let unit = joint.quantity.unit();
     let rounded = |value: f64| (1e4 * joint.quantity.outward(value)).round() / 1e4;
-    let pose = if row.pose.is_empty() { String::new() } else { format!("pose {}: ", row.pose) };
-    let what = format!("{pose}joint `{}` = {} {unit} is out of range", joint.name, rounded(value));
     let [lower, upper] = expected.ends.map(rounded);
-    Message::error(what)
-        .at(row.place.clone())
-        .expected(format!("from {lower} to {upper} {unit}: {}", expected.reason))
-        .hint(format!("check its decimal mark and unit; if the joint can be there, {}", expected.remedy))
+    let (name, value, reason) = (&joint.name, rounded(value), expected.reason);
+    let message = error!("joint-out-of-range", joint = name, value, unit, lower, upper, reason).at(row.place.clone());
+    if row.pose.is_empty() { message } else { message.within(phrase!("at-pose", pose = row.pose)) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::IntoArgument;
     use etalon_campaign::read_robot;
 
     const TABLE: &str = "model = \"serial\"\nconvention = \"dh\"\njoint = [\n\
@@ -223,11 +217,12 @@ mod tests {
     fn a_column_out_of_range_is_one_message_which_names_a_unit_where_it_explains_all() {
         let column = |factor: f64| (0..20).map(move |i| [0.0, factor * f64::from(i + 20)]);
         let hint = |factor: f64| match &messages(TABLE, column(factor))[..] {
-            [one] => one.hint.clone().unwrap(),
+            [one] => one.arguments.get("hint").cloned(),
             all => panic!("{all:?}"),
         };
-        assert!(hint(180.0 / std::f64::consts::PI).contains("degrees instead of radians"));
-        assert!(!hint(1e6).contains("instead of"));
+        let unit = phrase!("check-column-unit", units = "degrees").argument();
+        assert_eq!(hint(180.0 / std::f64::consts::PI), Some(unit));
+        assert_eq!(hint(1e6), None);
     }
 
     #[test]

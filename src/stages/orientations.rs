@@ -1,8 +1,10 @@
-//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated order.
+//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated
+//! order.
 
 pub use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::pose::Pose;
+use etalon_base::{error, phrase};
 use etalon_formats::table::{self, MATRIX, QUATERNION};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
@@ -12,7 +14,7 @@ use polars::prelude::DataFrame;
 pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
 /// Columns of three angles.
 const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
-/// The same as a rotation vector, and as angles.
+/// Columns of rotation vectors and of angles, their unit (rad), and `true` for angles.
 const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (ROTATION_VECTOR, DEG, false),
     (["rx_rad", "ry_rad", "rz_rad"], 1.0, false),
@@ -20,13 +22,13 @@ const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (["a_rad", "b_rad", "c_rad"], 1.0, true),
 ];
 const DEG: f64 = std::f64::consts::PI / 180.0;
-/// How far a quaternion of a measurement may be from length one: it has a few decimals.
+/// Largest deviation of the length of a measured quaternion from one: it has a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 /// Orders that a message names.
 const NAMED: usize = 4;
 /// Orders whose misfit is at most this many times the least are named beside it.
 const AS_GOOD: f64 = 3.0;
-/// A misfit beyond this is none of the robot.
+/// Largest misfit (deg) of an order of angles that fits the robot.
 const MISFIT_DEG: f64 = 10.0;
 
 /// An orientation as the row of a table states it.
@@ -83,13 +85,11 @@ pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
         return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 9] }; observations.height()]);
     };
     if let Some((others, ..)) = given.next() {
-        let what = format!("the table has orientations twice: {} and {}", names.join(", "), others.join(", "));
-        return Err(Message::error(what).at(header()).hint("leave one of them out").into());
+        return Err(error!("orientations-twice", first = *names, second = *others).at(header()).into());
     }
     let missing: Vec<&str> = names.iter().copied().filter(|name| !has(name)).collect();
     if !missing.is_empty() {
-        let message = Message::error(format!("an orientation lacks {}", missing.join(", ")));
-        return Err(message.at(header()).expected(format!("{}: body in world", names.join(", "))).into());
+        return Err(error!("orientation-columns-missing", missing, columns = *names).at(header()).into());
     }
     let mut rows = vec![Written { form, numbers: [0.0; 9] }; observations.height()];
     for (k, name) in names.iter().enumerate() {
@@ -122,10 +122,7 @@ impl Written {
     pub fn pose(&self, order: Option<AngleOrder>) -> Result<Pose> {
         let [a, b, c, d, ..] = self.numbers;
         if !self.numbers.iter().sum::<f64>().is_finite() {
-            let message = Message::error("the orientation is missing or not a number");
-            return Err(message
-                .expected("qw, qx, qy, qz: body in world; or a rotation vector, or three angles")
-                .into());
+            return Err(error!("orientation-missing").into());
         }
         let any = AngleOrder::default();
         let length = (a * a + b * b + c * c + d * d).sqrt();
@@ -133,25 +130,20 @@ impl Written {
             Form::Vector => Ok(Pose::from_rotation_vector([a, b, c])),
             Form::Matrix => Ok(Pose::from_rotation(self.numbers)?),
             Form::Angles => Ok(order.unwrap_or(any).pose([a, b, c])),
-            _ if (length - 1.0).abs() > LENGTH_ONE => {
-                Err(Message::error(format!("the quaternion has the length {length:.4}"))
-                    .expected("1: qw, qx, qy, qz, the scalar first")
-                    .hint("check the columns, and that these are not angles")
-                    .into())
-            }
+            _ if (length - 1.0).abs() > LENGTH_ONE => Err(error!("table-quaternion-length", length).into()),
             _ => Ok(Pose::from_quaternion([a, b, c, d])),
         }
     }
 }
 
-/// The error about angles whose order is not stated, with those that fit the nominal robot where positions place it: `angles` are those of the
-/// orientations among the conditions of `settings`, in their order.
+/// The error about angles whose order is not stated, with those that fit the nominal robot where
+/// positions place it: `angles` are those of the orientations among the conditions of `settings`,
+/// in their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
-    let message = Message::error("the order of the angles is not stated");
-    let state = "state `orientation = \"zyx\"` in [observations], or --orientation";
+    let message = error!("angle-order-missing");
     let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();
     let positions = Settings { conditions: Vec::new(), known: Vec::new(), ..settings.clone() };
-    let Ok(values) = fit_frames(robot, observations, &positions) else { return message.hint(state) };
+    let Ok(values) = fit_frames(robot, observations, &positions) else { return message };
     let misfit = |order: AngleOrder| {
         let turned = conditions.iter().zip(angles).map(|(c, angles)| match c.kind {
             Kind::Orientation(Orientation { mounting, .. }) => Condition {
@@ -165,13 +157,13 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     let mut all: Vec<(f64, AngleOrder)> =
         AngleOrder::all().into_iter().map(misfit).filter(|m| m.0.is_finite()).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let Some(&(least, best)) = all.first() else { return message.hint(state) };
+    let Some(&(least, best)) = all.first() else { return message };
     if least > MISFIT_DEG {
-        let what =
-            format!("no order of angles fits the nominal robot: `{best}` leaves {least:.1} deg (root mean square)");
-        return message.hint(format!("{what}; check that they turn the body to the world, and the joints"));
+        return message.hint(phrase!("angle-orders-unfit", order = best.to_string(), left_deg = least));
     }
     let fits = all.iter().take_while(|m| m.0 <= AS_GOOD * least).take(NAMED);
-    let named: Vec<String> = fits.map(|(deg, order)| format!("`{order}` leaves {deg:.3} deg")).collect();
-    message.hint(format!("{state}; of the nominal robot {} (root mean square)", named.join(", ")))
+    let order =
+        |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
+    let orders: Vec<_> = fits.map(order).collect();
+    message.hint(phrase!("angle-orders-fit", orders))
 }

@@ -1,15 +1,18 @@
-//! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
+//! Plausibility of a result: errors of a result that can be no robot, and must not reach a
+//! controller.
 
-use crate::stages::remedies::{WRONG_READINGS, readings_to_check};
+use crate::stages::remedies::{reading, readings_to_check};
+use crate::stages::shown;
 use crate::stages::solved::Solved;
 use crate::stages::undescribed::undescribed;
-use etalon_base::message::{Message, count};
+use etalon_base::message::Message;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
-    moved_between, set_up_error,
+    Identification, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds,
+    far_from_nominal, moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -20,11 +23,14 @@ use std::collections::BTreeSet;
 const EXPANDED: f64 = 2.0;
 /// Parameters beyond their tolerance that a message names.
 const NAMED: usize = 5;
-/// Validation errors beyond this many times their median are named: of normal errors in the plane one of 60,000 is (Rayleigh).
+/// Validation errors beyond this many times their median are named: of normal errors in the plane
+/// one of 60,000 is (Rayleigh).
 const FAR: f64 = 4.0;
-/// The same of errors along one direction, as distances and planes have them: of normal ones one of 19,000 is.
+/// Limit for errors along one direction, as distances and planes have them: one in 19,000 normal
+/// errors exceeds it.
 const FAR_ALONG: f64 = 6.0;
-/// A residual this many times the root mean square is looked at as an outlier where no uncertainty is stated.
+/// A residual this many times the root mean square is looked at as an outlier where no uncertainty
+/// is stated.
 const SPIKE: f64 = 5.0;
 /// Parameters that must be off by one factor, at least.
 const FEWEST_SCALED: usize = 4;
@@ -36,7 +42,8 @@ const LEAST_SCALE: f64 = 2e-4;
 const SIGNIFICANT: f64 = 3.0;
 /// Probability with which independent deviations look like a common factor.
 const CHANCE: f64 = 1e-3;
-/// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
+/// Errors after over errors before beyond which it is not noise that makes an already good robot
+/// look no better.
 const WORSE: f64 = 1.1;
 
 /// Messages about what was found and the errors that it leaves: errors where it can be no robot,
@@ -88,8 +95,9 @@ pub fn plausibility(
     messages
 }
 
-/// That the poses give no more coordinates than parameters are identified, so that nothing is left that could contradict them: an error where
-/// these rest on the poses alone, a warning beside nominal values.
+/// Message where the poses give no more coordinates than parameters are identified, so that none is
+/// left to contradict them: an error where parameters rest on the poses alone, a warning beside
+/// nominal values.
 fn undetermined(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -102,22 +110,17 @@ fn undetermined(
     let conditions: usize = settings.conditions.iter().map(|c| c.kind.rows()).sum();
     let coordinates = robot.dimension() * distinct.len() + conditions;
     let determined = found.determined.round() as usize;
-    (coordinates <= determined).then(|| {
-        let what = format!(
-            "{} of the calibration poses determine {}, and none is left to check them",
-            count(coordinates, "coordinate"),
-            count(determined, "parameter")
-        );
-        let message = match settings.prior {
-            Prior::None => Message::error(what),
-            Prior::Tolerances { .. } => Message::warning(what).to_decide(),
-        };
-        message.hint("measure more poses, spread over the workspace")
-    })
+    let message = match settings.prior {
+        Prior::None => error!("no-coordinates-to-check", count = coordinates, parameters = determined),
+        Prior::Tolerances { .. } => {
+            warning!("no-coordinates-to-check", count = coordinates, parameters = determined).to_decide()
+        }
+    };
+    (coordinates <= determined).then_some(message)
 }
 
-/// Median angle between observed and predicted orientations beyond which these are of another convention: joints of robots are wrong by
-/// degrees at most.
+/// Median angle between observed and predicted orientations beyond which these are of another
+/// convention: joints of robots are wrong by degrees at most.
 const TURNED_DEG: f64 = 10.0;
 
 /// An error where observed orientations are far from those of the identified robot.
@@ -127,12 +130,11 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
     }
     let calibration = errors.iter().filter(|e| e.set == PoseSet::Calibration);
     let median_deg = median(calibration.filter_map(|e| e.after_deg)).filter(|deg| *deg > TURNED_DEG)?;
-    let what = format!("observed orientations differ from those of the robot by {median_deg:.1} deg (median)");
-    Some(Message::error(what).hint("check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first; or the order of angles: without \
-         `orientation` those that fit are named"))
+    Some(error!("orientations-off", robot = "identified", median_deg))
 }
 
-/// A warning about validation readings that lie far from the others: their errors are in the accuracy.
+/// A warning about validation readings that lie far from the others: their errors are in the
+/// accuracy.
 fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == PoseSet::Validation).collect();
     let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
@@ -140,20 +142,15 @@ fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message>
     if far.is_empty() || 10 * far.len() > of.len() {
         return None;
     }
-    let text =
-        |e: &&&PointError| format!("{:.4} mm ({}, pose {}, cycle {})", norm(e.after_mm), e.target, e.pose, e.cycle);
-    let named: Vec<String> = far.iter().take(NAMED).map(text).collect();
-    let more = if far.len() > NAMED { ", ..." } else { "" };
-    let what = format!(
-        "{} of {} validation errors exceed {far_times:.0} times their median, {median_mm:.4} mm: {}{more}",
-        far.len(),
-        of.len(),
-        named.join(", ")
-    );
-    Some(Message::warning(what).to_decide().hint(WRONG_READINGS))
+    let (count, total, limit_mm) = (far.len(), of.len(), far_times * median_mm);
+    let readings = far.iter().map(|e| reading(norm(e.after_mm), &e.target, e.pose, e.cycle));
+    let message =
+        warning!("validation-outliers", count, total, times = far_times, limit_mm, readings = shown(readings, NAMED));
+    Some(message.to_decide().hint(phrase!("check-readings")))
 }
 
-/// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the measuring system, or a unit.
+/// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the
+/// measuring system, or a unit.
 fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let sliding = robot.joints().iter().all(|j| j.quantity == Quantity::Length);
     let of = |quantity: Quantity| -> Vec<usize> {
@@ -174,17 +171,12 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let quantile = StudentsT::new(0.0, 1.0, n - 1.0).ok()?.inverse_cdf(1.0 - 0.5 * CHANCE);
     (mean.abs() > LEAST_SCALE && mean.abs() > quantile * deviation / n.sqrt()).then(|| {
         let names: Vec<String> = all.iter().map(|&i| format!("`{}`", robot.parameters()[i].name)).collect();
-        let what = format!(
-            "{} are all about {:.5} times nominal: this is a scale error of the measuring system, or of the joints, rather than of {} parts",
-            names.join(", "),
-            1.0 + mean,
-            all.len()
-        );
-        Message::warning(what).to_decide().hint("check scale, temperature compensation and unit of the measuring system and of the encoders")
+        warning!("common-scale", count = all.len(), parameters = names, factor = 1.0 + mean).to_decide()
     })
 }
 
-/// A warning where a joint bends against its own torque, which no material does: gravity or an axis points the other way.
+/// A warning where a joint bends against its own torque, which no material does: gravity or an axis
+/// points the other way.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let of_one_joint = |p: &Parameter| p.effect == Effect::Bending && p.by.is_some() && p.by == p.joint;
     let negative = |&&i: &&usize| {
@@ -192,35 +184,30 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
         of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
     };
     let &i = found.free.iter().find(negative)?;
-    let what = format!("{}: the joint bends against gravity", negative_value(&robot.parameters()[i], found.values[i]));
-    Some(Message::warning(what).to_decide().hint("check `gravity` and the direction of the joint's axis in robot.toml"))
+    let (parameter, value, unit) = outward(&robot.parameters()[i], found.values[i]);
+    Some(warning!("compliance-negative", parameter, value, unit).to_decide())
 }
 
-/// A warning where a joint is ahead of its motor on the side from which it came: the directions have the other sign.
+/// A warning where a joint is ahead of its motor on the side from which it came: the directions
+/// have the other sign.
 fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
         robot.parameters()[i].effect == Effect::Backlash && found.values[i] < -SIGNIFICANT * u
     };
     let &i = found.free.iter().find(negative)?;
-    let what = format!(
-        "{}: the joint is ahead of its drive, which no backlash explains",
-        negative_value(&robot.parameters()[i], found.values[i])
-    );
-    let hint = "check the sign of the directions of approach (+1 where the joint value grew, -1 where it fell), and that the log's times are \
-                those of the same motion";
-    Some(Message::warning(what).to_decide().hint(hint))
+    let (parameter, value, unit) = outward(&robot.parameters()[i], found.values[i]);
+    Some(warning!("backlash-negative", parameter, value, unit).to_decide())
 }
 
-fn negative_value(p: &Parameter, value: f64) -> String {
-    format!("`{}` is negative ({:.5} {})", p.name, p.quantity.outward(value), p.quantity.unit())
+/// Name, value and unit of a parameter.
+fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
+    (&p.name, p.quantity.outward(value), p.quantity.unit())
 }
 
 /// Largest residual of parameters that explain the measurements, as a share of what tolerances
 /// allow.
 const EXPLAINED: f64 = 0.1;
-/// Largest residual that noise leaves, in standard uncertainties of a coordinate.
-const NOISE: f64 = 3.5;
 
 /// Returns an error where the nominal robot is further from most measurements than its tolerances
 /// allow, and the identified parameters do not explain the measurements within their tolerances.
@@ -241,7 +228,7 @@ fn far_before(
     let rms_mm = rms(left.iter().copied());
     let noise_mm = settings.coordinate_uncertainty_mm();
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
-    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE * noise_mm);
+    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE_DISTANCE * noise_mm);
     let explained = rms(calibration().map(|e| norm(e.after_mm))) < explained_mm
         && settings.prior != Prior::None
         && beyond_tolerance(robot, found).is_none();
@@ -249,35 +236,30 @@ fn far_before(
         .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
 }
 
-/// Errors about the parameters found and the errors that they leave; empty where the result is plausible.
+/// Errors about the parameters found and the errors that they leave; empty where the result is
+/// plausible.
 fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError]) -> Vec<Message> {
     let mut messages = Vec::new();
     if let Some((p, value)) = exchanged(robot, &found.values) {
-        let what = format!("K and L are exchanged: `{}`, their distance, is {value:.3} {}", p.name, p.quantity.unit());
-        return vec![Message::error(what).hint("exchange the names of the two targets in the labels of the export")];
+        return vec![error!("ball-names-exchanged", parameter = p.name, value, unit = p.quantity.unit())];
     }
     messages.extend(beyond_tolerance(robot, found));
     let mut calibration_fits = false;
     for set in PoseSet::ALL {
         let of = || errors.iter().filter(|e| e.set == set);
-        let (before, after) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
+        let (before_mm, after_mm) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
         let undescribed = undescribed(set, errors, calibration_fits);
         calibration_fits = undescribed.is_none() && of().count() > 1;
-        if undescribed.is_none() && after > WORSE * before {
-            messages.push(
-                Message::error(format!(
-                    "on the {set} poses the identified robot is worse than the nominal one: {before:.4} mm before, {after:.4} mm \
-                     after (root mean square)"
-                ))
-                .hint("measure more poses, spread over the workspace, or hold parameters that they do not determine"),
-            );
+        if undescribed.is_none() && after_mm > WORSE * before_mm {
+            messages.push(error!("identified-worse-than-nominal", set = set.name(), before_mm, after_mm));
         }
         messages.extend(undescribed);
     }
     messages
 }
 
-/// An error about parameters that the data alone put beyond their tolerance, by more than their uncertainty.
+/// An error about parameters that the data alone put beyond their tolerance, by more than their
+/// uncertainty.
 fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let by_data = |i: usize| match found.covariance {
         Some(_) => found.without_nominal(robot, i),
@@ -290,27 +272,13 @@ fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message
     };
     let wrong: Vec<_> = robot.parameters().iter().enumerate().filter_map(of).filter(beyond).collect();
     let text = |(p, value, by_data): &(&Parameter, f64, Option<(f64, f64)>)| {
-        let value = &by_data.map_or(*value, |by_data| by_data.0);
-        let (unit, out) = (p.quantity.unit(), |v: f64| p.quantity.outward(v));
-        let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
-        let decimals = if unit.is_empty() { 4 } else { 3 };
-        format!(
-            "`{}` = {:.decimals$}{unit} (nominal {}{unit}, tolerance {:.3}{unit})",
-            p.name,
-            out(*value),
-            (1e6 * out(p.nominal)).round() / 1e6,
-            out(p.tolerance),
-        )
+        let round = |v: f64| (1e6 * p.quantity.outward(v)).round() / 1e6;
+        let (parameter, value, unit) = outward(p, by_data.map_or(*value, |by_data| by_data.0));
+        let (nominal, tolerance) = (round(p.nominal), p.quantity.outward(p.tolerance));
+        phrase!("value-beyond-tolerance", parameter, value, unit, nominal, tolerance)
     };
-    let named: Vec<String> = wrong.iter().take(NAMED).map(text).collect();
-    let more = wrong.len().saturating_sub(NAMED);
-    let more = if more > 0 { format!(", and {more} more") } else { String::new() };
-    (!wrong.is_empty()).then(|| {
-        Message::error(format!("beyond the tolerance of the robot: {}{more}", named.join(", "))).hint(
-            "check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, \
-             state `tolerance` in the robot file",
-        )
-    })
+    (!wrong.is_empty())
+        .then(|| error!("tolerance-exceeded", count = wrong.len(), parameters = shown(wrong.iter().map(text), NAMED)))
 }
 
 /// The distance of K and L where it came out negative: each was measured where the other is.
@@ -323,13 +291,14 @@ fn exchanged<'r>(robot: &'r dyn Robot, values: &[f64]) -> Option<(&'r Parameter,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::catalogue::Argument;
     use etalon_base::noise::Noise;
     use etalon_identify::identify;
     use etalon_robots::Prexyt;
 
-    /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
-    /// nominal by up to `off_mm`.
-    fn said(factor: f64, off_mm: f64) -> Option<String> {
+    /// Message about a common factor where all measured points are scaled by `factor`, and the
+    /// robot's parameters are off nominal by up to `off_mm`.
+    fn said(factor: f64, off_mm: f64) -> Option<Message> {
         let (robot, mut noise) = (Prexyt::default(), Noise::new(16, 5));
         let own = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Length && p.nominal != 0.0;
         let truth: Vec<f64> =
@@ -349,14 +318,15 @@ mod tests {
         let observations: Vec<Observation> = (1..=40).map(pose).collect();
         let settings = Settings { standard_uncertainty_mm: Some(0.003), ..Settings::default() };
         let found = identify(&robot, &observations, &settings).expect("identified");
-        common_factor(&robot, &found).map(|message| message.what)
+        common_factor(&robot, &found)
     }
 
     #[test]
     fn a_factor_common_to_all_lengths_and_gains_is_a_scale_error() {
-        for (factor, text) in [(1.001, "1.0010"), (0.9995, "0.9995")] {
-            let what = said(factor, 0.0).expect("a factor");
-            assert!(what.contains(text) && what.contains("scale error"), "{what}");
+        for factor in [1.001, 0.9995] {
+            let message = said(factor, 0.0).expect("a factor");
+            let Some(Argument::Number(found)) = message.arguments.get("factor") else { panic!("{message}") };
+            assert!(message.is("common-scale", &[]) && (found - factor).abs() < 5e-5, "{message}");
         }
         assert_eq!(said(1.0, 0.0), None);
         // parts that are off by themselves share none

@@ -1,7 +1,9 @@
-//! Measured positions of a table, and observations of measured positions with every contradiction in words.
+//! Measured positions of a table, and observations of measured positions with every contradiction
+//! in words.
 
 use crate::stages::resolution;
 use etalon_base::message::{Message, Place, Result};
+use etalon_base::{error, phrase, warning};
 use etalon_formats::table::{self, COVARIANCES, UNCERTAINTIES};
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::{
@@ -10,8 +12,8 @@ use etalon_identify::{
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 
-/// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes that are taken from the
-/// measurement are in `messages`.
+/// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes
+/// that are taken from the measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
     let table = &*resolution::of_table(table, messages)?;
     grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
@@ -31,46 +33,29 @@ pub fn grouped(
         }
         Err(ObservationError::Contradiction(row, what)) => {
             let m = &measured[row];
-            let error = |what: &str| {
-                let what = format!("pose {} cycle {} of the observations: {what}", m.pose, m.cycle);
-                Message::error(what).at(Place { line: line(row), ..Place::default() })
+            let error = match what {
+                Contradiction::NotFinite => error!("table-value-missing"),
+                Contradiction::OtherJoints => error!("joints-of-pose-differ"),
+                Contradiction::MeasuredTwice => error!("target-repeated", target = robot.targets()[m.target]),
             };
-            Err(match what {
-                Contradiction::NotFinite => error("a value is missing or not a number"),
-                Contradiction::OtherJoints => error("its rows disagree on the joint values"),
-                Contradiction::MeasuredTwice => error(&format!("target `{}` occurs twice", robot.targets()[m.target]))
-                    .hint("number repeats in the column `cycle`"),
-            }
-            .into())
+            let place = Place { line: line(row), ..Place::default() };
+            Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place).into())
         }
-        Err(ObservationError::Empty) => Err(Message::error("there are no observations").into()),
+        Err(ObservationError::Empty) => Err(error!("table-without-observations").into()),
         Err(ObservationError::ArmsApart(pose, cycle)) => {
-            let what = "with nominal parameters the arms do not meet at these joint values";
-            Err(Message::error(format!("pose {pose} cycle {cycle}: {what}"))
-                .hint("check unit, sign and offset of the joints, and the nominal parameters")
-                .into())
+            Err(error!("arms-apart").within(phrase!("in-observation", pose, cycle)).into())
         }
         Err(ObservationError::BothModes(pose, cycle, d)) => {
-            let what = format!(
-                "pose {pose} cycle {cycle}: both assembly modes fit equally well, {:.2} mm and {:.2} mm from the measured position",
-                d.near_mm, d.far_mm
-            );
-            let hint = "state a column `assembly` with 1 or -1; or state the place of the base (x_o, y_o, phi) under [nominal]";
-            Err(Message::error(what).hint(hint).into())
+            let error = error!("assembly-mode-ambiguous", near_mm = d.near_mm, far_mm = d.far_mm);
+            Err(error.within(phrase!("in-observation", pose, cycle)).into())
         }
     }
 }
 
 /// A warning about assembly modes that are taken from the measurement.
 fn of_assumed_modes(AssumedModes { positive, negative, least_clear: (pose, d) }: AssumedModes) -> Message {
-    Message::warning(format!(
-        "the assembly mode of {} observations was taken from the measurement: {positive} in mode +1, {negative} in mode -1; least \
-         clear is pose {pose}, {:.1} mm from one and {:.1} mm from the other",
-        positive + negative,
-        d.near_mm,
-        d.far_mm
-    ))
-    .hint("state a column `assembly` with 1 or -1 where the log has it")
+    let (near_mm, far_mm) = (d.near_mm, d.far_mm);
+    warning!("assembly-modes-assumed", count = positive + negative, positive, negative, pose, near_mm, far_mm)
 }
 
 /// The measured positions of a table, in the order of its rows.
@@ -79,7 +64,7 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
     let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
     let (names, xyz) = (table::texts(table, "target")?, table::coordinates(table)?);
     if robot.dimension() == 3 && table::numbers(table, table::XYZ[2])?.iter().any(|z| z.is_nan()) {
-        return Err(Message::error("observations of a robot in space lack `z_mm`").into());
+        return Err(error!("height-missing").into());
     }
     let modes = stated_modes(robot, table)?;
     let covariances = covariances(table, robot.dimension())?;
@@ -87,8 +72,9 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
     let position = |(row, joints): (usize, Vec<f64>)| {
         let (pose, cycle, name) = (poses[row], cycles[row], &names[row]);
         let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
-            let what = format!("pose {pose} cycle {cycle} of the observations: `{name}` is not a target of this robot");
-            let message = Message::error(what).at(Place { line: line(row), ..Place::default() });
+            let message = error!("not-of-this-robot", name, kind = "target");
+            let message = message.within(phrase!("in-observation", pose, cycle));
+            let message = message.at(Place { line: line(row), ..Place::default() });
             message.hint_names(name, robot.targets().iter().map(String::as_str))
         })?;
         let (at_mm, covariance_mm2, assembly) = (xyz[row], covariances[row], modes[row]);
@@ -103,11 +89,12 @@ const ANY_AXIS: &str = "u_mm";
 /// Standard uncertainties that a coordinate can have, mm.
 const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 
-/// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2 .. czz_mm2`; `None` in rows that
-/// leave them empty.
+/// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2
+/// .. czz_mm2`; `None` in rows that leave them empty.
 ///
 /// # Errors
-/// A row that states some of them, a value that no coordinate has, or a covariance that is not positive definite.
+/// A row that states some of them, a value that no coordinate has, or a covariance that is not
+/// positive definite.
 fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
     let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
     if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {
@@ -121,11 +108,7 @@ fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covaria
         return Ok(vec![None; table.height()]);
     }
     if apart && whole {
-        let message = Message::error("the table states both standard uncertainties and covariances of coordinates");
-        return Err(message
-            .at(Place { line: Some(1), ..Place::default() })
-            .hint("leave `ux_mm uy_mm uz_mm` out")
-            .into());
+        return Err(error!("uncertainties-twice").at(Place { line: Some(1), ..Place::default() }).into());
     }
     // rows and columns of the matrix by the order of the names
     let all: Vec<(&str, usize, usize)> = match apart {
@@ -148,17 +131,17 @@ fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covaria
         for ((name, i, j), value) in needed.iter().zip(&values) {
             let squared = if apart { value * value } else { *value };
             if value.is_nan() || i == j && !(PLAUSIBLE_MM.contains(&squared.sqrt()) && *value > 0.0) {
-                let message = Message::error(match value.is_nan() {
-                    true => format!("the row states an uncertainty, but `{name}` is empty"),
-                    false => format!("`{name}` = {value} is not the uncertainty of a coordinate"),
-                });
-                return Err(message.at(at()).expected("from 0.00002 to 100 mm, or all of them empty").into());
+                let message = match value.is_nan() {
+                    true => error!("coordinate-uncertainty-missing", column = name),
+                    false => error!("coordinate-uncertainty-unusable", column = name, value),
+                };
+                return Err(message.at(at()).into());
             }
             (covariance[*i][*j], covariance[*j][*i]) = (squared, squared);
         }
         match is_positive_definite(&covariance, dimension) {
             true => Ok(Some(covariance)),
-            false => Err(Message::error("the covariance of the row is not positive definite").at(at()).into()),
+            false => Err(error!("position-covariance-invalid").at(at()).into()),
         }
     };
     (0..table.height()).map(of_row).collect()

@@ -2,11 +2,12 @@
 
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
+use etalon_base::{error, phrase};
 use etalon_documents::{FitDocument, FitStated};
 use etalon_fit::{Element, Fit, FitSettings, Probe, Side};
 use etalon_formats::qif::{FeatureGeometry, MeasuredFeature, Touch};
 
-/// What the user states about the probe, over what the file states.
+/// Statements of the user on the probe, which replace those of the file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ProbeStated {
     /// Its radius.
@@ -15,22 +16,21 @@ pub struct ProbeStated {
     pub side: Option<Side>,
 }
 
-/// Fits a measured feature to its points by `settings` (without probe), compensates it where the points are probe
-/// centres, and sets it against what the file states; `None` where it has no points or is not an element.
+/// Fits a measured feature to its points by `settings` (without probe), compensates it where the
+/// points are probe centres, and sets it against what the file states; `None` where it has no
+/// points or is not an element.
 ///
-/// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no measured normal is.
+/// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no
+/// measured normal is.
 ///
 /// # Errors
-/// If its points do not determine the element, or if they are probe centres and neither the file nor the user states how
-/// large the probe was and on which side.
+/// If its points do not determine the element, or if they are probe centres and neither the file
+/// nor the user states how large the probe was and on which side.
 pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
     let label = feature.label();
     let named = |problems: Problems| {
-        let what = |mut m: Message| {
-            m.what = format!("`{label}`: {}", m.what);
-            m.at(feature.place.clone())
-        };
+        let what = |m: Message| m.within(phrase!("of-name", name = label)).at(feature.place.clone());
         Problems(problems.0.into_iter().map(what).collect())
     };
     let in_plane = feature.stated.direction.filter(|d| element == Element::Circle3d && is_coordinate_axis(*d));
@@ -50,26 +50,18 @@ fn is_coordinate_axis(d: Vector) -> bool {
     d.iter().filter(|x| **x == 0.0).count() == 2
 }
 
-/// The probe whose centres the points are, and what its side was taken from; `None` for contact points.
+/// The probe whose centres the points are, and what its side was taken from; `None` for contact
+/// points.
 fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();
-    let missing = |what: &str, hint: &str| {
-        let what = format!("`{label}` is not fitted: its points are probe centres, and {what}");
-        Message::error(what).at(feature.place.clone()).hint(hint)
-    };
+    let missing =
+        |missing: &str| error!("probe-of-feature-unknown", feature = label, missing).at(feature.place.clone());
     let radius_mm = stated.radius_mm.or(radius_mm);
-    let Some(radius_mm) = radius_mm else {
-        return Err(missing("the file does not state the radius of the probe", "state it: --probe-radius-mm").into());
-    };
+    let radius_mm = radius_mm.ok_or_else(|| missing("radius"))?;
     let (side, from) = match stated.side {
         Some(side) => (side, "as stated by the user".to_owned()),
-        None => side_of(feature, centres, radius_mm).ok_or_else(|| {
-            missing(
-                "the file does not state on which side the probe was",
-                "state it: --probe-side inside, outside or x,y,z",
-            )
-        })?,
+        None => side_of(feature, centres, radius_mm).ok_or_else(|| missing("side"))?,
     };
     Ok(Some((Probe { radius_mm, side }, from)))
 }

@@ -1,7 +1,8 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
+use etalon_base::error;
 use etalon_base::files::{self, Stamp};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
@@ -19,7 +20,8 @@ pub(crate) struct TableFile {
     pub name: String,
     text: String,
     pub table: DataFrame,
-    /// Names and texts of further files, whose rows follow; their lines are counted from [`FILE`] times their number.
+    /// Names and texts of further files, whose rows follow; their lines are counted from [`FILE`]
+    /// times their number.
     more: Vec<(String, String)>,
 }
 
@@ -53,7 +55,8 @@ impl TableFile {
         Self::read_with(path, etalon_formats::observations)
     }
 
-    /// A table of observations in this layout, in a text of this encoding or in a sheet of a workbook.
+    /// A table of observations in this layout, in a text of this encoding or in a sheet of a
+    /// workbook.
     pub fn observations(
         path: &Path,
         bytes: &[u8],
@@ -75,7 +78,7 @@ impl TableFile {
         Self::of(Path::new(name), text.to_owned(), etalon_formats::observations)
     }
 
-    /// The same in another layout.
+    /// Reads a table of another layout.
     pub fn parse_with(name: &str, text: &str, layout: &TableLayout) -> Result<Self> {
         let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, layout);
         Self::of(Path::new(name), text.to_owned(), table)
@@ -86,7 +89,7 @@ impl TableFile {
         Self::of(path, files::text(path, files::read(path)?)?, table)
     }
 
-    /// The same of the text that the file holds.
+    /// Reads a table from the text of the file.
     fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })
@@ -194,12 +197,8 @@ impl CampaignTables<'_> {
     /// A table of observations.
     fn observations(&mut self, stated: &ObservationsDefinition) -> Result<TableFile> {
         if let Some(key) = stated.meaningless_beside_sheet() {
-            let message = Message::error(format!("`{key}` means nothing for a sheet of a workbook"));
             let place = self.campaign.place_of(&["observations", key]);
-            return Err(message
-                .at(place)
-                .hint(format!("remove `{key}`: cells of a workbook are read as they are"))
-                .into());
+            return Err(error!("key-of-text-table", key).at(place).into());
         }
         self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
             TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())

@@ -3,9 +3,11 @@
 use super::given::{ExpectedDeviation, given, other_nominal};
 use super::repeats::stale;
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
     Comparison, Detectable, Explanation, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings,
@@ -79,11 +81,13 @@ pub fn verify(
         Some(Moved::Target(_)) | None => VerificationVerdict::Other,
     };
     messages.extend(alike(&found, robot));
+    let meaning = meaning(verdict, moved.as_ref());
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
         calibration: None,
-        meaning: meaning(verdict, moved.as_ref(), dominant.as_ref()),
+        meaning: meaning.to_string(),
+        meaning_phrase: Some(meaning),
         verdict,
         p_value: found.p_value,
         significance: SIGNIFICANCE,
@@ -128,8 +132,7 @@ pub fn plan(
     let settings = noise.applied(&mut candidates, Settings::default());
     let poses: Vec<PoseName> = candidates.iter().map(|o| o.pose).collect::<BTreeSet<_>>().into_iter().collect();
     if !(1..=poses.len()).contains(&count) {
-        let message = Message::error(format!("{count} of {} candidate poses cannot be chosen", poses.len()));
-        return Err(message.hint("state fewer `--positions`, or more candidates").into());
+        return Err(error!("candidate-poses-too-few", wanted = count, count = poses.len()).into());
     }
     let detectable = |chosen: &[PoseName]| {
         let of_pose = |pose: &PoseName| candidates.iter().filter(move |o| o.pose == *pose).cloned().collect::<Vec<_>>();
@@ -177,7 +180,7 @@ pub fn plan(
     })
 }
 
-/// What poses are chosen by takes a change that they do not show for this large, mm or rad.
+/// Assumed size (mm or rad) of a change that the chosen poses do not show.
 const UNSEEN: f64 = 1e3;
 
 /// An error where two targets with each other's names are where the parameters put them.
@@ -211,14 +214,9 @@ fn exchanged_targets(
     });
     let (left_mm, a, b) = of_pair.min_by(|x, y| x.0.total_cmp(&y.0))?;
     let names = robot.targets();
-    (left_mm < 0.1 * found.rms_mm).then(|| {
-        let what = format!("targets `{}` and `{}` are exchanged", names[a], names[b]);
-        let [before_mm, after_mm] = [found.rms_mm, left_mm].map(|mm| (robot.dimension() as f64).sqrt() * mm);
-        let hint = format!(
-            "with the names the other way the position residuals (RMS) fall from {before_mm:.3} to {after_mm:.3} mm"
-        );
-        Message::error(what).hint(hint)
-    })
+    let (first, second) = (&names[a], &names[b]);
+    let [before_mm, left_mm] = [found.rms_mm, left_mm].map(|mm| (robot.dimension() as f64).sqrt() * mm);
+    (left_mm < 0.1 * before_mm).then(|| error!("target-names-exchanged", first, second, before_mm, left_mm))
 }
 
 /// Poses that are tried without.
@@ -230,10 +228,9 @@ fn wrong_pose(poses: &BTreeSet<PoseName>, valid: impl Fn(&dyn Fn(PoseName) -> bo
         return None;
     }
     let without = poses.iter().filter(|wrong| valid(&|pose| pose != **wrong));
-    let names: Vec<String> = without.map(|pose| format!("`{pose}`")).collect();
-    let [name] = &names[..] else { return None };
-    let what = format!("without pose {name} the observations do not contradict the parameters");
-    Some(Message::warning(what).hint("measure this pose again, and log its joints again"))
+    let names: Vec<&PoseName> = without.collect();
+    let [pose] = names[..] else { return None };
+    Some(warning!("one-pose-contradicts", pose))
 }
 
 fn sum_of_squares(test: &etalon_identify::Test) -> SumOfSquares {
@@ -298,34 +295,31 @@ fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
     names.into_iter().zip(&detectable.change).map(of).collect()
 }
 
-fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>, dominant: Option<&(Movement, f64)>) -> String {
+fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>, dominant: Option<&(Movement, f64)>) -> Phrase {
     let numbers = |m: &Movement| m.by.iter().map(number).collect::<Vec<_>>().join(", ");
     let by = moved.map(numbers).unwrap_or_default();
     let name = moved.map(|m| m.name.as_str()).unwrap_or_default();
     match (verdict, moved) {
-        (VerificationVerdict::Valid, _) => "the parameters are still valid for these poses".to_owned(),
-        (VerificationVerdict::BaseMoved, _) => format!("the base has moved by {by}"),
+        (VerificationVerdict::Valid, _) => phrase!("parameters-still-valid"),
+        (VerificationVerdict::BaseMoved, _) => phrase!("base-moved", by),
         (VerificationVerdict::Joint, _) => {
-            format!("the zero of joint {name} has moved by {}", by.trim_start_matches(name).trim_start())
+            phrase!("joint-zero-moved", joint = name, by = by.trim_start_matches(name).trim_start())
         }
-        (VerificationVerdict::Other, Some(_)) => format!("the target {name} has moved on its part by {by}"),
-        (VerificationVerdict::Other, None) if dominant.is_some() => {
-            let Some((m, share)) = dominant else { return String::new() };
-            let (by, percent) = (numbers(m), 100.0 * share);
-            let what = match m.kind {
-                MovementKind::Base => format!("a movement of the base by {by}"),
-                MovementKind::Joint => format!("a movement of the zero of joint {} by {by}", m.name),
-                MovementKind::Target => format!("a movement of the target {} by {by}", m.name),
-            };
-            format!(
-                "the parameters are no longer valid: {what} explains {percent:.0} % of the deviation, and what is left is \
-                 larger than expected"
-            )
-        }
-        (VerificationVerdict::Other, None) => {
-            "the parameters are no longer valid, and no motion of the base, one joint or one target explains why"
-                .to_owned()
-        }
+        (VerificationVerdict::Other, Some(_)) => phrase!("target-moved", target = name, by),
+        (VerificationVerdict::Other, None) => match dominant {
+            Some((m, share)) => partly_explained(m, numbers(m), *share),
+            None => phrase!("parameters-no-longer-valid"),
+        },
+    }
+}
+
+/// Statement about a motion that explains most of a deviation, with its share.
+fn partly_explained(m: &Movement, by: String, share: f64) -> Phrase {
+    let percent = (100.0 * share).round();
+    match m.kind {
+        MovementKind::Base => phrase!("base-motion-explains-most", by, percent),
+        MovementKind::Joint => phrase!("joint-motion-explains-most", joint = m.name, by, percent),
+        MovementKind::Target => phrase!("target-motion-explains-most", target = m.name, by, percent),
     }
 }
 
@@ -341,10 +335,5 @@ fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
     let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;
     let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect();
-    if others.is_empty() {
-        return None;
-    }
-    let what =
-        format!("{} would explain these residuals too: {}", count(others.len(), "other motion"), others.join(", "));
-    Some(Message::warning(what).hint("observe poses that differ more in the values of the joints"))
+    (!others.is_empty()).then(|| warning!("motions-alike", count = others.len(), motions = others))
 }

@@ -95,7 +95,7 @@ fn mistaken_names_of_poses_are_named() {
     let scratch = named(any, any);
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"hume, P_home, A-3, 10b, 5-8\"");
     scratch.replace("campaign.toml", "validation = \"9-59\"", "validation = \"rest\"");
-    ends(&scratch, "check", 2, &["`hume` names no pose that was measured", "did you mean `home`"]);
+    ends(&scratch, "check", 2, &["error[selected-pose-unmeasured]: `hume`", "did you mean `home`"]);
     // one pose in two spellings, in two files
     let scratch = named(|pose| format!("P{pose}"), |pose| format!("p0{pose}"));
     ends(&scratch, "check", 2, &["error[pose-name-two-spellings]: `P1` and `p01`", "encoders.csv:2"]);

@@ -135,8 +135,8 @@ fn a_loaded_robot_gives_way_by_what_the_table_says() {
     let planar = "direction,cycle,force_n,x_mm,y_mm\n+z,1,0,500,5\n+z,1,10,500,5\n";
     assert!(text_of(&answer(planar)).contains("direction `+z` without z_mm"));
     for (from, to, said) in [
-        ("+x,1,10,", "up,1,10,", "`up` is not a direction"),
-        ("+x,1,10,", "+x,1,-10,", "`-10` is not a force"),
+        ("+x,1,10,", "up,1,10,", "error[load-direction-unknown]: `up`"),
+        ("+x,1,10,", "+x,1,-10,", "error[force-not-a-number]: `-10`"),
         ("+x,1,0,", "+x,1,5,", "no row without force"),
         ("force_n", "force", "error[column-unknown]: there is no column `force_n`"),
         ("+x,1,10,500.01", "+x,1,10,", "error[coordinate-missing]"),

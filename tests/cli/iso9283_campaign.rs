@@ -37,7 +37,7 @@ fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     assert!(of_campaign.reference.len() == 3 && of_campaign.reference == of_command.reference);
     let loads: Iso9283ComplianceDocument = read(&scratch, "iso9283-compliance.json");
     assert_eq!(loads, answered(&scratch, &["--compliance", "loads.csv"]));
-    assert!(judged(&shown, "accuracy_max_mm", "mm met"), "{shown}");
+    assert!(judged(&shown, "largest accuracy AP", "pass"), "{shown}");
     assert!(rows(&shown).iter().any(|row| row.starts_with("+x 1.83 ")), "{shown}");
     assert!(shown.contains("(ISO 14253-1): all 5 poses conform."), "{shown}");
     // what its README says was put in: P5 is off by 0.30 mm, and warms up by 60 µm
@@ -153,7 +153,7 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
         assert!(found.drifts.iter().zip(&same.drifts).map(differs).all(|d| d < 1e-9), "{:?}", found.drifts);
         assert!(!found.coplanarity_of_four.is_empty() && found.visits[0].attained_mm[2].abs() > 1.0);
         assert!(
-            judged(&shown, "accuracy_max_mm", "mm met") && shown.contains("the farthest of all approaches"),
+            judged(&shown, "largest accuracy AP", "pass") && shown.contains("the farthest of all approaches"),
             "{shown}"
         );
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
@@ -170,11 +170,11 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
         ("poses.csv", "\n2,1,1,", "\n2,1,1.5,", &[]),
         ("poses.csv", "\n2,1,1,", "\n2,,1,", &["poses.csv", "cycle"]),
         ("reference.csv", "1,N4,", "1,N5,", &["reference.csv", "error[reference-targets-differ]"]),
-        ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "not a force"]),
-        ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "not a direction"]),
+        ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "error[force-not-a-number]"]),
+        ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "error[load-direction-unknown]"]),
         ("campaign.toml", "\"loads.csv\"", "\"no.csv\"", &["no.csv", "campaign.toml:"]),
         ("campaign.toml", "\"poses.csv\"", "\"../poses.csv\"", &["leaves the folder", "campaign.toml:"]),
-        ("campaign.toml", "drift_set = 5 ", "drift_set = 1 ", &["`drift_set` must be at least 2", "campaign.toml:"]),
+        ("campaign.toml", "drift_set = 5 ", "drift_set = 1 ", &["error[drift-set-too-small]: `drift_set`", "campaign.toml:"]),
         ("campaign.toml", "drift_set = 5 ", "drift_set = 40 ", &["drift: 0 sets", "campaign.toml:"]),
         ("campaign.toml", "drift_set", "drift_sett", &["unknown key `drift_sett`", "drift_set"]),
         ("campaign.toml", "accuracy_max_mm = 0.400", "position_max_mm = 1", &["needs [identify]"]),
@@ -200,8 +200,8 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     for (from, to, parts) in [
         ("3,20,", "3,twenty,", &["positions.csv:4", "twenty"][..]),
         ("3,20,", "2,20,", &["positions.csv:4", "error[pose-commanded-twice]: pose 2"]),
-        ("3,20,229,42\n", "", &["positions.csv", "no position is commanded for pose 3"]),
-        ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "labels bring positions alone"]),
+        ("3,20,229,42\n", "", &["positions.csv", "error[commanded-pose-missing]: no position is commanded for pose 3"]),
+        ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "error[commanded-angle-unmeasured]"]),
         (good, "", &["positions.csv", "error[data-rows-missing]"]),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
@@ -216,9 +216,9 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     }
     // what needs commanded poses says so
     for (from, to, part) in [
-        ("homing = ", "drift_set = 10\nhoming = ", "`drift_set` needs commanded poses"),
+        ("homing = ", "drift_set = 10\nhoming = ", "error[drift-without-commanded]"),
         ("repeatability_max_mm", "accuracy_max_mm", "needs [repeatability] with `commanded`, or [poses]"),
-        ("[limits]", "[poses]\nattained = \"a.csv\"\ncommanded = \"b.csv\"\n[limits]", "both state attained poses"),
+        ("[limits]", "[poses]\nattained = \"a.csv\"\ncommanded = \"b.csv\"\n[limits]", "error[attained-poses-twice]"),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
         scratch.replace("campaign.toml", from, to);
@@ -278,7 +278,7 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     std::fs::write(scratch.path().join("c.csv"), "pose,x_mm,y_mm\n1,0,0\n").unwrap();
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
-    assert!(text_of(&done).contains("the limit `repeatability_max_mm` cannot be judged: pose 1"), "{}", text_of(&done));
+    assert!(text_of(&done).contains("error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: pose 1"), "{}", text_of(&done));
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     let shown = text(&done.stdout);
     assert_eq!(done.status.code(), Some(1), "{shown}");
     for (limit, verdict) in
-        [("position_max_mm", "mm met"), ("orientation_max_deg", "deg met"), ("accuracy_max_mm", "mm NOT MET")]
+        [("largest position error", "pass"), ("largest orientation error", "pass"), ("largest accuracy AP", "FAIL")]
     {
         assert!(judged(&shown, limit, verdict), "{limit}: {shown}");
     }
@@ -315,7 +315,7 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     let verdict = html.split_once("<section id=\"verdict\">").unwrap().1.split_once("</div>").unwrap().0;
     assert!(verdict.contains("box bad") && verdict.contains(said), "{verdict}");
-    assert!(html.contains("accuracy_max_mm</bdi></th>") && !html.contains("limits of the campaign are met"));
+    assert!(html.contains("largest accuracy AP</th>") && !html.contains("limits of the campaign are met"));
     if let Some(words) = text_of_pdf(&scratch.path().join("out/report.pdf")) {
         let first = words.split('\u{c}').next().unwrap();
         assert!(first.contains(said) && !words.contains("limits of the campaign are met"), "{first}");
@@ -324,7 +324,7 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     let summary = column(&mut book, "Summary", "value");
     assert!(matches!(&summary[0], Data::String(verdict) if verdict.ends_with(said)), "{summary:?}");
     let verdicts = column(&mut book, "Limits", "verdict");
-    assert_eq!(verdicts, ["met", "met", "not met"].map(|text| Data::String(text.to_owned())));
+    assert_eq!(verdicts, ["pass", "pass", "fail"].map(|text| Data::String(text.to_owned())));
     // made again from the documents, it says the same
     assert!(etalon(scratch.root(), &["report", "campaign/out"]).status.success());
     assert_eq!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap(), html);
@@ -349,10 +349,11 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
         ("pose-test", "accuracy_max_mm = 0.400", ["0.4", "0.35", "0.2"]),
         ("prexyt-repeatability", "repeatability_max_mm = 0.040", ["0.04", "0.0294", "0.01"]),
     ] {
-        for (limit_mm, verdict) in limits.into_iter().zip(["met", "UNDECIDED", "NOT MET"]) {
-            let conforms = verdict == "met";
+        for (limit_mm, verdict) in limits.into_iter().zip(["pass", "UNDECIDED", "FAIL"]) {
+            let conforms = verdict == "pass";
             let scratch = copy_sample(sample);
             let name = key.split(' ').next().unwrap();
+            let title = if name == "accuracy_max_mm" { "largest accuracy AP" } else { "largest repeatability RP" };
             scratch.replace("campaign.toml", key, &format!("{name} = {limit_mm}"));
             let run = etalon(scratch.root(), &["run", "campaign"]);
             let found: Iso9283Document = read(&scratch, "iso9283.json");
@@ -373,7 +374,7 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
             }
             let limit = found.limits.iter().find(|l| l.name.to_string() == name).unwrap();
             assert_eq!(limit.met, conforms, "{sample} {limit_mm}");
-            assert!(judged(&text(&run.stdout), name, &format!("mm {verdict}")), "{sample}");
+            assert!(judged(&text(&run.stdout), title, verdict), "{sample}");
         }
     }
 }

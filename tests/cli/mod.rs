@@ -92,7 +92,7 @@ fn init_takes_the_robot_of_a_urdf() {
     let said = text(&checked.stderr);
     assert!(
         checked.status.code() == Some(2)
-            && said.lines().filter(|l| l.starts_with("error")).count() == said.matches("there is no file").count(),
+            && said.lines().filter(|l| l.starts_with("error")).count() == said.matches("error[input-missing]").count(),
         "{said}"
     );
     std::fs::create_dir(folder.path().join("mine/exports")).unwrap();
@@ -136,7 +136,7 @@ fn init_has_the_geometry_of_robots() {
         assert!(robot.contains("# Source: "), "{robot}");
         let said = text(&etalon(folder.path(), &["check", name]).stderr);
         let errors: Vec<&str> = said.lines().filter(|l| l.starts_with("error")).collect();
-        assert!(errors.len() == 2 && errors.iter().all(|e| e.contains("there is no file")), "{name}: {said}");
+        assert!(errors.len() == 2 && errors.iter().all(|e| e.contains("[input-missing]")), "{name}: {said}");
     }
     let joints = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n2,20,-30,40,50,-60,70\n";
     std::fs::write(folder.path().join("q.csv"), joints).unwrap();
@@ -203,7 +203,7 @@ fn a_synthetic_campaign_simulates_checks_and_runs() {
         )
     );
     let ran = done(&["run", "mine"]);
-    assert!(judged(&ran, "position_max_mm", "mm met") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
+    assert!(judged(&ran, "largest position error", "pass") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
     // what `formats` proposes for the simulated file is what the campaign states
     let proposed = done(&["formats", "mine/exports/poses.txt"]);
     let stated =
@@ -282,7 +282,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too
     let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "nowhere", "--json"], 2);
-    assert!(found.errors[0].what.contains("there is no campaign"), "{found:?}");
+    assert!(found.errors[0].what.contains("does not exist"), "{found:?}");
 }
 
 #[test]
@@ -312,7 +312,11 @@ fn formats_proposes_and_asks() {
         "mm",
     ];
     let refused = etalon(folder.path(), &table);
-    assert!(text(&refused.stderr).contains("the header states `X [in]`"), "{}", text(&refused.stderr));
+    assert!(
+        text(&refused.stderr).contains("error[unit-differs]: the file is in inch (X [in])"),
+        "{}",
+        text(&refused.stderr)
+    );
 
     // a number before the coordinates is none of them, and what is not read is told
     std::fs::write(folder.path().join("p.txt"), "1 10.1 20.2 30.3\n2 10.5 20.5 30.5\n").unwrap();
@@ -524,7 +528,7 @@ fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again
         assert!(said.contains(part), "{part}: {said}");
     }
     assert!(rows(&said).iter().any(|row| row.starts_with("homing 1.6 0.0 to 2.7")), "{said}");
-    assert!(judged(&said, "5", "not met") && judged(&said, "repeatability_max_mm", "mm met"), "{said}");
+    assert!(judged(&said, "5", "not met") && judged(&said, "largest repeatability RP", "pass"), "{said}");
     let report = scratch.path().join("out/report.html");
     let first = std::fs::read(&report).unwrap();
     assert!(text(&first).contains("from pose 5 (29)") && text(&first).contains("Synthetic data"));

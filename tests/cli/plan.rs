@@ -44,12 +44,12 @@ fn positions_of_a_five_bar_are_planned_twice_to_the_same_bytes_and_read_again() 
     assert_eq!(etalon(folder.path(), &few).status.code(), Some(0));
     let few = etalon(folder.path(), &[&few[..], &["--prior", "none"]].concat());
     assert_eq!(few.status.code(), Some(2));
-    assert!(text_of(&few).contains("do not suffice to identify 12 parameters"), "{}", text_of(&few));
+    assert!(text_of(&few).contains("[too-few-poses-planned]"), "{}", text_of(&few));
     let unknown = text_of(&etalon(
         folder.path(),
         &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "6", "--start", "77777"],
     ));
-    assert!(unknown.contains("no candidate pose 77777"), "{unknown}");
+    assert!(unknown.contains("[start-pose-unknown]: pose 77777"), "{unknown}");
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn one_working_mode_says_what_it_cannot_tell() {
     .unwrap();
     let refused =
         etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "7"]);
-    assert!(text(&refused.stderr).contains("does not state its assembly mode"), "{}", text_of(&refused));
+    assert!(text(&refused.stderr).contains("error[assembly-mode-missing]"), "{}", text_of(&refused));
 }
 
 #[test]

@@ -141,7 +141,7 @@ fn remarks_that_are_alike_are_one_and_routine_ones_are_in_their_section() {
     let run = etalon(scratch.root(), &["run", "campaign"]);
     let said = String::from_utf8(run.stderr).unwrap();
     assert!(run.status.success() && said.lines().filter(|l| l.starts_with("warning")).count() == 2, "{said}");
-    let joined = "12 parameters are fixed by the choice of base and targets";
+    let joined = "12 parameters are not separately identifiable from base and targets";
     assert!(
         said.find("are weakly identifiable").unwrap() < said.find(joined).unwrap(),
         "routine ones come last: {said}"

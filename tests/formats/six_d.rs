@@ -181,7 +181,7 @@ fn refused_statements(at: &Path, campaign: &dyn Fn(&str) -> String) {
     for (format, part) in [
         (
             "{ delimiter = \",\", header = 1, columns = [\"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\", \"-\", \"-\", \"-\"] }",
-            "the quaternion has the length",
+            "[quaternion-length]",
         ),
         (
             "{ delimiter = \",\", header = 1, columns = [\"x\", \"y\", \"z\", \"-\", \"-\", \"-\", \"qw\", \"qx\", \"qy\", \"-\"] }",

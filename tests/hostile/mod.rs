@@ -62,7 +62,7 @@ fn a_missing_file_points_at_the_campaign() {
         "campaign.toml",
         "exports/world.txt",
         "exports/wrld.txt",
-        &["there is no file `campaign/exports/wrld.txt`", "campaign.toml:12:8"],
+        &["[input-missing]", "`campaign/exports/wrld.txt`", "campaign.toml:12:8"],
     );
 }
 
@@ -88,7 +88,7 @@ fn a_path_may_not_leave_the_folder() {
 
 #[test]
 fn a_decimal_comma_is_not_read_as_something_else() {
-    broken("exports/world.txt", ".", ",", &["is not a number", "exports/world.txt:1", "decimal"]);
+    broken("exports/world.txt", ".", ",", &["[not-a-number]", "exports/world.txt:1", "decimal"]);
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn a_column_that_the_log_does_not_have() {
 
 #[test]
 fn words_in_a_log_are_reported_with_their_rows() {
-    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["`x` is not a number", "encoders.csv:2"]);
+    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["[not-a-number]: `x`", "encoders.csv:2"]);
     broken(
         "encoders.csv",
         "\n1,1,",
@@ -205,7 +205,7 @@ fn a_result_that_cannot_be_the_robot_reaches_no_controller() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho2_mm = \"RP2\", rho3_mm = \"RP3\"", "rho2_mm = \"RP3\", rho3_mm = \"RP2\"");
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(1) && said.contains("the model does not describe these measurements"), "{said}");
+    assert!(code == Some(1) && said.contains("error[measurements-undescribed]"), "{said}");
 }
 
 #[test]
@@ -224,9 +224,9 @@ fn broken_bytes_do_no_harm() {
 #[test]
 fn selections_that_select_nothing() {
     for (from, to, part) in [
-        ("calibration = \"1-8\"", "calibration = \"100-108\"", "`calibration` selects no pose that was measured"),
-        ("validation = \"9-59\"", "validation = \"90-99\"", "`validation` selects no pose that was measured"),
-        ("calibration = \"1-8\"", "calibration = \"eight\"", "`eight` names no pose that was measured"),
+        ("calibration = \"1-8\"", "calibration = \"100-108\"", "error[selection-without-pose]: `calibration`"),
+        ("validation = \"9-59\"", "validation = \"90-99\"", "error[selection-without-pose]: `validation`"),
+        ("calibration = \"1-8\"", "calibration = \"eight\"", "error[selected-pose-unmeasured]: `eight`"),
     ] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", from, to);
@@ -283,7 +283,7 @@ fn a_target_measured_twice_points_at_both_rows() {
     std::fs::write(&path, poses + &first + "\n").unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for part in ["target `K` is there twice at pose 1, cycle 1", "exports/poses.txt:591", "exports/poses.txt:1;"] {
+    for part in ["error[target-twice]: target `K` is there twice at pose 1, cycle 1", "exports/poses.txt:591", "exports/poses.txt:1;"] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
 }
@@ -316,7 +316,7 @@ fn a_frame_that_its_points_cannot_carry_is_refused() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "towards = \"rail3_a\"", "towards = \"R_end\"");
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(2) && said.contains("lies on the axis"), "{code:?} {said}");
+    assert!(code == Some(2) && said.contains("error[world-side-undetermined]"), "{code:?} {said}");
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "[\"rail2_a\", \"rail2_b\", \"rail3_a\"]", "[\"rail2_a\"]");
     let (code, said) = etalon(&scratch, "run");

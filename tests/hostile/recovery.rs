@@ -25,7 +25,7 @@ fn a_missing_key_hides_nothing_behind_it() {
         "the key `coverage_factor` is missing in `instrument`",
         "`rail9_a`",
         "error[column-unknown]: there is no column `RP33`",
-        "there is no file `campaign/exports/word.txt`",
+        "[input-missing]: there is no file `campaign/exports/word.txt`",
         "did you mean `world.txt`",
         "[nominal] names `d33`",
     ];
@@ -67,7 +67,7 @@ fn a_column_for_a_joint_that_the_robot_does_not_have() {
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho4_mm = \"RP3\"");
     let said = refused(
         &scratch,
-        &["`rho4_mm` is not a joint of this robot", "no column for joint `rho3`", "campaign.toml:25"],
+        &["error[not-of-this-robot]: `rho4_mm`", "no column for joint `rho3`", "campaign.toml:25"],
     );
     assert_eq!(errors(&said), 2, "{said}");
 }

@@ -33,7 +33,7 @@ fn a_repeat_of_a_fixed_point_that_lies_elsewhere_is_named_with_its_line() {
     scratch.replace("exports/world.txt", "R_home 312.63723 ", "R_home 313.63723 ");
     for command in ["check", "run"] {
         let said = ends(&scratch, command, 2, &["of 5 repeats of `R_home` one lies 0.99", "exports/world.txt:16"]);
-        assert!(said.starts_with("error") && said.contains("every result depends on it"), "{said}");
+        assert!(said.starts_with("error") && said.contains("[repeat-off]"), "{said}");
     }
     // ten micrometres: the instrument does not explain them, and the result is not spoilt
     scratch.replace("exports/world.txt", "R_home 313.63723 ", "R_home 312.64723 ");
@@ -105,7 +105,7 @@ fn outliers_are_left_out_where_the_campaign_says_so() {
     };
     std::fs::write(&path, text.lines().map(spoil).collect::<String>()).unwrap();
     let parts = [
-        "excluded by `outliers",
+        "[outliers-excluded]: excluded by `outliers",
         "3 of 400 readings",
         "(K, pose 5, cycle 3)",
         "(L, pose 17, cycle 1)",
@@ -133,7 +133,7 @@ fn a_tolerance_is_checked_and_kept() {
     // the table's d3 is 0.85 mm from its drawing
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\ntolerance = { d3 = 0.5 }");
-    let said = ends(&scratch, "run", 1, &["beyond the tolerance of the robot: `d3` = 0.85", "tolerance 0.500 mm"]);
+    let said = ends(&scratch, "run", 1, &["error[tolerance-exceeded]: 1 parameter is beyond the tolerance of the robot: `d3` = 0.85", "tolerance 0.500 mm"]);
     assert!(said.contains("no controller file is written"), "{said}");
 }
 
@@ -199,7 +199,7 @@ fn as_many_parameters_as_coordinates_are_said_to_be_unchecked() {
             .unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(code), "{prior}: {said}");
-        let unchecked = "6 coordinates of the calibration poses determine 6 parameters, and none is left";
+        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses determine 6 parameters";
         assert!(said.contains(unchecked), "{prior}: {said}");
     }
 }
@@ -229,7 +229,7 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     };
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
-    assert!(said.contains("compensated by the reference targets, attained positions scatter by 0.0458 mm"), "{said}");
+    assert!(said.contains("warning[compensation-scatters]: attained positions scatter by 0.0458 mm"), "{said}");
     // one of the four alone
     let raised = |line: &str| match line.strip_prefix("21,N2").and_then(|_| line.rsplit_once(',')) {
         Some((rest, z)) => format!("{rest},{:.4}\n", z.parse::<f64>().unwrap() + 0.1),
@@ -237,7 +237,7 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     };
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
-    assert!(said.contains("reference targets of cycle 21 lie 0.0") && said.contains("rigid motion"), "{said}");
+    assert!(said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0") && said.contains("rigid motion"), "{said}");
 }
 
 #[test]

@@ -242,7 +242,7 @@ fn twincat_variants_that_read_two_ways_are_refused() {
     let point = "values = \"raw\"\ncolumns = { a_mm = \"func_OS\" }";
     refused(
         &format!("{}{point}", scope("-default")),
-        &["`0,2` is not a number", "decimal = \",\"", "-default.csv:26:"],
+        &["[not-a-number]: `0,2`", "decimal = \",\"", "-default.csv:26:"],
     );
 }
 

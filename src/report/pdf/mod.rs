@@ -15,7 +15,8 @@ use super::supervised::supervised;
 use super::words::{Words, tr};
 use super::{Attachment, TYPESET};
 use etalon_base::date::date;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_documents::Presentation;
 use printable::{Letters, printable, printable_picture};
 use serde_json::{Value, json};
@@ -42,7 +43,7 @@ pub(super) fn pdf(
     presentation: &Presentation,
     words: &Words,
 ) -> Result<Vec<u8>> {
-    let fail = |e: serde_json::Error| Message::error(format!("cannot typeset report.pdf: {e}"));
+    let fail = |e: serde_json::Error| error!("typesetting-failed", reason = e.to_string());
     let data = paper(contents, presentation, words).map_err(fail)?;
     let own = presentation.templates.get(TYPESET.0).cloned();
     let is_own = own.is_some();

@@ -5,7 +5,7 @@ use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
 use crate::number;
-use crate::words::{Words, tr};
+use crate::words::{Words, names, tr};
 use etalon_documents::{ErrorQuantity, LimitVerdict};
 
 /// Height of the frame.
@@ -147,9 +147,9 @@ impl Chart {
         self.svg.rect(look, (x, end.min(zero)), (width, (end - zero).abs().max(0.5)), tooltip);
     }
 
-    /// Draws the limit of each single error of a quantity, on the horizontal axis if `across`: a
-    /// limit of a mean or a root mean square is none of the marks'. Its name is in the legend so
-    /// that it covers no marks.
+    /// Draws the limit of single errors of a quantity, on the horizontal axis if `across`. Limits
+    /// of a mean or a root mean square are not drawn: the marks are single errors. The name is in
+    /// the legend so that it covers no marks.
     pub fn limit(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, (across, words): (bool, &Words)) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
         let drawn = |l: &&LimitVerdict| l.name.of_each_error() == Some(quantity) && axis.contains(l.limit);
@@ -160,7 +160,7 @@ impl Chart {
             false => self.level("limit", limit.limit),
         }
         let unit = if shown.unit.is_empty() { &limit.unit } else { shown.unit };
-        let quantity = crate::sections::verdict::quantity(limit.name, words);
+        let quantity = words.tr(&names::limit(limit.name));
         let value = &number::derived(limit.limit * shown.factor);
         self.svg.legend_line("limit", &tr!(words, "limit-of", quantity, value, unit));
     }

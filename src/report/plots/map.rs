@@ -1,5 +1,5 @@
-//! Errors over the workspace (thesis, figs. 3.8 to 3.10). Colour and size of a mark are its error on
-//! one scale, common to before and after. A page can also show both on the figure's own scale.
+//! Errors over the workspace (thesis, figs. 3.8 to 3.10). Colour and size of a mark are its error
+//! on one scale, common to before and after. A page can also show both on the figure's own scale.
 
 use super::layer::*;
 use std::cmp::Reverse;

@@ -86,7 +86,7 @@ fn robust(found: &RobustSummary, words: &Words) -> String {
     let differs = match largest.difference_over_u > found.critical {
         true => tr!(
             words,
-            "robust-fit-differs",
+            "robust-fit-difference",
             parameter = largest.name,
             difference = number::significant(largest.difference_over_u, 2),
             chance = number::significant(found.critical, 2)

@@ -36,8 +36,12 @@ type Flagged = BTreeMap<PoseName, f64>;
 
 fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Flagged, words: &Words) -> Section {
     let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
-    section.summarise(tr!(words, "definition-of-errors"), Text::document(&accuracy.definition, words), "");
-    section.push(Block::detail(Text::document(&accuracy.definition, words)));
+    section.summarise(
+        tr!(words, "definition-of-errors"),
+        Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words),
+        "",
+    );
+    section.push(Block::detail(Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words)));
     if accuracy.sets.is_empty() {
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
@@ -52,7 +56,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
                     set = name,
                     poses = set.poses,
                     errors = set.count,
-                    point = words.named(point)
+                    point = words.worded(point, accuracy.point_phrase.as_ref())
                 )
             }
         };
@@ -125,7 +129,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
             largest = um(tool.expanded_max_mm),
             undetermined = um(tool.held_mm),
         )));
-        section.push(Block::detail(Text::document(&tool.definition, words)));
+        section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
     }
     let table = poses(errors, flagged, words);
     if !table.is_empty() {
@@ -385,7 +389,9 @@ mod tests {
             trends: vec![],
             schema: String::new(),
             point: String::new(),
+            point_phrase: None,
             definition: String::new(),
+            definition_phrase: None,
             sets: vec![set.clone()],
             placed_apart: Vec::new(),
             effects: Vec::new(),

@@ -14,7 +14,7 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
     Verdict {
         met: document.verdict == VerificationVerdict::Valid,
         class: Grade::of(document.verdict == VerificationVerdict::Valid),
-        sentences: vec![Text::document(&document.meaning, words).plain()],
+        sentences: vec![Text::worded(&document.meaning, document.meaning_phrase.as_ref(), words).plain()],
         ..Verdict::default()
     }
 }
@@ -68,7 +68,9 @@ pub(crate) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words
 /// Recommendation in sentences.
 pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
     let met = document.recommended.is_plausible();
-    let sentences = document.meaning.iter().map(|m| Text::document(m, words).plain()).collect();
+    let phrases = document.meaning_phrases.iter().map(Some).chain(std::iter::repeat(None));
+    let sentences = document.meaning.iter().zip(phrases).map(|(m, phrase)| Text::worded(m, phrase, words).plain());
+    let sentences = sentences.collect();
     Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
 }
 

@@ -1,9 +1,8 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use super::verdict::quantity;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, significant, strong_term, term};
 use crate::number;
-use crate::words::{Words, tr};
+use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::phrase;
 use etalon_documents::{Acceptance, Characteristics, Conformity, DecisionRule, LimitVerdict};
@@ -15,8 +14,8 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// Section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
+        .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))
         .sheet("limit", "", |l| l.name.to_string())
-        .page(phrase!("limit"), "", |l| Text::from(quantity(l.name, words)))
         .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both(phrase!("reached"), "", |l| {
             reached(l).map_or(Cell::Missing, |shown| Cell::Number { value: l.value.unwrap_or(f64::NAN), shown })
@@ -42,9 +41,7 @@ pub(super) fn judged(l: &LimitVerdict, words: &Words) -> Cell {
         Acceptance::Pass => term(words, phrase!("pass")),
         Acceptance::Conditional => strong_term(words, phrase!("conditional")),
         Acceptance::Fail => strong_term(words, phrase!("fail")),
-        Acceptance::Undecided if l.conformity == Conformity::NotAssessable => {
-            strong_term(words, phrase!("not-assessable"))
-        }
+        Acceptance::Undecided if l.conformity == Conformity::NotAssessable => strong_term(words, phrase!("not-assessable")),
         Acceptance::Undecided => strong_term(words, phrase!("undecided")),
     }
 }
@@ -98,15 +95,14 @@ mod tests {
         let section = of(&[&limit], false, &Words::default()).unwrap();
         let page = serde_json::to_value(&section).unwrap();
         let heads = page["blocks"][0]["header"].as_array().unwrap();
-        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 8));
+        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 6));
         assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
     }
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
-        let of = |value, u| {
-            reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap()
-        };
+        let of =
+            |value, u| reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap();
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
         assert_eq!(of(0.034_567, Some(0.0123)), "0.035");

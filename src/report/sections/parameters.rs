@@ -135,16 +135,17 @@ fn sheet(parameters: &[ParameterEntry]) -> Table {
 
 /// Meanings of parameters, with equal meanings in one row.
 fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
-    let mut rows: Vec<(&str, Vec<&str>)> = Vec::new();
+    let mut rows: Vec<(String, Vec<&str>)> = Vec::new();
     for p in parameters.iter().filter(|p| !p.meaning.is_empty()) {
-        match rows.iter_mut().find(|(meaning, _)| *meaning == p.meaning) {
+        let meaning = words.by_id(p.meaning_id.as_deref(), &p.meaning);
+        match rows.iter_mut().find(|(other, _)| *other == meaning) {
             Some((_, names)) => names.push(&p.name),
-            None => rows.push((&p.meaning, vec![&p.name])),
+            None => rows.push((meaning, vec![&p.name])),
         }
     }
-    let columns = Columns::<(&str, Vec<&str>)>::new()
+    let columns = Columns::<(String, Vec<&str>)>::new()
         .page(phrase!("parameters"), "", |(_, names)| Text::name(&names.join(", ")))
-        .page(phrase!("meaning-and-sign"), "", |(meaning, _)| Text::from(words.term(meaning)));
+        .page(phrase!("meaning-and-sign"), "", |(meaning, _)| Text::from(meaning.as_str()));
     Table::of(words, &rows, columns)
 }
 
@@ -195,6 +196,7 @@ mod tests {
             unit: "mm".into(),
             role: Role::Robot,
             meaning: String::new(),
+            meaning_id: None,
             tolerance: None,
             nominal: 300.0,
             before: 300.0,

@@ -37,7 +37,9 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
     sentences.extend(reservations(&judgement, words));
-    let point = identified.map(|i| words.named(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let point = identified
+        .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
+        .filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
             tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
@@ -114,9 +116,9 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.acceptance == Acceptance::Fail).count();
     let undecided: Vec<String> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| quantity(l.name, words)).collect();
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| words.tr(&names::limit(l.name))).collect();
     let not_measured: Vec<String> =
-        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| quantity(l.name, words)).collect();
+        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| words.tr(&names::limit(l.name))).collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() || !not_measured.is_empty() => String::new(),
@@ -127,8 +129,8 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
         (n, m) => tr!(words, "limits-not-met", count = m, total = n),
     };
     let open = (!undecided.is_empty()).then(|| tr!(words, "limits-undecided", limits = undecided.join(", ")));
-    let without =
-        (!not_measured.is_empty()).then(|| tr!(words, "limits-not-assessable", limits = not_measured.join(", ")));
+    let without = (!not_measured.is_empty())
+        .then(|| tr!(words, "limits-not-assessable", limits = not_measured.join(", ")));
     let rule = limits.first().map(|l| tr!(words, "decision-rule-named", rule = name(l.decision_rule, words)));
     let said = [Some(sentence), open, without, rule];
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
@@ -155,7 +157,7 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
     let sentence = tr!(
         words,
         "limited-error",
-        quantity = quantity(l.name, words),
+        quantity = words.tr(&names::limit(l.name)),
         count = set.poses,
         set = words.tr(&names::set(set.name)),
         before = number::fixed(before * factor, decimals),
@@ -194,36 +196,13 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     Some(tr!(
         words,
         "error-at-poses",
-        quantity = error_name(e.quantity, Figure::Max, words),
+        quantity = words.tr(&names::error(e.quantity, Figure::Max)),
         count = set.poses,
         set = words.tr(&names::set(set.name)),
         before = number::fixed(before, decimals),
         after = reached,
         unit
     ))
-}
-
-/// Name of a limited quantity.
-pub(crate) fn quantity(limit: LimitQuantity, words: &Words) -> String {
-    match limit {
-        LimitQuantity::RepeatabilityMaxMm => tr!(words, "characteristic-rp-max"),
-        LimitQuantity::AccuracyMaxMm => tr!(words, "characteristic-ap-max"),
-        limit => limit.of_errors().map_or_else(String::new, |(of, figure)| error_name(of, figure, words)),
-    }
-}
-
-/// Name of a figure of errors.
-fn error_name(quantity: ErrorQuantity, figure: Figure, words: &Words) -> String {
-    match (quantity, figure) {
-        (ErrorQuantity::Position, Figure::Mean) => tr!(words, "error-position-mean"),
-        (ErrorQuantity::Position, Figure::Rms) => tr!(words, "error-position-rms"),
-        (ErrorQuantity::Orientation, _) => tr!(words, "error-orientation-max"),
-        (ErrorQuantity::Distance, _) => tr!(words, "error-distance-max"),
-        (ErrorQuantity::Surface, _) => tr!(words, "error-surface-max"),
-        (ErrorQuantity::Contact, _) => tr!(words, "error-contact-max"),
-        (ErrorQuantity::Coordinate, _) => tr!(words, "error-coordinate-max"),
-        _ => tr!(words, "error-position-max"),
-    }
 }
 
 /// Size of the residuals relative to the measurement uncertainty.
@@ -257,8 +236,7 @@ fn position_rms(accuracy: &AccuracyDocument) -> Option<f64> {
 /// Verdict on given parameters, judged on the data of a campaign.
 pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
     let tested = Characteristics::default();
-    let judged =
-        Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
+    let judged = Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
     let judgement = judged.verdict();
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
@@ -296,7 +274,7 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     match termination.is_success() {
         true if document.is_plausible() => None,
         true => Some(tr!(words, "parameters-implausible")),
-        false => Some(tr!(words, "identification-failed", reason = termination.to_string())),
+        false => Some(tr!(words, "identification-ended", reason = termination.phrase())),
     }
 }
 
@@ -461,8 +439,13 @@ mod tests {
                 .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error"),
             "{open:?}"
         );
-        let simple =
-            LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.0442, Some(0.038), DecisionRule::SimpleAcceptance);
+        let simple = LimitVerdict::of(
+            LimitQuantity::PositionMaxMm,
+            0.05,
+            0.0442,
+            Some(0.038),
+            DecisionRule::SimpleAcceptance,
+        );
         documents.accuracy.limits[0] = simple;
         let conditional = of(&documents);
         assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
@@ -495,7 +478,7 @@ mod tests {
             "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
              (ISO 14253-1): all 2 poses conform.",
             "The instrument is good enough for every pose.",
-            "Within its uncertainty it is undecided whether the limit is met: accuracy_max_mm. Decision rule: guarded acceptance \
+            "Within its uncertainty it is undecided whether the limit is met: largest accuracy AP. Decision rule: guarded acceptance \
              (ISO 14253-1).",
         ];
         assert_eq!(

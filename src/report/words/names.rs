@@ -2,7 +2,7 @@
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{Effect, ErrorQuantity, PoseSet, SourceKind, UncertaintySource};
+use etalon_documents::{Effect, ErrorQuantity, Figure, LimitQuantity, PoseSet, SourceKind, UncertaintySource};
 
 /// Name of a set of poses.
 pub(crate) fn set(set: PoseSet) -> Phrase {
@@ -38,6 +38,36 @@ pub(crate) fn model(key: &str) -> Option<Phrase> {
         "delta" => phrase!("model-delta"),
         "delta_linear" => phrase!("model-delta-linear"),
         _ => return None,
+    })
+}
+
+/// Name of a limited quantity.
+pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
+    match quantity {
+        LimitQuantity::DistanceMaxMm => phrase!("limit-distance-max"),
+        LimitQuantity::SurfaceMaxMm => phrase!("limit-surface-max"),
+        LimitQuantity::ContactMaxMm => phrase!("limit-contact-max"),
+        LimitQuantity::CoordinateMaxMm => phrase!("limit-coordinate-max"),
+        LimitQuantity::PositionMaxMm => phrase!("limit-position-max"),
+        LimitQuantity::PositionMeanMm => phrase!("limit-position-mean"),
+        LimitQuantity::PositionRmsMm => phrase!("limit-position-rms"),
+        LimitQuantity::OrientationMaxDeg => phrase!("limit-orientation-max"),
+        LimitQuantity::RepeatabilityMaxMm => phrase!("limit-repeatability-max"),
+        LimitQuantity::AccuracyMaxMm => phrase!("limit-accuracy-max"),
+    }
+}
+
+/// Name of a figure of errors.
+pub(crate) fn error(quantity: ErrorQuantity, figure: Figure) -> Phrase {
+    limit(match (quantity, figure) {
+        (ErrorQuantity::Position, Figure::Mean) => LimitQuantity::PositionMeanMm,
+        (ErrorQuantity::Position, Figure::Rms) => LimitQuantity::PositionRmsMm,
+        (ErrorQuantity::Orientation, _) => LimitQuantity::OrientationMaxDeg,
+        (ErrorQuantity::Distance, _) => LimitQuantity::DistanceMaxMm,
+        (ErrorQuantity::Surface, _) => LimitQuantity::SurfaceMaxMm,
+        (ErrorQuantity::Contact, _) => LimitQuantity::ContactMaxMm,
+        (ErrorQuantity::Coordinate, _) => LimitQuantity::CoordinateMaxMm,
+        _ => LimitQuantity::PositionMaxMm,
     })
 }
 
@@ -85,7 +115,7 @@ pub(crate) fn source(source: UncertaintySource) -> Phrase {
     }
 }
 
-/// Names that documents enumerate in texts: elements, methods, points, movements, quantities of a
+/// Names that documents enumerate in texts: elements, methods, movements, quantities of a
 /// comparison. `None` for any other text.
 pub(crate) fn of_document(name: &str) -> Option<Phrase> {
     Some(match name {
@@ -98,10 +128,6 @@ pub(crate) fn of_document(name: &str) -> Option<Phrase> {
         "identified" => phrase!("identified"),
         "base shift" => phrase!("base-shift"),
         "base rotation" => phrase!("base-rotation"),
-        "the platform's centre as the balls measure it" => phrase!("platform-as-measured"),
-        "the targets as measured" => phrase!("targets-as-measured"),
-        "the platform's centre C in the base frame" => phrase!("platform-in-base"),
-        "the targets in the world" => phrase!("targets-in-world"),
         "position" => phrase!("position"),
         "orientation" => phrase!("orientation"),
         "calibration" => phrase!("calibration"),

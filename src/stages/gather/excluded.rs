@@ -7,7 +7,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{Refused, Source, SourceKind};
 
-/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones, with their reasons.
+/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones,
+/// with their reasons.
 pub(super) fn leave_out(
     campaign: &Campaign,
     columns: &mut PointColumns,
@@ -51,7 +52,7 @@ pub(super) fn leave_out(
         }
         columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row));
         let message = warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason = rule.reason);
-        problems.0.push(message.within(phrase!("of-file", file)).routine());
+        problems.0.push(message.within(phrase!("of-name", name = file)).routine());
     }
     problems.check()
 }

@@ -35,8 +35,8 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones. Gives what is
-    /// wrong with the rest.
+    /// Adds the rows of an export; rows that were not measured go to the refused rows of the
+    /// source. Returns the errors of the other rows.
     fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();
         let pattern = export.label.as_ref().and_then(|text| {

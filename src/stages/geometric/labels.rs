@@ -1,7 +1,8 @@
 //! Labels of points become measurements of the geometric calibration, and back.
 
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Vector, centroid};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::{Campaign, GeometricDefinition, WorldDefinition};
@@ -52,8 +53,7 @@ pub fn gather(campaign: &Campaign, definition: &GeometricDefinition, points: &[P
     };
     let mut want = |point: Option<Vector>, pattern: &Spanned<String>, (cycle, pose): (i64, PoseName), target: &str| {
         if point.is_none() {
-            let what = format!("ball `{target}` is missing (pose {pose}, cycle {cycle})");
-            problems.0.push(Message::error(what).at(campaign.place(pattern)).hint("measure it, or remove the rest"));
+            problems.0.push(error!("ball-missing", target, pose, cycle).at(campaign.place(pattern)));
         }
         point.unwrap_or_default()
     };
@@ -102,8 +102,7 @@ fn gather_leads(
     for (definition, step) in definition.lead.iter().zip(leads) {
         let actuator = *definition.actuator.get_ref();
         let Some(run) = found.leads.get_mut(actuator.wrapping_sub(1)) else {
-            let message = Message::error(format!("there is no actuator {actuator}")).expected("1, 2 or 3");
-            problems.0.push(message.at(campaign.place(&definition.actuator)));
+            problems.0.push(error!("actuator-unknown", actuator).at(campaign.place(&definition.actuator)));
             continue;
         };
         let measured = run.get_or_insert_with(LeadMeasurements::default);
@@ -111,8 +110,8 @@ fn gather_leads(
             let commanded =
                 pose.number().and_then(|n| usize::try_from(n - 1).ok()).and_then(|i| definition.positions_mm.get(i));
             let Some(&commanded) = commanded else {
-                let what = format!("position {pose} of actuator {actuator} is not among `positions_mm`");
-                problems.0.push(Message::error(what).at(campaign.place(&definition.label)));
+                let message = error!("lead-position-unknown", position = pose, actuator);
+                problems.0.push(message.at(campaign.place(&definition.label)));
                 continue;
             };
             measured.commanded_mm.extend(points.iter().map(|_| commanded));
@@ -178,11 +177,7 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
 impl LabelledPoints<'_> {
     /// Rails and ball R: those of the world frame.
     fn base(&self) -> Result<BaseMeasurements> {
-        let wrong = || {
-            Message::error("the geometric calibration needs a world frame from the rails and ball R")
-                .at(self.campaign.world_place())
-                .expected("`plane`, `origin`, `y_axis = [origin, other end]` and `towards`, as in the thesis' 3.4.1")
-        };
+        let wrong = || error!("geometric-frame").at(self.campaign.world_place());
         let Some(WorldDefinition {
             plane: Some(plane),
             origin: Some(origin),

@@ -1,6 +1,7 @@
 //! A table of a loaded robot: read and evaluated.
 
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_documents::Iso9283ComplianceDocument;
 use etalon_formats::table;
 use etalon_formats::tables::coordinates::NamedTable;
@@ -26,18 +27,14 @@ fn readings(table: NamedTable) -> Result<Vec<LoadReading>> {
     for (i, position_mm) in positions_mm.into_iter().enumerate() {
         let direction = DIRECTIONS.iter().position(|(known, _)| *known == names[i]);
         if direction.is_none() {
-            let message = Message::error(format!("`{}` is not a direction", names[i]));
-            problems.0.push(table.at_row(message, i).expected("+x, -x, +y, -y, +z or -z"));
+            problems.0.push(table.at_row(error!("load-direction-unknown", direction = names[i]), i));
         }
         if !spatial && names[i].ends_with('z') {
-            let message =
-                Message::error(format!("direction `{}` without z_mm: no displacement is measured there", names[i]));
-            problems.0.push(table.at_row(message, i).hint("add the column z_mm, or take the row out"));
+            problems.0.push(table.at_row(error!("load-direction-unmeasured", direction = names[i]), i));
         }
         let force_n = forces[i].parse().ok().filter(|f: &f64| f.is_finite() && *f >= 0.0);
         if force_n.is_none() {
-            let message = Message::error(format!("`{}` is not a force", forces[i]));
-            problems.0.push(table.at_row(message, i).expected("newtons, zero or more: the direction gives the sign"));
+            problems.0.push(table.at_row(error!("force-not-a-number", text = forces[i]), i));
         }
         if let (Some(direction), Some(force_n)) = (direction, force_n) {
             all.push(LoadReading { direction, cycle: cycles[i], force_n, position_mm });

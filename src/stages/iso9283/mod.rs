@@ -1,4 +1,5 @@
-//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become characteristics.
+//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become
+//! characteristics.
 
 pub mod load;
 pub mod pose;
@@ -8,7 +9,8 @@ mod streams;
 
 use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_campaign::{Campaign, Limits, PosesDefinition};
 use etalon_documents::*;
@@ -37,8 +39,8 @@ pub struct TestData {
     pub sources: Vec<Source>,
 }
 
-/// Reads the tables and recordings of all tests, and reports everything that is wrong with them and with what is stated of
-/// them. Labels are not looked at.
+/// Reads the tables and recordings of all tests, and reports all errors in them and in their
+/// statements. Labels are not checked.
 pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     let file = &campaign.file;
     let mut problems = drift_sets(campaign);
@@ -87,7 +89,7 @@ pub fn evaluate(
     Ok(Characteristics { poses, streams, compliance: data.compliance.clone() })
 }
 
-/// Everything that is wrong with the labels of `[repeatability]`; where the world is does not matter to them.
+/// Errors of the labels of `[repeatability]`; they do not depend on the world frame.
 pub fn label_problems(campaign: &Campaign, data: &TestData, gathered: &Gathered) -> Problems {
     let Some(labelled) = &campaign.file.repeatability else { return Problems::default() };
     let commanded = data.commanded.as_ref();
@@ -95,18 +97,17 @@ pub fn label_problems(campaign: &Campaign, data: &TestData, gathered: &Gathered)
     found.err().unwrap_or_default()
 }
 
-/// Statements on drift that mean nothing.
+/// Errors in the statements on drift.
 fn drift_sets(campaign: &Campaign) -> Problems {
     let file = &campaign.file;
     let mut problems = Problems::default();
     let mut check = |size: &Option<Spanned<usize>>, commanded: bool| {
         let Some(size) = size else { return };
         if *size.get_ref() < 2 {
-            problems.0.push(Message::error("`drift_set` must be at least 2").at(campaign.place(size)));
+            problems.0.push(error!("drift-set-too-small", option = "`drift_set`").at(campaign.place(size)));
         }
         if !commanded {
-            let message = Message::error("`drift_set` needs commanded poses").at(campaign.place(size));
-            problems.0.push(message.hint("state them: `commanded = \"commanded.csv\"`"));
+            problems.0.push(error!("drift-without-commanded").at(campaign.place(size)));
         }
     };
     if let Some(labelled) = &file.repeatability {
@@ -115,9 +116,7 @@ fn drift_sets(campaign: &Campaign) -> Problems {
     if let Some(definition) = &file.poses {
         check(&definition.drift_set, true);
         if file.repeatability.is_some() {
-            let message = Message::error("[poses] and [repeatability] both state attained poses");
-            let hint = "state the one that the measurements are in: labels, or a table";
-            problems.0.push(message.at(campaign.place(&definition.attained)).hint(hint));
+            problems.0.push(error!("attained-poses-twice").at(campaign.place(&definition.attained)));
         }
     }
     problems
@@ -154,7 +153,7 @@ fn of_tables(
     Ok(document)
 }
 
-/// What the campaign states for all tests of poses.
+/// Settings of the campaign for all tests of poses.
 fn settings(campaign: &Campaign) -> PoseTestSettings {
     let instrument = &campaign.file.instrument;
     PoseTestSettings {
@@ -183,9 +182,7 @@ pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
         let name = of.limit;
         let Some(limit) = limits.of(name) else { continue };
         if let Some(without) = poses.iter().find(|p| (of.value)(p).is_none()) {
-            let pose = without.pose;
-            let message = Message::error(format!("the limit `{name}` cannot be judged: pose {pose} has no such value"));
-            return Err(message.hint("visit every pose twice or more, and command it").into());
+            return Err(error!("limit-without-value", limit = name.to_string(), pose = without.pose).into());
         }
         let largest = |p: &&Iso9283Pose| (of.value)(p).unwrap_or(0.0);
         let Some(worst) = poses.iter().max_by(|a, b| largest(a).total_cmp(&largest(b))) else { continue };

@@ -3,6 +3,7 @@
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::warning;
 use etalon_campaign::PosesDefinition;
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use etalon_formats::tables::pose_test::pose_test;
@@ -41,7 +42,7 @@ impl PoseTables {
         Self { attained, commanded, reference }
     }
 
-    /// Those of a campaign; everything that does not read is reported.
+    /// Tables of a campaign; all tables that do not read are reported.
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         let mut problems = Problems::default();
         let mut read = |file: &Spanned<String>, holds: &str| {
@@ -91,34 +92,23 @@ fn scatter_mm(test: &PoseTest) -> f64 {
     (squares / f64::max(count, 1.0)).sqrt()
 }
 
-/// Compensation that makes poses scatter more than this many times as much does not follow the set-up.
+/// Compensation that makes poses scatter more than this many times as much does not follow the
+/// set-up.
 const WORSE: f64 = 1.1;
 
 /// A warning where the compensation of the set-up's drift makes poses scatter more.
 fn worse(before_mm: f64, after_mm: f64) -> Option<Message> {
-    (after_mm > WORSE * before_mm).then(|| {
-        let what = format!(
-            "compensated by the reference targets, attained positions scatter by {after_mm:.4} mm about the mean of their pose, and by \
-             {before_mm:.4} mm as they were measured"
-        );
-        let hint = "the reference targets have not moved with the measuring system: look for a wrong reading among them, or leave them out";
-        Message::warning(what).hint(hint)
-    })
+    (after_mm > WORSE * before_mm).then(|| warning!("compensation-scatters", before_mm, after_mm))
 }
 
-/// The reference targets' own shape differs by more than this many expanded uncertainties where one of them was measured wrongly.
+/// The reference targets' own shape differs by more than this many expanded uncertainties where one
+/// of them was measured wrongly.
 const MISSHAPEN: f64 = 2.0;
 
 /// A warning where reference targets do not lie to each other as they did first.
 fn misshapen(epoch: &Iso9283Epoch, expanded_mm: f64) -> Option<Message> {
-    (epoch.rms_mm > MISSHAPEN * expanded_mm).then(|| {
-        let what = format!(
-            "reference targets of cycle {} lie {:.4} mm (root mean square) from where a rigid motion of the first takes them: the \
-             instrument's expanded uncertainty is {expanded_mm:.4} mm",
-            epoch.cycle, epoch.rms_mm
-        );
-        Message::warning(what).hint("one of them moved, or was measured wrongly: measure them again, or leave it out")
-    })
+    let Iso9283Epoch { cycle, rms_mm, .. } = epoch;
+    (*rms_mm > MISSHAPEN * expanded_mm).then(|| warning!("reference-targets-misshapen", cycle, rms_mm, expanded_mm))
 }
 
 impl PreparedTest {
@@ -140,7 +130,7 @@ impl PreparedTest {
         Ok(document)
     }
 
-    /// Whether there are enough cycles for the drift over sets of so many.
+    /// Checks that there are enough cycles for the drift over sets of this size.
     pub fn drifts(&self, set: usize) -> Result<()> {
         drifts(&self.test, set).map(|_| ())
     }

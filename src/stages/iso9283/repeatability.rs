@@ -1,4 +1,5 @@
-//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
+//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of
+//! ISO 9283 out.
 
 use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
@@ -6,6 +7,7 @@ use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RepeatabilityDefinition};
 use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
 use etalon_formats::Point;
@@ -18,7 +20,8 @@ use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTes
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
-/// The characteristics of the campaign's labelled visits, in its world frame, and the files beside the exports that they are of.
+/// The characteristics of the campaign's labelled visits, in its world frame, and the files beside
+/// the exports that they are of.
 pub fn evaluate(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
@@ -27,8 +30,7 @@ pub fn evaluate(
     frames: &FramesDocument,
 ) -> Result<Iso9283Document> {
     let [frame] = &frames.world.poses[..] else {
-        let message = Message::error("[repeatability] needs a world frame that is measured once");
-        return Err(message.at(campaign.world_place()).into());
+        return Err(error!("repeatability-frame").at(campaign.world_place()).into());
     };
     let gathered = gather(campaign, definition, points, commanded, &frame.export_T_world)?;
     let drift_set = definition.drift_set.as_ref().map(|set| *set.get_ref());
@@ -55,7 +57,7 @@ pub fn evaluate(
     Ok(document)
 }
 
-/// What the labels of a campaign bring.
+/// Visits that the labels of a campaign name.
 #[derive(Clone, Debug)]
 pub struct Gathered {
     /// Visits of the trajectory's poses.
@@ -116,10 +118,8 @@ pub struct Commanded {
 impl Commanded {
     pub(super) fn read(files: &mut CampaignTables, file: &Spanned<String>) -> Result<Self> {
         let table = files.read(file, "commanded poses")?;
-        if let Some(name) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
-            let message = Message::error(format!("`{name}` is commanded, but labels bring positions alone"));
-            let hint = "leave the column out, or give attained poses with angles as a table: [poses]";
-            return Err(table.place(table.named().place(message.hint(hint))));
+        if let Some(column) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
+            return Err(table.place(table.named().place(error!("commanded-angle-unmeasured", column))));
         }
         let poses = commanded_poses(table.named()).map_err(|p| table.place(p))?;
         let spatial = table.named().spatial()?;
@@ -137,13 +137,10 @@ impl Commanded {
             }
         }
         if !missing.is_empty() {
-            let message = Message::error(format!("no position is commanded for pose {}", missing.join(", ")));
-            let message = message.hint("add a row for every pose of the trajectory that was measured");
-            return Err(self.table.named().place(message));
+            return Err(self.table.named().place(error!("commanded-pose-missing", poses = missing)));
         }
         for CommandedPose { pose, .. } in self.poses.iter().filter(|c| visits.poses.iter().all(|p| p.pose != c.pose)) {
-            let what = format!("pose {pose} is commanded, but nothing was measured there");
-            visits.warnings.push(Message::warning(what));
+            visits.warnings.push(warning!("commanded-pose-unmeasured", pose));
         }
         if !self.spatial {
             flatten(visits);
@@ -165,20 +162,18 @@ fn visit(pose: PoseName, cycle: i64, approach: Option<String>, attained_mm: etal
     Iso9283Visit { pose, cycle, approach, attained_mm }
 }
 
-/// Statements that no measurement can meet.
+/// Errors in statements that no measurement can meet.
 fn statements(campaign: &Campaign, definition: &RepeatabilityDefinition) -> Problems {
     let trajectory = definition.trajectory.get_ref();
     let mut problems = Problems::default();
     if trajectory.is_empty() {
-        let message = Message::error("the trajectory has no pose").at(campaign.place(&definition.trajectory));
-        problems.0.push(message.hint("state the poses of one cycle in their order, e.g. [1, 2, 1, 3]"));
+        problems.0.push(error!("trajectory-empty").at(campaign.place(&definition.trajectory)));
     }
     if let Some(four) = &definition.coplanar {
         let poses = four.get_ref();
         let distinct = poses.iter().collect::<BTreeSet<_>>().len() == poses.len();
         if !distinct || !poses.iter().all(|pose| trajectory.contains(pose)) {
-            let message = Message::error("`coplanar` does not name four poses of the trajectory");
-            problems.0.push(message.at(campaign.place(four)).expected("four of its poses, each once"));
+            problems.0.push(error!("coplanar-not-four").at(campaign.place(four)));
         }
     }
     problems
@@ -201,13 +196,9 @@ fn in_order(
     let mut measured: BTreeMap<(PoseName, i64), std::vec::IntoIter<_>> = BTreeMap::new();
     for ((cycle, pose, target), points) in std::mem::take(&mut step) {
         if !trajectory.contains(&pose) {
-            let message = Message::error(format!("pose {pose} (cycle {cycle}) is not in the trajectory")).at(place());
-            problems.0.push(message.hint("correct the label, or add the pose to `trajectory`"));
+            problems.0.push(error!("pose-not-in-trajectory", pose, cycle).at(place()));
         } else if measured.insert((pose, cycle), points.into_iter()).is_some() {
-            let what = format!("pose {pose} (cycle {cycle}) is there with another target than `{target}` as well");
-            problems
-                .0
-                .push(Message::error(what).at(place()).hint("one ball gives the repeatability: name it in `label`"));
+            problems.0.push(error!("pose-of-several-targets", pose, cycle, target).at(place()));
         }
     }
     let counts = trajectory.iter().fold(BTreeMap::new(), |mut counts: BTreeMap<PoseName, usize>, pose| {
@@ -217,24 +208,17 @@ fn in_order(
     let mut missing = Vec::new();
     for (&cycle, (&pose, &count)) in cycles.iter().flat_map(|cycle| counts.iter().map(move |count| (cycle, count))) {
         match measured.get(&(pose, cycle)).map_or(0, ExactSizeIterator::len) {
-            0 => missing.push(format!("pose {pose} of cycle {cycle}")),
+            0 => missing.push(phrase!("pose-of-cycle", pose, cycle)),
             found if found != count => {
-                let what = format!(
-                    "pose {pose} was measured {found} times in cycle {cycle}, the trajectory passes it {count} times"
-                );
-                let hint =
-                    "add the visit, or remove all of this pose and cycle: from where the others came is not known";
-                problems.0.push(Message::error(what).at(place()).hint(hint));
+                problems.0.push(error!("visit-count-differs", pose, cycle, found, count).at(place()));
             }
             _ => {}
         }
     }
     problems.0.truncate(20);
-    let warning = (!missing.is_empty()).then(|| {
-        let shown = missing.iter().take(10).cloned().collect::<Vec<_>>().join(", ");
-        let more = if missing.len() > 10 { ", ..." } else { "" };
-        Message::warning(format!("not measured: {shown}{more}")).at(place())
-    });
+    let shown = &missing[..missing.len().min(10)];
+    let warning = || warning!("visits-missing", count = missing.len(), poses = shown).at(place());
+    let warning = (!missing.is_empty()).then(warning);
     let mut all = Vec::new();
     for &cycle in &cycles {
         for (i, pose) in trajectory.iter().enumerate() {
@@ -278,7 +262,6 @@ fn out_of_plane(
 }
 
 fn too_coarse(homing: &Iso9283Pose) -> Option<Message> {
-    let rp = homing.rp_mm.filter(|_| homing.quarter_rule_met == Some(false))?;
-    let what = format!("the instrument's uncertainty exceeds a quarter of the repeatability of homing, {rp:.4} mm");
-    Some(Message::warning(what).hint("the value is an upper bound of the robot's"))
+    let rp_mm = homing.rp_mm.filter(|_| homing.quarter_rule_met == Some(false))?;
+    Some(warning!("homing-instrument-too-coarse", rp_mm))
 }

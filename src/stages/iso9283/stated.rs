@@ -1,5 +1,6 @@
-//! What a command or a campaign states of a recorded motion, checked the same for both.
+//! Statements of a command or a campaign on a recorded motion, checked alike for both.
 
+use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_standards::iso9283::motion::MotionSettings;
 use etalon_standards::iso9283::motion::standstill::Stillness;
@@ -8,7 +9,8 @@ use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::path::weaving::Weave;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
-/// Statements under the names that they have in `campaign.toml`; options of the command are named alike.
+/// Statements under the names that they have in `campaign.toml`; options of the command are named
+/// alike.
 #[derive(Clone, Debug)]
 pub struct TestStatement<'a> {
     /// Sampling rate, instead of time stamps.
@@ -17,11 +19,12 @@ pub struct TestStatement<'a> {
     pub still_mm: f64,
     /// Standing: for at least this time.
     pub still_s: f64,
-    /// How near a standstill is to its pose, and an attained path to the commanded one.
+    /// Largest distance (mm) of a standstill from its pose, and of an attained path from the
+    /// commanded one.
     pub near_mm: f64,
     /// Limit band.
     pub band_mm: Option<f64>,
-    /// Whether a commanded path is stated.
+    /// `true` if a commanded path is stated.
     pub path: bool,
     /// Command points on it.
     pub path_points: usize,
@@ -52,14 +55,14 @@ impl TestStatement<'_> {
             ("weave_hz", self.weave_hz),
         ];
         let wrong = numbers.iter().filter(|(_, value)| value.is_some_and(|v| !(v > 0.0 && v.is_finite())));
-        let wrong = wrong.map(|(key, _)| Message::error(format!("{} must be positive", name(key))));
+        let wrong = wrong.map(|(key, _)| error!("option-not-positive", option = name(key)));
         let mut problems = Problems(wrong.collect());
         let mut add = |message: Message| problems.0.push(message);
         if self.central_percent > 100.0 {
-            add(Message::error(format!("{} is more than the path", name("central_percent"))));
+            add(error!("central-part-too-large", option = name("central_percent")));
         }
         if !(2..=100_000).contains(&self.path_points) {
-            add(Message::error(format!("{} must be 2 to 100000", name("path_points"))));
+            add(error!("path-points-out-of-range", option = name("path_points")));
         }
         let weave = [
             ("weave_stroke_mm", self.weave_stroke_mm.is_some()),
@@ -68,23 +71,21 @@ impl TestStatement<'_> {
         ];
         let of_a_path = weave.into_iter().chain([("velocity_mm_s", self.velocity_mm_s.is_some())]);
         for (key, _) in of_a_path.filter(|(_, stated)| *stated && !self.path) {
-            let message = Message::error(format!("{} is that of a {}", name(key), name("path")));
-            add(message.hint("state the file of the commanded path"));
+            add(error!("path-not-stated", option = name(key), path = name("path")));
         }
         if weave.iter().any(|(_, stated)| *stated) {
             for (key, _) in weave.iter().filter(|(_, stated)| !stated) {
-                add(Message::error(format!("a weave has no {}", name(key))).hint("a weave is stated by all three"));
+                add(error!("weave-incomplete", option = name(key)));
             }
         }
         let across = self.weave_across;
         if !(across.is_empty() || across.len() == 3 && across.iter().all(|v| v.is_finite())) {
-            let message = Message::error(format!("{} has not three numbers", name("weave_across")));
-            add(message.expected("x, y and z of the way it swings"));
+            add(error!("weave-direction-count", option = name("weave_across")));
         }
         problems.check().map(|_| ())
     }
 
-    /// What was stated, with the poses and the path that were read.
+    /// Settings of the statements, with the poses and the path that were read.
     pub fn settings(
         &self,
         poses: Option<Vec<CommandedPose>>,

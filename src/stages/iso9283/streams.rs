@@ -2,7 +2,8 @@
 
 use super::stated::TestStatement;
 use crate::stages::table_file::{CampaignTables, TableFile};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_campaign::{Campaign, StreamDefinition};
 use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
@@ -21,7 +22,8 @@ pub(super) struct Ready {
     settings: MotionSettings,
 }
 
-/// Reads all recordings with what they are compared with; reports everything that is wrong with them.
+/// Reads all recordings with what they are compared with; reports everything that is wrong with
+/// them.
 pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
     let campaign = files.campaign;
     let mut problems = Problems::default();
@@ -29,8 +31,7 @@ pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
     let mut all = Vec::new();
     for stream in &campaign.file.streams {
         if !names.insert(stream.name.get_ref()) {
-            let message = Message::error(format!("stream `{}` is there twice", stream.name.get_ref()));
-            problems.0.push(message.at(campaign.place(&stream.name)));
+            problems.0.push(error!("stream-twice", stream = stream.name.get_ref()).at(campaign.place(&stream.name)));
         }
         let mut wrong = stream.problems(campaign);
         if let Err(more) = stated(stream).check(|key| format!("`{key}`")) {
@@ -93,7 +94,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
     Ok(Ready { recording, settings })
 }
 
-/// What the campaign states of a motion.
+/// Statements of the campaign on a motion.
 fn stated(stream: &StreamDefinition) -> TestStatement<'_> {
     TestStatement {
         rate_hz: stream.rate_hz,

@@ -2,6 +2,7 @@
 
 use super::KINDS;
 use etalon_base::message::{Message, Result};
+use etalon_base::{error, phrase};
 use etalon_formats::table::TEXTS;
 use etalon_identify::Fixture;
 use etalon_robots::Robot;
@@ -81,10 +82,10 @@ impl Cells {
     }
 
     fn missing(&self, column: &str) -> Message {
-        Message::error(match self.in_truth {
-            true => format!("a `{}` needs `{column}`", self.kind),
-            false => format!("the column `{column}` is empty or missing"),
-        })
+        match self.in_truth {
+            true => error!("observe-key-missing", kind = self.kind, column),
+            false => error!("column-empty", column),
+        }
     }
 
     /// The name in a column.
@@ -110,14 +111,14 @@ impl Cells {
     pub(super) fn axis(&self, missing: impl FnOnce() -> Message) -> Result<usize> {
         let axis = AXES.iter().position(|axis| self.text("axis") == Some(axis));
         Ok(axis.ok_or_else(|| match self.in_truth {
-            true => self.missing("axis").expected("\"x\", \"y\" or \"z\""),
+            true => self.missing("axis").expected(phrase!("axis-of-world")),
             false => missing(),
         })?)
     }
 
     /// The length in the column `distance_mm`.
     pub(super) fn distance(&self) -> Result<f64> {
-        let wrong = || Message::error("`distance_mm` is missing or not a length").expected("a length above 0");
+        let wrong = || error!("distance-not-positive");
         Ok(self.number("distance_mm").filter(|d| d.is_finite() && *d > 0.0).ok_or_else(wrong)?)
     }
 }
@@ -125,9 +126,7 @@ impl Cells {
 /// An error about a name of a fixed thing that is a target on the robot.
 pub(super) fn check_fixed(name: &str, robot: &dyn Robot) -> Result<()> {
     match robot.targets().iter().any(|target| target == name) || name == "base" {
-        true => Err(Message::error(format!("`{name}` is a target on the robot, not a fixed point"))
-            .hint("give fixed points names of their own; rows about them alone have no pose")
-            .into()),
+        true => Err(error!("fixed-point-on-robot", name).into()),
         false => Ok(()),
     }
 }

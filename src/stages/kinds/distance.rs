@@ -1,7 +1,8 @@
 //! The distance of a target from a fixed point, or of two fixed points.
 
 use super::{Cells, Facts, Row, RowKind, Simulated};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_identify::{Fixture, Kind, Known};
 use etalon_robots::Robot;
@@ -24,7 +25,7 @@ impl RowKind for Distance {
         let from = Fixture::Point(name).add_to(robot);
         let to = row.cells.point("other", robot)?;
         if to == from {
-            return Err(Message::error(format!("a distance from `{name}` to itself")).into());
+            return Err(error!("distance-to-itself", name).into());
         }
         Ok(Known::Distance { from, to, distance_mm: row.cells.distance()?, standard_uncertainty_mm })
     }

@@ -2,7 +2,8 @@
 
 use super::kind::not_of;
 use super::{Cells, Facts, Row, RowKind, Simulated};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_identify::{JointValue, Kind};
 use etalon_robots::{Quantity, Robot};
 
@@ -19,10 +20,8 @@ impl RowKind for Joints {
         value(robot, &robot.nominal(), &vec![0.0; robot.joints().len()], joint)?;
         let quantity = robot.joints()[joint].quantity;
         let column = column(quantity);
-        let stated = row.cells.number(column).filter(|value| value.is_finite()).ok_or_else(|| {
-            Message::error(format!("`{column}` is missing or not a number"))
-                .expected("the value of the joint by the switch or second encoder")
-        })?;
+        let missing = || error!("number-missing", column);
+        let stated = row.cells.number(column).filter(|value| value.is_finite()).ok_or_else(missing)?;
         let is_angle = quantity == Quantity::Angle;
         let value = if is_angle { stated.to_radians() } else { stated };
         Ok(vec![(Kind::Joint(JointValue { joint, value, is_angle }), f64::NAN)])
@@ -48,12 +47,12 @@ fn column(quantity: Quantity) -> &'static str {
 fn joint(cells: &Cells, robot: &dyn Robot) -> Result<usize> {
     let name = cells.name("joint")?;
     let names = || robot.joints().iter().map(|joint| joint.name.as_str());
-    let unknown = || Message::error(format!("`{name}` is not a joint of this robot")).hint_names(name, names());
+    let unknown = || error!("not-of-this-robot", name, kind = "joint").hint_names(name, names());
     Ok(names().position(|other| other == name).ok_or_else(unknown)?)
 }
 
-/// What the joint moves by at logged joint values, mm or rad.
+/// Motion of the joint at logged joint values (mm or rad).
 fn value(robot: &dyn Robot, values: &[f64], joints: &[f64], joint: usize) -> Result<f64> {
     let value = robot.free_base().and_then(|arm| arm.joint_value(values, joints, joint, &mut |_, _| ()));
-    Ok(value.ok_or_else(|| not_of("values of joints", robot))?)
+    Ok(value.ok_or_else(|| not_of("joints", robot))?)
 }

@@ -2,6 +2,7 @@
 
 use super::{Cells, Row};
 use crate::stages::orientations::AngleOrder;
+use etalon_base::error;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
@@ -9,7 +10,7 @@ use etalon_formats::table::XYZ;
 use etalon_identify::{Fixture, Kind, Known};
 use etalon_robots::Robot;
 
-/// What is the same in all rows of a kind.
+/// Facts that are common to all rows of a kind.
 #[derive(Default)]
 pub struct Facts {
     /// Name in the column `kind`.
@@ -28,23 +29,23 @@ pub struct Facts {
 
 /// A kind of rows: its columns, the conditions that a row states, and how a row is simulated.
 pub trait RowKind: Sync {
-    /// What is the same in all its rows.
+    /// Facts that are common to all rows of the kind.
     fn facts(&self) -> Facts;
 
-    /// What a row with a pose observed beside a position in the world, each with a standard uncertainty (mm or rad); NaN for that of the row.
+    /// Conditions of a row with a pose, beside a position in the world, each with a standard
+    /// uncertainty (mm or rad); NaN for the uncertainty of the row.
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>>;
 
-    /// What a row without a pose states of fixed things, with its standard uncertainty (mm).
+    /// Statement of a row without a pose on fixed things, with its standard uncertainty (mm).
     fn known(&self, _row: &Row, _u_mm: f64, _robot: &mut dyn Robot) -> Result<Known> {
-        Err(Message::error(format!("a row of kind `{}` has no pose", self.facts().name))
-            .hint("rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`")
-            .into())
+        Err(error!("row-without-pose", kind = self.facts().name).into())
     }
 
-    /// How a row with a pose is simulated; what it refers to is added to the parameters of `robot`.
+    /// Simulation of a row with a pose; the fixed things that it refers to become parameters of
+    /// `robot`.
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated>;
 
-    /// How a row without a pose is simulated; `near_mm` is about where a place on a surface is.
+    /// Simulation of a row without a pose; `near_mm` is near the place on a surface.
     fn known_simulated(&self, _: &Cells, _near_mm: Option<Vector>, _: &mut dyn Robot) -> Result<Simulated> {
         Err(no_known(self.facts().name).into())
     }
@@ -52,15 +53,14 @@ pub trait RowKind: Sync {
 
 /// The error about a `[[known]]` of a kind that has none.
 pub fn no_known(kind: &str) -> Message {
-    Message::error(format!("a row of kind `{kind}` has no [[known]]"))
-        .expected("`point`, `distance`, `plane`, `line` or `sphere`")
+    error!("known-unsupported", kind)
 }
 
 /// Numbers of a row by column, in mm or deg.
 pub type Numbers = Vec<(&'static str, f64)>;
 type Measure = dyn Fn(&mut Measurement) -> Result<Numbers>;
 
-/// How a row is simulated.
+/// Simulation of a row.
 pub struct Simulated {
     /// The condition that joint values have to meet, where the target touches something.
     pub touches: Option<Kind>,
@@ -82,7 +82,7 @@ impl Simulated {
         robot: &mut dyn Robot,
     ) -> Result<Self> {
         if near_mm.is_some() {
-            return Err(Message::error("`near_mm` is for places on surfaces").into());
+            return Err(error!("near-without-surface").into());
         }
         let point = Fixture::Point(&cells.target).add_to(robot);
         let numbers = kind.simulated(cells, robot)?.numbers;
@@ -111,7 +111,8 @@ pub struct Measurement<'a> {
     pub sigma_rad: std::result::Result<f64, Message>,
     /// The order of three angles of an orientation, where it is written in angles.
     pub order: Option<AngleOrder>,
-    /// An orientation without an order of angles is written as a rotation vector, not as a quaternion.
+    /// An orientation without an order of angles is written as a rotation vector, not as a
+    /// quaternion.
     pub is_vector: bool,
 }
 
@@ -137,7 +138,7 @@ pub(super) fn xyz(place_mm: Vector) -> Numbers {
     XYZ.into_iter().zip(place_mm).collect()
 }
 
-/// The error about a kind that is for arms in space.
-pub(super) fn not_of(what: &str, robot: &dyn Robot) -> Message {
-    Message::error(format!("{what} are for arms in space, not for `{}`", robot.model()))
+/// Error about a kind of rows (`joints` or `poses`) that is for arms in space.
+pub(super) fn not_of(kind: &str, robot: &dyn Robot) -> Message {
+    error!("kind-of-arms", kind, model = robot.model())
 }

@@ -1,8 +1,10 @@
-//! The position of a target, of which single coordinates and those of further stations are conditions; the place of a fixed point.
+//! The position of a target, of which single coordinates and those of further stations are
+//! conditions; the place of a fixed point.
 
 use super::kind::xyz;
 use super::{Cells, Facts, Row, RowKind, Simulated};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Pose, Vector};
 use etalon_identify::{Coordinate, Fixture, Kind, Known, Seen};
 use etalon_robots::Robot;
@@ -57,6 +59,6 @@ impl RowKind for Point {
 /// The coordinates that a text names.
 fn coordinates(text: &str) -> Result<[bool; 3]> {
     let known = text.chars().all(|c| "xyz".contains(c)) && !text.is_empty();
-    let wrong = || Message::error(format!("`{text}` does not name coordinates")).expected("\"z\", \"xy\" ..");
+    let wrong = || error!("coordinates-unknown", text);
     if known { Ok(["x", "y", "z"].map(|axis| text.contains(axis))) } else { Err(wrong().into()) }
 }

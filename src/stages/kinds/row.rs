@@ -3,7 +3,8 @@
 use super::cells::{ByColumn, Cell, Cells, STATION, check_fixed, names, text};
 use super::{KINDS, RowDefaults, RowKind, kind};
 use crate::stages::orientations::{AngleOrder, Written, written};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table;
@@ -33,7 +34,8 @@ pub fn columns<'a>() -> Vec<&'a str> {
 /// A row of a table; numbers that it does not state are NaN, and names empty.
 pub struct Row {
     pub(super) line: Option<usize>,
-    /// What the row refers to; its kind as stated, or `pose` and `point` with and without an orientation.
+    /// References of the row; its kind as stated, or `pose` and `point` with and without an
+    /// orientation.
     pub(super) cells: Cells,
     /// `None` for rows about fixed things alone.
     pub(super) pose: Option<PoseName>,
@@ -127,8 +129,7 @@ impl Row {
     /// Place of a fixed point, mm.
     pub(super) fn fixed_place(&self) -> Result<Vector> {
         if self.xyz_mm.iter().any(|v| !v.is_finite()) {
-            let what = format!("the place of `{}` is missing or not a number", self.cells.target);
-            return Err(Message::error(what).into());
+            return Err(error!("place-missing", point = self.cells.target).into());
         }
         Ok(self.xyz_mm)
     }
@@ -149,7 +150,7 @@ impl Row {
             return Ok(());
         }
         if self.joints.iter().any(|q| !q.is_finite()) {
-            return Err(Message::error("a joint value is missing or not a number").into());
+            return Err(error!("joint-value-missing").into());
         }
         let target = target_of(kind, &self.cells.target, robot)?;
         for (kind, own) in observed {
@@ -161,24 +162,19 @@ impl Row {
         Ok(())
     }
 
-    /// An error where a row of another station is not a point with all coordinates and one uncertainty.
+    /// An error where a row of another station is not a point with all coordinates and one
+    /// uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;
         let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
-        let what = match self.xyz_mm.iter().all(|v| v.is_finite()) {
-            _ if !kind.facts().is_position => {
-                format!("a row of kind `{}` states the station `{station}`", kind.facts().name)
-            }
-            false => format!("a coordinate of what station `{station}` measured is missing or not a number"),
-            true if has_covariance => format!("what station `{station}` measured states a covariance"),
-            true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => {
-                format!("the coordinates that station `{station}` measured have uncertainties of their own")
-            }
+        let fault = match self.xyz_mm.iter().all(|v| v.is_finite()) {
+            _ if !kind.facts().is_position => "kind",
+            false => "coordinate",
+            true if has_covariance => "covariance",
+            true if us[1..].iter().any(|u| u.to_bits() != us[0].to_bits()) => "uncertainties",
             true => return Ok(()),
         };
-        let expected =
-            "rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first";
-        Err(Message::error(what).expected(expected).into())
+        Err(error!("station-row-unsupported", station, fault, kind = kind.facts().name).into())
     }
 }
 
@@ -188,22 +184,15 @@ pub fn target_of(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result<us
         return Ok(0);
     }
     let found = robot.targets().iter().position(|target| target == name);
-    Ok(found.ok_or_else(|| Message::error(format!("`{name}` is not a target of this robot")))?)
+    Ok(found.ok_or_else(|| error!("not-of-this-robot", name, kind = "target"))?)
 }
 
 fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
-    let (column, option) = match is_angle {
-        true => {
-            ("urot_deg", "--rotation-uncertainty-deg (a campaign: `expanded_rotation_uncertainty_deg` in [instrument])")
-        }
-        false => ("u_mm", "--standard-uncertainty-um"),
-    };
+    let column = if is_angle { "urot_deg" } else { "u_mm" };
     match standard_uncertainty {
         u if u > 0.0 && u.is_finite() => Ok(u),
-        u if !u.is_nan() => Err(Message::error(format!("`{column}` = {u} is not a standard uncertainty")).into()),
-        _ => Err(Message::error("the row has no standard uncertainty")
-            .hint(format!("state {option}, or a column `{column}`"))
-            .into()),
+        u if !u.is_nan() => Err(error!("uncertainty-not-positive", column, value = u).into()),
+        _ => Err(error!("uncertainty-missing", column).into()),
     }
 }
 
@@ -223,7 +212,8 @@ pub(super) fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
 }
 
-/// The stations of rows that are not in the frame of the world: that of coordinates without a station, or else of the first with one.
+/// The stations of rows that are not in the frame of the world: that of coordinates without a
+/// station, or else of the first with one.
 fn other_stations(rows: &[ByColumn]) -> Vec<Option<String>> {
     let measured = |row: &&ByColumn| matches!(row.get(table::XYZ[0]), Some(Cell::Number(x)) if !x.is_nan());
     let of_points = || rows.iter().filter(measured).map(|row| text(row, STATION));

@@ -3,7 +3,8 @@
 use super::cells::check_fixed;
 use super::kind::xyz;
 use super::{Cells, Facts, Measurement, Row, RowKind, Simulated};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_identify::{Fixture, Kind, Known, On, Surface};
 use etalon_robots::Robot;
@@ -27,10 +28,7 @@ pub(super) const SPHERE: OnSurface = OnSurface { name: "sphere", has_offset: tru
 
 fn plane(cells: &Cells, robot: &mut dyn Robot) -> Result<Unknowns> {
     let name = cells.name("plane")?;
-    let axis = cells.axis(|| {
-        Message::error(format!("the plane `{name}` needs the axis of the world that is nearest to its normal"))
-            .expected("x, y or z in the column `axis`: z for a table, x or y for a wall")
-    })?;
+    let axis = cells.axis(|| error!("surface-axis-missing", kind = "plane", name))?;
     let first = Fixture::Plane(name, axis).add_to(robot);
     Ok((Surface::Plane { axis }, [first, first + 1, first + 2, first + 2]))
 }
@@ -38,10 +36,7 @@ fn plane(cells: &Cells, robot: &mut dyn Robot) -> Result<Unknowns> {
 fn line(cells: &Cells, robot: &mut dyn Robot) -> Result<Unknowns> {
     // `line` are the lines of the file
     let name = cells.name("line_name")?;
-    let axis = cells.axis(|| {
-        Message::error(format!("the line `{name}` needs the axis of the world that is nearest to it"))
-            .expected("x, y or z in the column `axis`")
-    })?;
+    let axis = cells.axis(|| error!("surface-axis-missing", kind = "line", name))?;
     let first = Fixture::Line(name, axis).add_to(robot);
     Ok((Surface::Line { axis }, [first, first + 1, first + 2, first + 3]))
 }
@@ -60,12 +55,10 @@ impl OnSurface {
         let offset_mm = match cells.number("offset_mm").unwrap_or(0.0) {
             offset if !self.has_offset && offset.is_nan() => 0.0,
             offset if !self.has_offset && offset != 0.0 => {
-                return Err(Message::error("`offset_mm` is of planes and spheres, not of a line").into());
+                return Err(error!("offset-of-line").into());
             }
             offset if !offset.is_finite() => {
-                return Err(Message::error("`offset_mm` is missing or not a number")
-                    .expected("how far the target is from the plane along that axis, or outside of the sphere: the radius of a ball, or 0")
-                    .into());
+                return Err(error!("number-missing", column = "offset_mm").into());
             }
             offset => offset,
         };
@@ -102,7 +95,7 @@ impl RowKind for OnSurface {
     fn known_simulated(&self, cells: &Cells, near_mm: Option<Vector>, robot: &mut dyn Robot) -> Result<Simulated> {
         let Some(near_mm) = near_mm else {
             if !self.has_radius {
-                return Err(Message::error(format!("a place on a {} needs `near_mm`", self.name)).into());
+                return Err(error!("near-missing", kind = self.name).into());
             }
             let radius = Fixture::Radius(&cells.target).add_to(robot);
             return Ok(Simulated::anywhere(move |at| Ok(vec![("distance_mm", at.length(at.values[radius]))])));

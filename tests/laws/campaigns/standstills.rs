@@ -248,7 +248,7 @@ fn the_offset_of_the_clocks_comes_from_the_standstills_and_is_said() {
     );
     let problems = run(&scratch).unwrap_err().to_string();
     assert!(
-        problems.contains("suit several offsets of the clocks: -733.525 to -733.225 s, -731.725 to -731.525 s"),
+        problems.contains("error[clock-offsets-several]") && problems.contains("-733.525 to -733.225 s, -731.725 to -731.525 s"),
         "{problems}"
     );
     // measured while the robot moved: no offset suits all
@@ -313,8 +313,8 @@ fn between_two_rows_joints_that_move_evenly_are_exact() {
 #[test]
 fn statements_about_standstills_that_contradict_are_errors() {
     for (stated, join, part) in [
-        ("", "clock_offset_s = \"standstills\"\ntolerance_s = 0", "a log that states none"),
-        (STANDSTILL, "clock_offset_s = 0\ntolerance_s = 0\ninterpolate = true", "nothing to interpolate"),
+        ("", "clock_offset_s = \"standstills\"\ntolerance_s = 0", "[standstills-missing]"),
+        (STANDSTILL, "clock_offset_s = 0\ntolerance_s = 0\ninterpolate = true", "[interpolate-with-standstills]"),
         (
             "standstill = { at_least_s = 1.0 }\n",
             "clock_offset_s = 0\ntolerance_s = 0",

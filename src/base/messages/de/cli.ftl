@@ -1,6 +1,6 @@
 ### Meldungen von cli; Erklärungen in en/cli.ftl.
 
-message-unknown = es gibt keine Meldung `{ $id }`
+message-unknown = `{ $id }` ist nicht die Kennung einer Meldung
 
 option-not-positive = { $option } muss positiv sein
     .hint = eine positive Zahl angeben
@@ -82,8 +82,8 @@ pose-unreachable = Pose { $pose }: { $reason }
 
 controller-format-unknown = `{ $name }` ist kein Steuerungsformat
 
-hash-of-other-format = `--controller-hash` gilt für das Format universal-robots
-    .hint = es angeben: --format universal-robots
+hash-of-other-format = `--controller-hash` gilt für die Formate, die ihn enthalten: { $formats }
+    .hint = eines davon mit --format angeben
 
 run-while-exporting = ein Lauf schrieb `{ $folder }`, während Steuerungsdateien entstanden
     .hint = den Befehl wiederholen: sie können von früheren Parametern stammen
@@ -138,7 +138,7 @@ iso230-few-runs = Position { $position } mm hat weniger als zwei Läufe in Richt
 nothing-to-evaluate = nichts zum Auswerten ist angegeben
     .hint = Posen, Aufzeichnung oder Lasten angeben: `etalon iso9283 --help`
 
-drift-set-too-small = --drift-set muss mindestens 2 sein
+drift-set-too-small = { $option } muss mindestens 2 sein
     .hint = die Zahl der Zyklen eines Satzes angeben
 
 commanded-missing = keine Sollposen angegeben: AP ist nicht bestimmt (null); RP braucht keine
@@ -152,6 +152,7 @@ no-whole-pose = `{ $model }` hat keine Kinematik einer ganzen Pose
 
 table-quaternion-length = die Quaternion hat die Länge { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz einer Drehung
+    .hint = die Spalten prüfen, und dass es keine Winkel sind
 
 not-a-report = `{ $file }` endet nicht wie ein Bericht
     .expected = eine Datei, die auf { $endings } endet
@@ -198,3 +199,28 @@ nothing-recognised = in `{ $name }` wird nichts erkannt
 table-to-evaluate-missing = die auszuwertende Tabelle fehlt
 
 option-of-call-refused = { $reason }
+
+table-options-refused = { $fault ->
+        [axes] eine Tabelle hat eine Basisachse oder zwei verschiedene
+        [positions] die Tabelle hat mehr als { $most } Positionen
+        [zero] --zero-at braucht eine Position je Basisachse
+        [numbers] --numbers braucht eine Nummer je Achse
+        [sign-missing] der Hersteller veröffentlicht das Vorzeichen der Werte dieser Tabelle nicht: --sign fehlt
+        [sign-known] --sign gilt für Tabellen, deren Vorzeichen nicht veröffentlicht ist
+        [plane] eine Ebene braucht zwei Basisachsen
+        [one-axis] diese Tabelle hat eine Basisachse
+       *[own-axis] diese Tabelle hat eine Basisachse, die korrigierte Achse
+    }
+    .hint = { $fault ->
+        [sign-missing] --sign add oder --sign subtract angeben, nach einem Versuch an einer Position der Maschine
+       *[other] die Option berichtigen; `etalon axis-table --help` beschreibt sie
+    }
+
+deviation-unknown = keine Abweichung bei { $position }: { $reason ->
+        [not-measured] die Steigung wurde dort nicht gemessen
+        [no-error] `{ $axis }` hat in diesem Modell keine eigenen Fehler
+       *[other] { $reason }
+    }
+    .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
+
+robot-file-of-run = die Kampagne noch einmal ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde

@@ -98,9 +98,6 @@ table-failed = die Tabelle kann nicht gebildet werden: { $reason }
 
 not-whole-number = `{ $value }` in der Spalte `{ $column }` ist keine ganze Zahl
 
-cell-empty = die Spalte `{ $column }` hat eine leere Zelle
-    .hint = die Zelle ergänzen oder die Zeile entfernen
-
 stored-table-damaged = die gespeicherte Tabelle ist beschädigt: { $reason }
     .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 
@@ -180,12 +177,14 @@ row-field-count = die Zeile hat { $fields ->
         [one] 1 Feld
        *[other] { $fields } Felder
     }
-    .expected = { $like ->
+    .expected = { $expected }
+    .hint = Trennzeichen, Dezimalzeichen und Anführungszeichen prüfen: ein Dezimalkomma vermehrt die Felder; in einer abgeschnittenen Datei fehlen sie
+
+fields-like = { $like ->
         [header] { $width } wie die Kopfzeile
         [first-row] { $width } wie die erste Zeile
        *[names] höchstens { $width } wie die Zeile der Namen
     }
-    .hint = ein Dezimalkomma vermehrt die Felder einer Datei, deren Spalten Kommas trennen: `delimiter` und `decimal` prüfen
 
 delimiter-does-not-split = durch `{ $delimiter }` getrennt haben die Zeilen eine einzige Spalte
 
@@ -275,7 +274,7 @@ channel-scale-not-number = `{ $key }` von Kanal `{ $channel }` ist `{ $value }`,
 delimiter-differs = der Export ist durch { $separator } getrennt
     .hint = `delimiter` dieses Protokolls entfernen: der Export gibt es an
 
-coordinates-differ = Istposen und Sollposen haben verschiedene Koordinaten
+coordinates-differ = Ist- und Sollpositionen haben verschiedene Koordinaten
     .expected = die Koordinaten von `{ $file }`
     .hint = ebene Roboter lassen `z_mm` in beiden Tabellen weg
 
@@ -347,7 +346,7 @@ observation-column-unknown = `{ $column }` ist keine Spalte von Beobachtungen
 column-stated-twice = die Spalte `{ $column }` ist als `{ $first }` und als `{ $second }` angegeben
     .hint = eine Angabe berichtigen
 
-heading-twice = der Kopf nennt `{ $column }` zweimal
+heading-twice = der Kopf nennt `{ $column }` mehrmals
     .hint = eine der Spalten umbenennen oder entfernen
 
 stated-and-in-table = `{ $key }` ist angegeben, und die Tabelle hat eine Spalte dieses Namens
@@ -374,7 +373,11 @@ file-without-points = das ist { $kind ->
        *[xml] ein XML-Dokument unbekannter Art
     }
     .expected = Messpunkte oder ein Protokoll, als Texttabelle oder Arbeitsmappe
-    .hint = die Zahlen als CSV schreiben: eine Zeile je Satz, darüber die Namen der Spalten
+    .hint = { $kind ->
+        [certificate] die Datei der Messpunkte angeben
+        [roughness] die Datei der Messpunkte angeben
+       *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
+    }
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat

@@ -187,13 +187,6 @@ table-failed = cannot build the table: { $reason }
 # Example: `1.5` in the column `cycle`
 not-whole-number = `{ $value }` in the column `{ $column }` is not a whole number
 
-# Means: A cell is empty in a column that needs a value in each row.
-# Matters: The row cannot be matched with others.
-# Do: Complete the cell, or remove the row.
-# Example: an empty cell in the column `cycle`
-cell-empty = the column `{ $column }` has an empty cell
-    .hint = complete the cell, or remove the row
-
 # Means: A table in the output folder is not as the run wrote it.
 # Matters: Results that are computed from it would be wrong.
 # Do: Run the campaign again.
@@ -334,21 +327,23 @@ header-words-missing = no line holds the words of the header: { $words }
 data-rows-missing = the file has no data rows
     .hint = export it again; if its only row holds values, state `header = false`
 
-# Means: A row has another number of fields than the others.
+# Means: A row has another number of fields than the others, than its columns or than its format.
 # Matters: Its values would be read from the wrong columns.
 # Do: Correct the row: a delimiter is missing or surplus. A decimal comma in a file separated by
-# commas adds fields.
+# commas adds fields. A file that was cut off lacks fields.
 # Example: `1;2;3` below the header `a;b`
 row-field-count = the row has { $fields ->
         [one] 1 field
        *[other] { $fields } fields
     }
-    .expected = { $like ->
+    .expected = { $expected }
+    .hint = check delimiter, decimal mark and quotes: a decimal comma adds fields; a file that was cut off lacks fields
+
+fields-like = { $like ->
         [header] { $width }, as the header
         [first-row] { $width }, as the first row
        *[names] at most { $width }, as the row of names
     }
-    .hint = a decimal comma adds fields in a file separated by commas: check `delimiter` and `decimal`
 
 # Means: The stated delimiter does not occur in the rows.
 # Matters: Each row is a single field.
@@ -535,7 +530,7 @@ delimiter-differs = the export is separated by { $separator }
 # Matters: Errors are differences of the same coordinates.
 # Do: Give both tables the same coordinates; planar robots leave z out in both.
 # Example: attained poses with x, y, z and commanded poses with x, y
-coordinates-differ = attained and commanded poses have different coordinates
+coordinates-differ = attained and commanded positions have different coordinates
     .expected = the coordinates of `{ $file }`
     .hint = planar robots leave `z_mm` out in both tables
 
@@ -685,11 +680,11 @@ observation-column-unknown = `{ $column }` is not a column of observations
 column-stated-twice = the column `{ $column }` is stated as `{ $first }` and as `{ $second }`
     .hint = correct one of them
 
-# Means: The header names a column twice.
+# Means: Several columns have the same heading.
 # Matters: It is unknown which of the columns is meant.
-# Do: Rename or remove one of the columns.
+# Do: Rename or remove one of the columns, or state the number of the column.
 # Example: a header `pose,rho1_mm,rho1_mm`
-heading-twice = the header names `{ $column }` twice
+heading-twice = the header names `{ $column }` more than once
     .hint = rename or remove one of the columns
 
 # Means: A quantity is stated for all rows, and the table has a column of it.
@@ -729,7 +724,8 @@ file-empty = the file is empty
 
 # Means: The file is recognised as a document that holds no measured points and no joint values.
 # Matters: No reading is proposed for it.
-# Do: Export the points, or write the numbers as CSV: one row each, names of the columns above.
+# Do: Export the points, or write the numbers as CSV: one row for each point or pose, the names of
+# the columns above.
 # Example: `etalon formats robot.yaml`
 file-without-points = this is { $kind ->
         [json] a JSON document
@@ -740,7 +736,11 @@ file-without-points = this is { $kind ->
        *[xml] an XML document of an unknown kind
     }
     .expected = measured points or a log, as a table of text or a workbook
-    .hint = write the numbers as CSV: one row each, names of the columns above
+    .hint = { $kind ->
+        [certificate] name the file of the measured points
+        [roughness] name the file of the measured points
+       *[other] write the numbers as CSV: one row for each point or pose, the names of the columns above
+    }
 
 # Means: No delimiter and decimal mark split the file into rows with at least two numbers.
 # Matters: The file holds neither points nor joint values in a form that can be read.

@@ -106,7 +106,7 @@ exclusion-mixed = an exclusion names either poses or the rows of a file
 # Example: `file = "pose.txt"` for the export `poses.txt`
 exclusion-file-unknown = `{ $file }` is not an export with rows to exclude
 
-of-file = `{ $file }`: { $message }
+of-name = `{ $name }`: { $message }
 
 # Means: A row lies where another point was measured: in the same pose, or far from the other rows
 # of its own name.
@@ -536,3 +536,1336 @@ range-of-seconds = { FIXED($low_s, 3) } to { FIXED($high_s, 3) } s
 # Example: standstills at equal intervals
 clock-offsets-several = the standstills allow { $count } ranges of the clock offset, the first: { $ranges }
     .hint = compare the clocks, and state `clock_offset_s` as a number
+
+axis-of-world = "x", "y" or "z"
+
+# Means: An [[observe]] or [[known]] of a truth lacks a key that its kind needs.
+# Matters: The row cannot be simulated.
+# Do: State the key.
+# Example: `kind = "distance"` without `other`
+observe-key-missing = kind `{ $kind }` needs `{ $column }`
+    .hint = state `{ $column }`
+
+# Means: A distance is missing, zero, negative or not a number.
+# Matters: The row states nothing.
+# Do: Correct or remove the row.
+# Example: an empty `distance_mm`
+distance-not-positive = `distance_mm` is missing or not a length
+    .expected = a length above 0
+
+# Means: A fixed point, socket or station has the name of a target on the robot, or `base`.
+# Matters: Its coordinates would be those of the target on the moving part.
+# Do: Give fixed points names of their own.
+# Example: `other = "SMR_1"` where SMR_1 is on the robot
+fixed-point-on-robot = `{ $name }` is a target on the robot, not a fixed point
+    .hint = give fixed points names of their own; rows about them alone have no pose
+
+# Means: A distance is stated from a point to the same point.
+# Matters: The row states nothing.
+# Do: Correct `other`.
+# Example: `target = "A"`, `other = "A"`
+distance-to-itself = the distance is from `{ $name }` to itself
+    .hint = correct `other`
+
+# Means: A number that the kind of the row needs is missing or does not read.
+# Matters: The row states nothing.
+# Do: Complete or remove the row.
+# Example: a row of kind `joints` without `value_deg`
+number-missing = `{ $column }` is missing or not a number
+    .expected = { $column ->
+            [offset_mm] the distance of the target from the plane along its axis, or from the sphere outwards: the radius of a ball, or 0
+           *[value_deg] the value of the joint by the switch or second encoder
+        }
+
+# Means: A row without a pose has a kind that needs one.
+# Matters: Without a pose the joint values of the row are unknown.
+# Do: State the pose, or use a kind that states fixed things.
+# Example: a row of kind `contact` with an empty `pose`
+row-without-pose = a row of kind `{ $kind }` has no pose
+    .hint = rows without a pose state places (`point`) and distances (`distance`) of fixed points, and places on a `plane`, `line` or `sphere`
+
+# Means: A [[known]] of a truth has a kind that always needs a pose.
+# Matters: The row cannot be simulated.
+# Do: Use `point`, `distance`, `plane`, `line` or `sphere`, or state it as [[observe]].
+# Example: `kind = "contact"` in [[known]]
+known-unsupported = a row of kind `{ $kind }` has no [[known]]
+    .expected = `point`, `distance`, `plane`, `line` or `sphere`
+
+# Means: `near_mm` of a [[known]] is stated for a point or distance.
+# Matters: It tells where on a surface a place is; here it has no effect.
+# Do: Remove `near_mm`.
+# Example: `near_mm` with `kind = "point"`
+near-without-surface = `near_mm` is for places on surfaces
+    .hint = remove `near_mm`
+
+# Means: Values of joints and poses of bodies are observed on arms in space only.
+# Matters: The model of this robot has no such observation.
+# Do: Observe positions or distances.
+# Example: a row of kind `joints` for a planar robot
+kind-of-arms = { $kind ->
+        [joints] values of joints
+       *[poses] poses
+    } are for arms in space, not for `{ $model }`
+    .hint = observe positions or distances of targets
+
+# Means: The column `kind` names a kind of observation that does not exist.
+# Matters: It is unknown what the row states.
+# Do: Use one of the kinds in docs/observations.md.
+# Example: `kind = "points"`
+kind-unknown = `{ $name }` is not a kind of observation
+
+# Means: A name stands on one or two rows and is spelt almost like the name on many rows.
+# Matters: Whatever it names would be identified from these rows alone, which then say nothing of
+# the robot.
+# Do: Correct the name, or leave the rows out.
+# Example: `SMR_l` in one row, `SMR_1` in 99 rows
+name-on-few-rows = `{ $name }` is named in { $count ->
+        [one] 1 row
+       *[other] { $count } rows
+    } only, and `{ $meant }` in { $meant_count }
+    .hint = did you mean `{ $meant }`? otherwise leave the rows of `{ $name }` out: they do not determine where it is
+
+# Means: `base_link` of the robot is moved by joints of the URDF, and positions were measured by an
+# instrument.
+# Matters: Positions are taken as measured in a frame that moves with the base. An instrument
+# usually stands in the room.
+# Do: If the instrument is fixed in the room, let `base_link` be the root of the URDF.
+# Example: `base_link = "link_1"` of an arm on a rail
+base-moves = the joints { $joints } move `base_link`: positions are taken as measured in a frame that moves with it
+    .hint = if the instrument is fixed in the room, let `base_link` be the root of the URDF
+
+names-of-fixed-things = give targets, points and planes names of their own
+
+# Means: Rows give one or two coordinates of a target.
+# Matters: Each coordinate counts as an observation of its own.
+# Do: Nothing, if the other coordinates were not measured.
+# Example: heights measured with a dial gauge: `z_mm` alone
+partial-coordinates = { $count ->
+        [one] 1 row gives
+       *[other] { $count } rows give
+    } one or two coordinates of a target: each counts by itself
+
+# Means: A few rows have an empty column `station`, and many rows have a station.
+# Matters: Rows without a station are taken as those of the world, whose station must see the robot
+# at three poses or more.
+# Do: Complete the column.
+# Example: one row of 100 without its station
+station-missing = the column `station` is empty here, and other points have one
+    .hint = name the station: rows without one belong to the station of the world, which has to see the robot at { $least } poses or more
+
+# Means: `coordinates` of a truth has letters other than x, y and z.
+# Matters: It is unknown which coordinates are simulated.
+# Do: State one to three of the letters x, y and z.
+# Example: `coordinates = "h"`
+coordinates-unknown = `{ $text }` does not name coordinates
+    .expected = letters of x, y and z: "z", "xy"
+
+# Means: A row without a pose states the place of a fixed point, and a coordinate is missing.
+# Matters: The row states nothing.
+# Do: Complete or remove the row.
+# Example: an empty `z_mm` of a fixed point
+place-missing = the place of `{ $point }` is missing or not a number
+    .hint = complete its coordinates, or remove the row
+
+# Means: A row lacks the value of a joint.
+# Matters: The pose of the robot is unknown there.
+# Do: Complete or remove the row.
+# Example: an empty `q3_deg`
+joint-value-missing = a joint value is missing or not a number
+    .hint = complete or remove the row
+
+# Means: A row of a station other than the first is not a point with three coordinates and one
+# uncertainty.
+# Matters: Its frame is identified with the robot; this is computed for whole points.
+# Do: State x_mm, y_mm, z_mm and `u_mm`.
+# Example: a height alone, measured from a second station
+station-row-unsupported = { $fault ->
+        [kind] a row of kind `{ $kind }` states the station `{ $station }`
+        [coordinate] a coordinate measured by station `{ $station }` is missing or not a number
+        [covariance] a point measured by station `{ $station }` states a covariance
+       *[uncertainties] coordinates measured by station `{ $station }` have uncertainties of their own
+    }
+    .expected = rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first
+
+# Means: The standard uncertainty of a row is zero or negative.
+# Matters: It is the weight of the row.
+# Do: Correct the value, or leave the cell empty.
+# Example: `u_mm = 0`
+uncertainty-not-positive = `{ $column }` = { $value } is not a standard uncertainty
+    .expected = a positive number
+
+# Means: A row has no standard uncertainty, and none is stated for all rows.
+# Matters: It is the weight of the row.
+# Do: State it for all rows, or in a column.
+# Example: a distance in a table without `u_mm`
+uncertainty-missing = the row has no standard uncertainty
+    .hint = { $column ->
+            [urot_deg] state --rotation-uncertainty-deg (in a campaign `expanded_rotation_uncertainty_deg` of [instrument]), or a column `urot_deg`
+           *[u_mm] state --standard-uncertainty-um, or a column `u_mm`
+        }
+
+# Means: A plane or line is identified, and the column `axis` does not state which axis of the world
+# it is nearest to.
+# Matters: The parameters of the plane or line are defined about this axis.
+# Do: State `x`, `y` or `z`.
+# Example: a row of kind `plane` without `axis`
+surface-axis-missing = { $kind ->
+        [line] the line `{ $name }` needs the axis of the world that is nearest to it
+       *[plane] the plane `{ $name }` needs the axis of the world that is nearest to its normal
+    }
+    .expected = x, y or z in the column `axis`{ $kind ->
+            [line] {""}
+           *[plane] : z for a table, x or y for a wall
+        }
+
+# Means: `offset_mm` is stated for a target on a line.
+# Matters: A distance from a line has no sign or direction: it is not computed.
+# Do: Leave the cell empty.
+# Example: `offset_mm = 5` in a row of kind `line`
+offset-of-line = `offset_mm` is for planes and spheres, not for a line
+    .hint = leave the cell empty
+
+# Means: A [[known]] of a truth is a place on a plane or line, and does not state where.
+# Matters: The place cannot be simulated.
+# Do: State `near_mm`.
+# Example: `kind = "plane"` in [[known]] without `near_mm`
+near-missing = a place on a { $kind } needs `near_mm`
+    .hint = state about where it is, in the world
+
+# Means: The column `direction` of a table of loads has another text than an axis with its sign.
+# Matters: The compliance is evaluated for each direction.
+# Do: Correct the cell.
+# Example: `x` instead of `+x`
+load-direction-unknown = `{ $direction }` is not a direction
+    .expected = +x, -x, +y, -y, +z or -z
+
+# Means: A load along z is in a table without `z_mm`.
+# Matters: The displacement along the force was not measured.
+# Do: Add the column `z_mm`, or remove the row.
+# Example: `direction = "+z"` in a table of x and y
+load-direction-unmeasured = direction `{ $direction }` needs `z_mm`: no displacement is measured there
+    .hint = add the column `z_mm`, or remove the row
+
+# Means: A force is missing, negative or not a number.
+# Matters: The row states nothing.
+# Do: State the magnitude in newtons; the direction gives the sign.
+# Example: `force_n = -50`
+force-not-a-number = `{ $text }` is not a force
+    .expected = newtons, zero or more: the direction gives the sign
+
+# Means: `drift_set` is stated without commanded poses.
+# Matters: Drift is the change of pose accuracy, which needs commanded poses (ISO 9283, 7.2.4).
+# Do: State `commanded`, or remove `drift_set`.
+# Example: `drift_set = 10` without `commanded`
+drift-without-commanded = `drift_set` needs commanded poses
+    .hint = state them: `commanded = "commanded.csv"`
+
+# Means: The campaign has [poses] and [repeatability].
+# Matters: Both state the attained poses of one test: it is undefined which count.
+# Do: Keep the one that the measurements are in: labels, or a table.
+# Example: [poses] with `attained` beside [repeatability] with `label`
+attained-poses-twice = [poses] and [repeatability] both state attained poses
+    .hint = keep the one that the measurements are in: labels, or a table
+
+# Means: A limit is stated for a characteristic that some pose does not have.
+# Matters: Whether the limit is met is unknown there.
+# Do: Visit every pose twice or more, and command it; or remove the limit.
+# Example: `repeatability_max_mm` where pose 4 was visited once
+limit-without-value = the limit `{ $limit }` cannot be judged: pose { $pose } has no such value
+    .hint = visit every pose twice or more, and command it
+
+# Means: Compensation of the drift of the set-up by reference targets makes the positions of a pose
+# scatter more.
+# Matters: The reference targets did not move with the measuring system; compensated values are
+# worse than measured ones.
+# Do: Look for a wrong reading among the reference targets, or leave them out.
+# Example: a reference target touched during the test
+compensation-scatters = attained positions scatter by { FIXED($after_mm, 4) } mm about the mean of their pose after compensation by reference targets, by { FIXED($before_mm, 4) } mm before
+    .hint = look for a wrong reading among the reference targets, or leave them out
+
+# Means: The distances between reference targets changed by more than twice the expanded uncertainty
+# of the instrument.
+# Matters: A target moved or was measured wrongly; the compensation of the set-up contains this
+# error.
+# Do: Measure the reference targets again, or leave one out.
+# Example: one of four reference targets bumped in cycle 12
+reference-targets-misshapen = reference targets of cycle { $cycle } lie { FIXED($rms_mm, 4) } mm (root mean square) from a rigid motion of the first cycle; expanded uncertainty { FIXED($expanded_mm, 4) } mm
+    .hint = one of them moved, or was measured wrongly: measure them again, or leave it out
+
+# Means: [repeatability] is evaluated in a world frame that is measured once, and the campaign
+# measures it at each pose.
+# Matters: A frame at each pose adds its own scatter to the repeatability.
+# Do: Make the world frame of points that are measured once.
+# Example: `each = "pose"` in [frame.world] with [repeatability]
+repeatability-frame = [repeatability] needs a world frame that is measured once
+    .hint = make the frame of points that do not move
+
+# Means: The table of commanded poses has a column of angles, and labelled points are positions
+# only.
+# Matters: Accuracy of orientation cannot be evaluated.
+# Do: Remove the column, or give attained poses with angles as a table in [poses].
+# Example: `a_deg` in `commanded` of [repeatability]
+commanded-angle-unmeasured = `{ $column }` is commanded, but labels bring positions alone
+    .hint = remove the column, or give attained poses with angles as a table: [poses]
+
+# Means: A pose was visited, and the table of commanded poses lacks it.
+# Matters: Its accuracy cannot be evaluated.
+# Do: Add a row for every pose of the trajectory that was measured.
+# Example: a trajectory of five poses, four rows
+commanded-pose-missing = no position is commanded for pose { $poses }
+    .hint = add a row for every pose of the trajectory that was measured
+
+# Means: The table of commanded poses has a pose that was not visited.
+# Matters: The pose has no characteristics.
+# Do: Nothing, if it is not part of the test.
+# Example: a table of five poses, four visited
+commanded-pose-unmeasured = pose { $pose } is commanded, but nothing was measured there
+
+# Means: `trajectory` of [repeatability] is an empty list.
+# Matters: The order of the visits is unknown.
+# Do: State the poses of one cycle in their order.
+# Example: `trajectory = []`
+trajectory-empty = the trajectory has no pose
+    .hint = state the poses of one cycle in their order, for example [1, 2, 1, 3]
+
+# Means: `coplanar` of [repeatability] has a pose twice, or one that `trajectory` lacks.
+# Matters: The deviation from the plane is computed from four visited poses.
+# Do: Name four poses of the trajectory, each once.
+# Example: `coplanar = [1, 2, 3, 3]`
+coplanar-not-four = `coplanar` does not name four poses of the trajectory
+    .expected = four of its poses, each once
+
+# Means: A label names a pose that `trajectory` of [repeatability] lacks.
+# Matters: The visit has no place in the order of the cycle.
+# Do: Correct the label, or add the pose to `trajectory`.
+# Example: the label `visit_9_1` with `trajectory = [1, 2, 3]`
+pose-not-in-trajectory = pose { $pose } (cycle { $cycle }) is not in the trajectory
+    .hint = correct the label, or add the pose to `trajectory`
+
+# Means: Labels of [repeatability] match visits of several targets.
+# Matters: Repeatability is that of one point; the targets lie apart.
+# Do: Name one target in `label`.
+# Example: `label = "{target}_{pose}_{cycle}"` with three balls
+pose-of-several-targets = pose { $pose } (cycle { $cycle }) has visits of `{ $target }` and of another target
+    .hint = name the one target of the test in `label`
+
+pose-of-cycle = pose { $pose } of cycle { $cycle }
+
+# Means: A pose was measured in a cycle, and not as many times as the trajectory passes it.
+# Matters: It is unknown which visit is missing, and from where the others were approached.
+# Do: Add the visit, or remove all visits of this pose and cycle.
+# Example: two visits where the trajectory passes the pose three times
+visit-count-differs = pose { $pose } was measured { $found } times in cycle { $cycle }, the trajectory passes it { $count } times
+    .hint = add the visit, or remove all of this pose and cycle: from where the others were approached is unknown
+
+# Means: Poses of the trajectory have no visit in some cycles.
+# Matters: Their characteristics come from fewer cycles.
+# Do: Nothing, if the cycles were interrupted. Otherwise look for misspelt labels.
+# Example: cycle 30 ended at pose 3
+visits-missing = not measured: { $poses }{ $count ->
+        [one] {""}
+       *[other] {""}; { $count } in all
+    }
+
+# Means: The expanded uncertainty of the instrument exceeds 25 % of the repeatability of homing.
+# Matters: The value is an upper bound of the robot's repeatability.
+# Do: Use it as an upper bound, or measure with a better instrument.
+# Example: a repeatability of 5 µm measured with U = 3 µm
+homing-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the repeatability of homing, { FIXED($rp_mm, 4) } mm
+    .hint = use the value as an upper bound, or measure with a better instrument
+
+# Means: The central part of a path is stated as more than 100 %.
+# Matters: Velocities are compared within the path.
+# Do: State 100 or less.
+# Example: `central_percent = 150`
+central-part-too-large = { $option } is more than the path
+    .expected = a number above 0 and at most 100
+
+# Means: The number of command points on a path is below 2 or above 100000.
+# Matters: Path accuracy is evaluated in a plane at each command point.
+# Do: State a number from 2 to 100000.
+# Example: `path_points = 1`
+path-points-out-of-range = { $option } is out of range
+    .expected = 2 to 100000
+
+# Means: A velocity or weave is commanded without a commanded path.
+# Matters: It has no effect.
+# Do: State the file of the commanded path.
+# Example: `velocity_mm_s = 100` without `path`
+path-not-stated = { $option } needs { $path }
+    .hint = state the file of the commanded path
+
+# Means: A weave is stated by stroke, frequency and direction, and one of them is missing.
+# Matters: Weaving deviations compare all three.
+# Do: State the missing one.
+# Example: `weave_hz` alone
+weave-incomplete = the weave lacks { $option }
+    .hint = state stroke, frequency and direction
+
+# Means: The direction of a weave has not three finite numbers.
+# Matters: The swing is measured along this direction.
+# Do: State x, y and z of the direction.
+# Example: `weave_across = [0, 1]`
+weave-direction-count = { $option } has not three numbers
+    .expected = x, y and z of the direction of the swing
+
+# Means: Two [[stream]] have the same name.
+# Matters: Results and comparisons of campaigns refer to the name.
+# Do: Give each stream its own name.
+# Example: two [[stream]] with `name = "square"`
+stream-twice = stream `{ $stream }` is there twice
+    .hint = give each stream its own name
+
+in-observation = pose { $pose } cycle { $cycle } of the observations: { $message }
+
+in-candidate = pose { $pose } of the candidates: { $message }
+
+in-feature = feature `{ $name }`: { $message }
+
+# Means: Rows of one pose and cycle have different joint values.
+# Matters: All targets of a pose are measured at the same joint values.
+# Do: Correct the joint values, or number repeats in the column `cycle`.
+# Example: `q1_deg` 10.0 and 10.5 at pose 3, cycle 1
+joints-of-pose-differ = its rows have different joint values
+    .hint = correct them, or number repeats in the column `cycle`
+
+# Means: A target has two rows at one pose and cycle.
+# Matters: It is unknown which of them counts.
+# Do: Number repeats in the column `cycle`.
+# Example: two rows `3,1,SMR_1`
+target-repeated = target `{ $target }` occurs twice
+    .hint = number repeats in the column `cycle`
+
+# Means: The table has no rows, or none that was measured.
+# Matters: There is nothing to identify from.
+# Do: Check the file and its exclusions.
+# Example: a table that holds a header alone
+table-without-observations = there are no observations
+    .hint = check the file and the exclusions
+
+# Means: The arms of the nominal robot are too short, or too far apart, to meet at these joint
+# values.
+# Matters: The pose cannot be computed.
+# Do: Check unit, sign and offset of the joints, and the nominal parameters.
+# Example: joint values in radians read as degrees
+arms-apart = with nominal parameters the arms do not meet at these joint values
+    .hint = check unit, sign and offset of the joints, and the nominal parameters
+
+# Means: Candidates with joint values of a parallel robot do not state the assembly mode.
+# Matters: The robot has two positions at the same joint values.
+# Do: State 1 or -1 in the column `assembly`, or give candidates as positions.
+# Example: `pose,q1_deg,q2_deg` of a five-bar robot
+assembly-mode-missing = the assembly mode is not stated
+    .expected = 1 or -1 in the column `assembly`
+    .hint = candidates may also be positions: `pose,x_mm,y_mm` without joints gives all working modes
+
+# Means: Positions at which the robot would be in either assembly mode are about as far from the
+# measured position.
+# Matters: The mode cannot be taken from the measurement.
+# Do: State the column `assembly`, or the place of the base under [nominal].
+# Example: a five-bar robot measured along its line of symmetry
+assembly-mode-ambiguous = both assembly modes fit equally well: { FIXED($near_mm, 2) } mm and { FIXED($far_mm, 2) } mm from the measured position
+    .hint = state a column `assembly` with 1 or -1; or state the place of the base (x_o, y_o, phi) under [nominal]
+
+# Means: The log states no assembly mode; the mode whose position is nearer to the measurement was
+# taken.
+# Matters: A wrong mode would show as an error of millimetres at this pose.
+# Do: State the column `assembly` where the log has it.
+# Example: a log of a five-bar robot without `assembly`
+assembly-modes-assumed = the assembly mode of { $count } observations was taken from the measurement ({ $positive } in mode +1, { $negative } in mode -1); least clear is pose { $pose }: { FIXED($near_mm, 1) } mm and { FIXED($far_mm, 1) } mm
+    .hint = state a column `assembly` with 1 or -1 where the log has it
+
+# Means: Measured positions of a robot in space lack `z_mm`.
+# Matters: A position in space has three coordinates. Rows with single coordinates state them by
+# leaving cells of a present column empty.
+# Do: Add the column `z_mm`.
+# Example: `x_mm,y_mm` of a six-axis arm
+height-missing = observations of a robot in space lack `z_mm`
+    .hint = add the column `z_mm`
+
+# Means: The table has columns `ux_mm` .. and columns `cxx_mm2` ..
+# Matters: It is undefined which weigh the rows.
+# Do: Remove `ux_mm`, `uy_mm`, `uz_mm`.
+# Example: `ux_mm` beside `cxx_mm2`
+uncertainties-twice = the table states both standard uncertainties and covariances of coordinates
+    .hint = remove `ux_mm`, `uy_mm`, `uz_mm`
+
+# Means: A row states the uncertainty of some coordinates and not of all.
+# Matters: Its weight is unknown.
+# Do: Complete the row, or leave all its cells of uncertainties empty.
+# Example: `ux_mm` without `uy_mm` in a row
+coordinate-uncertainty-missing = the row states an uncertainty, but `{ $column }` is empty
+    .expected = from 0.00002 to 100 mm, or all of them empty
+
+# Means: The uncertainty of a coordinate is zero, negative, below 0.02 µm or above 100 mm.
+# Matters: No instrument has it; the column is probably in another unit.
+# Do: Correct the unit or the value.
+# Example: `ux_mm = 0.000001`
+coordinate-uncertainty-unusable = `{ $column }` = { $value } is not the uncertainty of a coordinate
+    .expected = from 0.00002 to 100 mm, or all of them empty
+
+# Means: The covariance of a position has an eigenvalue of zero or below.
+# Matters: It is no covariance of measured coordinates: two elements are exchanged, or have another
+# unit.
+# Do: Check the columns `cxx_mm2` ..
+# Example: a correlation above 1
+position-covariance-invalid = the covariance of the row is not positive definite
+    .hint = check order and unit of the columns `cxx_mm2` ..
+
+unplaced = { $kind ->
+        [targets] { $count ->
+            [one] 1 target
+           *[other] { $count } targets
+        }
+        [fixtures] { $count ->
+            [one] 1 fixture
+           *[other] { $count } fixtures
+        }
+       *[both] { $count } targets and fixtures
+    } measured at validation poses alone: { $names }; placed by these readings, with the identified robot held
+
+# Means: All targets of the validation poses are measured there alone, and their readings are needed
+# to place them.
+# Matters: No reading is left that could contradict the identified robot.
+# Do: Measure the targets at calibration poses too, or move a pose where they are measured to
+# `calibration`.
+# Example: a second ball measured at the validation poses, once each
+validation-leaves-nothing = { $unplaced }: nothing is left to validate with
+    .hint = measure them at calibration poses too, or move a pose where they are measured to `calibration`
+
+# Means: A target is measured at validation poses only. Its place was fitted to these readings.
+# Matters: The errors of these readings are smaller than those of an independent validation; the
+# statistics count their redundancy.
+# Do: Measure the target at calibration poses too.
+# Example: a second ball measured at the validation poses
+placed-by-validation = { $unplaced }; the statistics take this into account
+    .hint = measure them at calibration poses too, or move a pose where they are measured to `calibration`
+
+# Means: Some targets are measured at validation poses only, with too few readings to contradict the
+# place that is fitted to them.
+# Matters: Errors of these readings are not judged: they would be near zero whatever the robot does.
+# Do: Measure the targets at calibration poses too.
+# Example: a ball measured once, at a validation pose
+placed-by-validation-unjudged = { $unplaced }; readings without redundancy are not judged: { $names }
+    .hint = measure them at calibration poses too, or move a pose where they are measured to `calibration`
+
+# Means: No candidate position is reached by the nominal robot, or its model has no inverse
+# kinematics.
+# Matters: There are no configurations to choose from.
+# Do: State joint values instead of positions.
+# Example: candidates in metres
+candidate-positions-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
+    .hint = state joint values, one column per joint with its unit
+
+check-readings = look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]
+
+# Means: A robust fit gives other parameters than least squares, by more than chance, and no single
+# pose is the reason.
+# Matters: The residuals are not normally distributed; standard uncertainties may be too small.
+# Do: Look for errors of the robot that the model does not describe, and check the stated
+# uncertainty.
+# Example: a robot with gear errors that are not modelled
+robust-fit-disagrees = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
+    .hint = the robot has errors that the model does not describe, or the stated uncertainty is too small
+
+# Means: A robust fit gives other parameters than least squares, by more than chance, and gives some
+# poses little weight.
+# Matters: These poses pull the parameters away from what the other poses show.
+# Do: Look at these poses for exchanged labels and wrong readings.
+# Example: a pose whose log row belongs to another pose
+robust-fit-disagrees-at-poses = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); poses that disagree with the others: { $poses }
+
+target-positions = `{ $target }` ({ $count ->
+        [one] 1 position
+       *[other] { $count } positions
+    })
+
+# Means: The nominal robot reproduces all coordinates of a target from the joint values, to the
+# rounding of the file.
+# Matters: Measured coordinates contain errors of the robot and the instrument. These were computed:
+# nothing can be identified from them.
+# Do: Name the measured coordinates in `columns`; state `synthetic` for simulated data.
+# Example: `columns` names the commanded position of an export instead of the measured one
+coordinates-commanded = the nominal robot reproduces the coordinates of { $targets } from the joint values to { SCIENTIFIC($largest_mm, 2) } mm, the rounding of the file: they were commanded, not measured
+    .hint = name the measured coordinates in `columns`; where the data are simulated, state `synthetic` in the campaign
+
+# Means: The points of the world frame fit the mirror image of `nominal_mm`, and not `nominal_mm`
+# itself.
+# Matters: A body cannot be mirrored: two axes of the export are exchanged, or one has the other
+# sign.
+# Do: Check the columns and signs of the export.
+# Example: `columns = ["label", "y", "x", "z"]`
+frame-points-mirrored = the points of the world frame are { FIXED($off_mm, 3) } mm from their nominal places, and fit their mirror image within { FIXED($limit_mm, 3) } mm
+    .hint = two axes of the export are exchanged, or one has the other sign: check its columns
+
+# Means: One point of the world frame is off its nominal place, and the others fit without it.
+# Matters: The point shifts or turns the frame, and with it every position.
+# Do: Check the point, its label and `nominal_mm`, or state the tolerance of the drawing.
+# Example: a reflector that does not sit in its nest
+frame-point-off = `{ $point }` is { FIXED($off_mm, 3) } mm from its nominal place relative to the other points (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+    .hint = check the point, its label and `nominal_mm`, or state the tolerance of the drawing
+
+# Means: Points of the world frame are off their nominal places, and no single point explains it.
+# Matters: The frame, and with it every position, is wrong by about as much.
+# Do: Check the points, their labels and `nominal_mm`, or state the tolerance of the drawing.
+# Example: `nominal_mm` in inches
+frame-points-off = from `{ $first }` to `{ $second }` it is { FIXED($measured_mm, 3) } mm measured, { FIXED($nominal_mm, 3) } mm nominal (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+    .hint = check the point, its label and `nominal_mm`, or state the tolerance of the drawing
+
+# Means: `nominal_mm` of [frame.world] names a point that no export has.
+# Matters: The point cannot be compared.
+# Do: Correct the name.
+# Example: `nominal_mm = { base_9 = [0, 0, 0] }` with base_1 to base_4
+nominal-point-unmeasured = `nominal_mm` names `{ $point }`, which was not measured
+
+# Means: `nominal_mm` of [frame.world] states one or two points.
+# Matters: Two points fit any drawing of the right length.
+# Do: Add points of the frame, or remove `nominal_mm`.
+# Example: `nominal_mm` of two points
+nominal-few-points = `nominal_mm` needs three points or more
+    .hint = add points of the frame, or remove it
+
+# Means: The identified base is far from [nominal] of robot.toml, and an exchange of axes of the
+# world frame explains it.
+# Matters: The robot itself is identified correctly. Base parameters, and positions in the world,
+# refer to other axes than robot.toml states.
+# Do: Check axes and points of the world frame, and [nominal].
+# Example: an export whose z is vertical, robot.toml with y vertical
+world-axes-exchanged = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the place that robot.toml states: x, y, z of robot.toml are { $axes } of the world frame
+    .hint = check axes, unit and points of the world frame, and [nominal] of robot.toml
+
+# Means: The identified base is far from the place that [nominal] of robot.toml states.
+# Matters: The world frame is made of other points or in another unit than meant, or robot.toml
+# states another place.
+# Do: Check axes, unit and points of the world frame, and [nominal].
+# Example: the points of the frame of another fixture
+base-off-nominal = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the place that robot.toml states; limit { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
+    .hint = check axes, unit and points of the world frame, and [nominal] of robot.toml
+
+orientation-slip = { $slip ->
+        [joint] `{ $name }` reversed
+        [scalar-last] the scalar of the quaternions last
+        [scalar-first] the scalar of the quaternions first
+        [scalar-last-inverse] the scalar of the quaternions last, and the inverse rotations
+        [order] angles in the order `{ $name }`
+        [vectors] rotation vectors instead of angles
+        [order-of-vectors] angles in the order `{ $name }` instead of rotation vectors
+        [radians] angles in radians instead of degrees
+        [degrees] angles in degrees instead of radians
+        [inverse] the inverse rotations
+       *[left-handed] a left-handed frame ({ $name } reversed)
+    }
+
+slip-leaves = with { $slip } by { FIXED($left_deg, 2) } deg
+
+check-slips = they differ { $slips }: check that first
+
+# Means: Observed orientations are turned against those of the robot by more than joints of a robot
+# are wrong.
+# Matters: They follow another convention than the columns say, or a joint is reversed. Parameters
+# identified from them would be meaningless.
+# Do: Check what the hint names. Otherwise check that qw, qx, qy, qz turn vectors of the body to the
+# world, the scalar first; or the order of angles.
+# Example: quaternions with the scalar last in columns qw, qx, qy, qz
+orientations-off = observed orientations differ from those of the { $robot ->
+        [nominal] nominal
+       *[identified] identified
+    } robot by { FIXED($median_deg, 1) } deg (median)
+    .hint = check that qw, qx, qy, qz turn vectors of the body to the world, the scalar first; or the order of angles: without `orientation` those that fit are named
+
+# Means: There are too few calibration poses to leave some out and predict them from the others.
+# Matters: Effects cannot be compared by their error at poses that were left out.
+# Do: Measure more poses, or name more in `calibration`.
+# Example: `etalon recommend` with four poses
+few-poses-to-leave-out = { $count ->
+        [one] 1 calibration pose is
+       *[other] { $count } calibration poses are
+    } too few to leave some out
+    .expected = at least { $least }
+    .hint = measure more, or name more in `calibration`
+
+# Means: The observations hold no length: no position, distance or contact.
+# Matters: Effects are compared by position errors.
+# Do: Measure positions, distances or contacts.
+# Example: a table of orientations alone
+nothing-to-judge = nothing that was observed is a position, a distance or a contact
+    .hint = parameters are judged by position errors: measure some
+
+# Means: Half of the validation poses lie much nearer to a calibration pose than calibration poses
+# lie to each other, in joint values.
+# Matters: Errors at such poses are those of the calibration again; elsewhere they may be larger.
+# Do: Validate on poses between those of the calibration.
+# Example: the poses of the calibration measured again
+validation-repeats-calibration = validation repeats the calibration: half of the validation poses lie nearer than { FIXED($median, 2) } times the spacing of the calibration poses to one of these; limit { $limit }
+    .hint = the robot’s error elsewhere may be larger: validate on poses between those of the calibration
+
+# Means: Half of the validation poses lie much farther from the calibration poses than these lie
+# from each other, in joint values.
+# Matters: The parameters are extrapolated there; errors are larger than within the calibrated
+# region.
+# Do: Calibrate on poses spread over the workspace that the robot is used in.
+# Example: calibration in one corner, validation in the other
+validation-far = validation is far from the calibration: half of the validation poses lie farther than { FIXED($median, 2) } times the spacing of the calibration poses from the nearest of these; limit { $limit }
+    .hint = calibrate on poses spread over the workspace that the robot is used in
+
+# Means: The column `quantity` of a table of errors has a name that is no quantity of errors.
+# Matters: The report cannot be written from this table.
+# Do: Run the campaign again with this version.
+# Example: `quantity` is `length`
+error-quantity-unknown = `{ $name }` is no quantity of errors
+    .hint = run the campaign again: `etalon run CAMPAIGN`
+
+# Means: The column `set` of a table of errors has another name than calibration or validation.
+# Matters: It is unknown which statistics the row belongs to.
+# Do: Correct the cell.
+# Example: `set = "test"`
+pose-set-unknown = `{ $name }` is not a set of poses
+    .expected = calibration or validation
+
+# Means: A joint has the same value at all calibration poses, and parameters that only its motion
+# shows keep their nominal values.
+# Matters: Errors of these parameters, up to their tolerances, remain where the joint has another
+# value.
+# Do: Move the joint between the calibration poses, or keep to its value when the robot is used.
+# Example: joint 6 at 0 in all poses
+joint-does-not-move = `{ $joint }` does not move: the data leave { $count ->
+        [one] 1 parameter to its tolerance
+       *[other] { $count } parameters to their tolerances
+    }: { $parameters }
+    .hint = move `{ $joint }` between the calibration poses, or keep to its value when the robot is used; otherwise errors up to the tolerance of `{ $first }` remain
+
+# Means: The standard uncertainty of the direction of a feature is larger than a frame can use.
+# Matters: The frame made with it would point anywhere.
+# Do: Measure points farther apart, not all on one line.
+# Example: a plane through three points on one line
+direction-undetermined = the points leave its direction uncertain by { FIXED($direction_deg, 0) } deg (k = 1); limit { $limit_deg } deg
+    .hint = measure points farther apart, not all on one line
+
+# Means: The direction of a feature has a large standard uncertainty.
+# Matters: A frame made with it turns all positions by as much.
+# Do: Measure points farther apart.
+# Example: a plane through three points 10 mm apart
+direction-uncertain = its direction has a standard uncertainty of { FIXED($direction_deg, 2) } deg; limit { $limit_deg } deg
+    .hint = measure points farther apart
+
+# Means: [frame.world] lacks a part of its definition.
+# Matters: A frame needs a plane, an origin, one axis and the side of the other axis.
+# Do: State what is missing.
+# Example: [frame.world] with `plane` alone
+world-frame-incomplete = the world frame { $fault ->
+        [plane] has no plane
+        [feature] has a plane that is not a feature
+        [origin] has no origin
+        [towards] has no `towards`
+       *[axis] needs one of `x_axis` and `y_axis`
+    }
+    .hint = state `plane`, `origin`, `x_axis` or `y_axis`, and `towards` in [frame.world]
+
+# Means: [frame.world] names a label or feature that does not exist.
+# Matters: The frame cannot be made.
+# Do: Correct the name.
+# Example: `origin = "base_9"` with base_1 to base_4
+frame-name-unknown = no label or feature is called `{ $name }`
+    .hint = correct the name, or add the feature
+
+# Means: The axis of the world frame is perpendicular to its plane, or made of one point.
+# Matters: It has no direction in the plane.
+# Do: Name two labels, from and to, or one feature with a direction.
+# Example: `x_axis = ["base_1", "base_1"]`
+world-axis-without-direction = the axis of the world frame has no direction
+    .expected = two labels, from and to, or one feature with a direction
+
+# Means: `towards` of [frame.world] is a point on the axis.
+# Matters: It does not tell on which side the other axis is.
+# Do: Name a point beside the axis.
+# Example: `towards` equal to the end of `x_axis`
+world-side-undetermined = `towards` lies on the axis: it does not determine the side of the other axis
+    .hint = name a point beside the axis
+
+# Means: `targets` of [frame.world] names one or two targets.
+# Matters: Two points leave a rotation open.
+# Do: Name three targets or more.
+# Example: `targets = ["base_1", "base_2"]`
+frame-few-targets = the world frame has { $count ->
+        [one] 1 target
+       *[other] { $count } targets
+    }
+    .expected = three targets or more
+
+# Means: The targets of [frame.world] were not all measured at any pose, or lie in one place or on
+# one line.
+# Matters: The frame cannot be made.
+# Do: Measure all targets of the frame; check their labels.
+# Example: a label of a frame target misspelt in the whole export
+frame-never-complete = no pose has all targets { $targets } of the world frame apart from each other
+    .hint = measure all of them, and check their labels
+
+# Means: The table has columns of orientations in two forms.
+# Matters: It is undefined which count.
+# Do: Leave one form out.
+# Example: `qw, qx, qy, qz` beside `a_deg, b_deg, c_deg`
+orientations-twice = the table has orientations twice: { $first } and { $second }
+    .hint = leave one of them out
+
+# Means: The table has some of the columns of an orientation.
+# Matters: The orientation is incomplete.
+# Do: Add the missing columns.
+# Example: `qx, qy, qz` without `qw`
+orientation-columns-missing = the orientation lacks { $missing }
+    .expected = { $columns }: body in world
+
+# Means: A number of an orientation is missing or does not read.
+# Matters: The orientation is incomplete.
+# Do: Complete the row, or leave it out.
+# Example: an empty `qz`
+orientation-missing = the orientation is missing or not a number
+    .expected = qw, qx, qy, qz: body in world; or a rotation vector, or three angles
+
+# Means: Orientations are three angles, and the order of the turns is not stated.
+# Matters: The same angles give another orientation in each order.
+# Do: State `orientation` as the manual of the measuring system or controller does.
+# Example: `a_deg, b_deg, c_deg` without `orientation`
+angle-order-missing = the order of the angles is not stated
+    .hint = state `orientation = "zyx"` in [observations], or --orientation
+
+angle-orders-unfit = no order of angles fits the nominal robot: `{ $order }` leaves { FIXED($left_deg, 1) } deg (root mean square); check that they turn the body to the world, and the joints
+
+angle-order-leaves = `{ $order }` leaves { FIXED($left_deg, 3) } deg
+
+angle-orders-fit = state `orientation = "zyx"` in [observations], or --orientation; of the nominal robot { $orders } (root mean square)
+
+# Means: A step of the geometric calibration needs several balls in one cycle, and one of them was
+# not measured.
+# Matters: The step cannot be evaluated for this pose and cycle.
+# Do: Measure the ball, or remove the other readings of the cycle.
+# Example: K measured at the end of the offsets without L
+ball-missing = ball `{ $target }` is missing (pose { $pose }, cycle { $cycle })
+    .hint = measure it, or remove the rest of this pose and cycle
+
+# Means: `actuator` of [[geometric.lead]] is not 1, 2 or 3.
+# Matters: A PreXYT has three actuators.
+# Do: Correct the number.
+# Example: `actuator = 4`
+actuator-unknown = there is no actuator { $actuator }
+    .expected = 1, 2 or 3
+
+# Means: A label of a lead measurement has a position that `positions_mm` does not list.
+# Matters: The commanded displacement is unknown.
+# Do: Correct the label, or complete `positions_mm`.
+# Example: position 6 with five `positions_mm`
+lead-position-unknown = position { $position } of actuator { $actuator } is not among `positions_mm`
+    .hint = correct the label, or complete `positions_mm`
+
+# Means: The geometric calibration takes the rails and ball R from the world frame, and the frame is
+# made otherwise.
+# Matters: The base of the robot is unknown.
+# Do: State plane, origin, y axis and towards (thesis 3.4.1).
+# Example: [frame.world] with `targets`
+geometric-frame = the geometric calibration needs a world frame from the rails and ball R
+    .expected = `plane`, `origin`, `y_axis = [origin, other end]` and `towards`, as in the thesis’ 3.4.1
+
+# Means: [geometric] is stated for another robot than a PreXYT.
+# Matters: Its steps measure the links of a PreXYT.
+# Do: Remove [geometric], or state `model = "prexyt"`.
+# Example: [geometric] with a six-axis arm
+geometric-other-robot = [geometric] is the geometric calibration of a PreXYT
+    .expected = a robot with model `prexyt`
+
+# Means: The measured length of a scale bar differs from its certificate by more than the
+# permissible error of the instrument.
+# Matters: The instrument does not meet its specification; lengths of this campaign are wrong by
+# about as much.
+# Do: Check probe, temperature and mounting of the instrument, and measure the bar again.
+# Example: a bar measured with an unqualified probe
+scale-bar-error = scale bar `{ $name }`: an error of { FIXED($error_mm, 4) } mm exceeds the permissible { FIXED($limit_mm, 4) } mm
+    .hint = check probe, temperature and mounting of the instrument, and measure the bar again
+
+# Means: The permissible error of the instrument is less than four times the expanded uncertainty of
+# the bar (4:1 rule of ANSI/NCSL Z540).
+# Matters: The bar cannot verify the instrument.
+# Do: Use a bar with a better certificate.
+# Example: a bar with U = 3 µm for a permissible error of 5 µm
+scale-bar-uncertain = scale bar `{ $name }`: the permissible error is { FIXED($ratio, 1) } times the expanded uncertainty of its certificate, { $least } are required
+    .hint = use a bar with a better certificate: this one verifies nothing
+
+# Means: Residuals of a step of the geometric calibration scatter more than the uncertainty of the
+# instrument explains.
+# Matters: The uncertainties of the step are taken from the residuals.
+# Do: Look for play, a dirty ball or a loose nest; measure the step again.
+# Example: a ball that moves in its nest
+step-scatters = { $step }: residuals scatter by { FIXED($found_mm, 4) } mm, the instrument states { FIXED($stated_mm, 4) } mm: uncertainties follow the residuals
+    .hint = look for play, a dirty ball or a loose nest; measure the step again
+
+# Means: A table of the geometric report selects poses at which K and L were not measured in one
+# cycle.
+# Matters: The table would be empty.
+# Do: Measure both balls in the same cycle, or select other poses.
+# Example: `poses = "9"` where pose 9 has K alone
+table-without-poses = at no pose of the table `{ $title }` were K and L measured together
+    .hint = measure both balls in the same cycle, or select other poses
+
+# Means: parameters.json has no covariance: the identification left no degrees of freedom.
+# Matters: Whether new measurements contradict the parameters cannot be judged.
+# Do: Identify again from data that leave some degrees of freedom.
+# Example: parameters identified from as many coordinates as parameters
+given-without-covariance = the parameters have no covariance
+    .hint = identify again from data that leave some degrees of freedom
+
+# Means: The observations have a base or targets that the given parameters do not contain.
+# Matters: Their places are unknown.
+# Do: Observe the targets of the calibration, where they were on the moving part.
+# Example: a new reflector on the flange
+calibrated-targets-missing = the parameters lack { $names }: another base or other targets
+    .hint = observe the targets of the calibration, where they were on the moving part
+
+# Means: parameters.json and robot.toml describe different robots.
+# Matters: The parameters mean nothing for this robot.
+# Do: Name the robot.toml that the parameters were identified with.
+# Example: parameters of a `serial` arm with a `prexyt`
+parameters-of-other-robot = the parameters are those of a `{ $identified }`; robot.toml describes another robot (`{ $stated }`)
+    .hint = name the robot.toml that they were identified with
+
+parameters-lacking = the parameters lack { $names }; name the robot.toml that they were identified with
+
+# Means: parameters.json has parameters of the robot that robot.toml does not describe.
+# Matters: Their values would be left out: poses would be computed with another robot.
+# Do: Add the lines that the hint names, or name the robot.toml of the identification.
+# Example: parameters with `bending_2`, robot.toml without `bending`
+parameters-undescribed = the parameters hold { $names }, which robot.toml does not describe
+    .hint = name the robot.toml that they were identified with
+
+add-lines = add { $lines } to robot.toml, before its first table
+
+# Means: A nominal value in robot.toml is not the one that the parameters were identified with.
+# Matters: The parameters are probably those of another robot, or robot.toml was edited since.
+# Do: Check that the parameters are those of this robot.
+# Example: `a_2 = 225` in robot.toml, 270 in parameters.json
+nominal-value-changed = `{ $parameter }` is nominally { $stated } { $unit } in robot.toml and was { $identified } { $unit } when the parameters were identified
+    .hint = check that the parameters are those of this robot
+
+# Means: parameters.json states no standard uncertainty of a coordinate, and its residuals give
+# none.
+# Matters: Expected deviations of new measurements are unknown.
+# Do: Identify with a stated standard uncertainty.
+# Example: an identification without redundancy and without `u_mm`
+calibration-without-residuals = the calibration shows no standard deviation of a coordinate
+    .hint = identify with a stated standard uncertainty
+
+# Means: An effect that is not identified would lower the error at calibration poses that are left
+# out, by more than chance.
+# Matters: The robot has this effect; with it the parameters describe the robot better.
+# Do: Add the line to robot.toml, or the effect to `effects` in [identify].
+# Example: a geared arm with eccentric gears, identified by geometry alone
+effect-would-prove = { $effect }{ $count ->
+        [0] {""}
+       *[other] {" "}of joints { $joints }
+    } would prove itself: the error at calibration poses that are left out falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
+    .hint = add "{ $effect }" to `effects` in [identify], or state `effects = "proven"`
+
+# Means: `outliers = "exclude"` would leave out more than a tenth of all readings.
+# Matters: So many readings are not outliers: the model or the set-up is wrong.
+# Do: See what `outliers = "keep"` reports.
+# Example: a model without the bending of the robot
+outliers-too-many = `outliers = "exclude"` would leave out more than { $share_percent } % of all readings
+    .hint = the model or the set-up is wrong: see what `outliers = "keep"` reports
+
+# Means: Residuals with one log correlate with its difference from another log of the same poses.
+# Matters: The other log describes the pose of the robot better, for example encoder values instead
+# of commanded ones.
+# Do: Identify with the log that leaves smaller residuals.
+# Example: commanded joints beside encoder values
+log-correlates = with log `{ $log }`, residuals correlate with the difference of the two logs (r = { FIXED($correlation, 2) }): their root mean square is { FIXED($rms_mm, 3) } mm, with log `{ $other }` { FIXED($other_rms_mm, 3) } mm
+
+use-log = { $hint ->
+        [name-first] identify with log `{ $log }`: name it first
+       *[is-used] log `{ $log }` is the one to use, as this campaign does
+    }
+
+# Means: `calibration` or `validation` names a pose that has no measurement with joint values.
+# Matters: The set is smaller than stated.
+# Do: Correct the name, or measure the pose.
+# Example: `calibration = "1-40, hom"` with the pose `home`
+selected-pose-unmeasured = `{ $pose }` names no pose that was measured
+
+# Means: `calibration` or `validation` selects none of the measured poses.
+# Matters: There is nothing to identify from, or to validate with.
+# Do: Select poses that were measured.
+# Example: `calibration = "100-200"` of poses 1 to 50
+selection-without-pose = `{ $set }` selects no pose that was measured
+
+# Means: Poses are in calibration and in validation.
+# Matters: Errors at calibration poses are too small to validate with.
+# Do: Take each pose into one set.
+# Example: `calibration = "1-40"`, `validation = "30-50"`
+sets-overlap = poses in both calibration and validation: { $poses }
+    .hint = `validation = "rest"` takes all that calibration does not
+
+# Means: A table of the geometric report selects no pose of calibration or validation.
+# Matters: The table would be empty.
+# Do: Select poses of these sets.
+# Example: `poses = "100-110"` of poses 1 to 50
+table-selection-empty = the table `{ $title }` has no pose that was measured
+    .hint = a table shows poses of `calibration` and `validation`
+
+poses-measured = { $count ->
+        [one] 1 pose is
+       *[other] { $count } poses are
+    } measured and joined, from { $first } to { $last }
+
+poses-unmeasured = no pose is measured and joined
+
+at-pose = pose { $pose }: { $message }
+
+values-of-column = { $message } ({ $count } of { $total } values are)
+
+check-column-unit = check the unit of its column: all values are in range in { $units ->
+        [degrees] degrees instead of radians
+       *[millimetres] millimetres instead of metres
+    }
+
+# Means: A joint value is beyond the limits that robot.toml states, beyond two turns, or far from
+# all others of its column.
+# Matters: A lost decimal mark or a wrong unit. A gain would absorb such a value without a trace.
+# Do: Check decimal mark and unit; if the joint can be there, state or correct its limits in
+# robot.toml.
+# Example: `179500` for 179.500 deg
+joint-out-of-range = joint `{ $joint }` = { $value } { $unit } is out of range
+    .expected = from { $lower } to { $upper } { $unit }: { $reason ->
+            [limits] the limits that the robot file states, and 0.1 beyond them
+            [turns] two turns, as the robot file states no limits
+           *[others] as half of its values lie together
+        }
+    .hint = check its decimal mark and unit; if the joint can be there, { $reason ->
+            [limits] correct its limits in the robot file
+           *[others] state its limits in the robot file
+        }
+
+# Means: Errors common to all readings (scale, temperature, homing) are stated, and the observations
+# hold more than positions of targets.
+# Matters: `etalon uncertainty` draws common errors for positions only.
+# Do: Use the uncertainties of `etalon run`, which propagates them linearly.
+# Example: [systematic] with a table of distances
+common-errors-of-conditions = errors common to all readings (scale, temperature, homing) are drawn for positions of targets only
+    .hint = `etalon run` states the uncertainties of this campaign by linear propagation
+
+# Means: The points of a feature are centres of a probe, and the file states neither radius nor side
+# of the probe.
+# Matters: The feature lies a probe radius away from these points, on an unknown side.
+# Do: State what the hint names.
+# Example: a QIF file with centre points and without a sensor
+probe-of-feature-unknown = `{ $feature }` is not fitted: its points are probe centres, and the file does not state { $missing ->
+        [side] on which side the probe was
+       *[radius] the radius of the probe
+    }
+    .hint = { $missing ->
+            [side] state it: --probe-side inside, outside or x,y,z
+           *[radius] state it: --probe-radius-mm
+        }
+
+unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limit { FIXED($limit, 1) })
+
+# Means: Values of parameters from part of the poses differ from those from all poses by more than
+# their scatter explains.
+# Matters: Something changed during the measurement; the parameters are held at their nominal
+# values.
+# Do: Look for what changed (temperature, a target that moved, a joint homed again), and at the
+# residuals.
+# Example: a reflector that moved after half of the poses
+parameters-unstable = not stable, and held: values by part of the poses differ from values by all poses, in standard deviations of the difference: { $parameters }
+    .hint = look for what changed during the measurement (temperature, a target that moved, a joint homed again), and at the residuals
+
+# Means: `hold` names a parameter that the robot lacks.
+# Matters: Nothing would be held.
+# Do: Correct the name.
+# Example: `hold = ["d_9"]` of a six-axis arm
+hold-unknown = `hold` names `{ $pattern }`, which is not a parameter of this robot
+
+# Means: `residuals = "pose"` is stated for a robot in space.
+# Matters: Pose residuals are defined for the platform of a planar robot.
+# Do: Use `residuals = "targets"`.
+# Example: `residuals = "pose"` with a six-axis arm
+residuals-pose-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
+    .hint = use `residuals = "targets"`
+
+remedy = { $remedy ->
+        [pose-uncertainty] state it (--standard-uncertainty-um), or compare targets
+        [contact-uncertainty] state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets
+        [targets] give positions of its targets: rows of kind `point`
+        [uncertainty] state it (--standard-uncertainty-um)
+        [own-uncertainties] compare targets, or remove the columns of uncertainties
+        [row-uncertainty] state it in every row, or with --standard-uncertainty-um
+        [part] `frame` is `flange` for an arm, `platform` for a PreXYT, `targets` for any robot
+        [positions] choose more positions, or hold parameters with `--hold`
+        [base] measure more poses, or state base_x .. base_rz and the targets under [nominal] in the robot file
+        [hold-fewer] hold fewer parameters, and measure more poses
+        [more-poses] measure more poses (repeats of a pose add nothing), or hold parameters with `hold` in [identify] or --hold
+        [hold] hold parameters in [identify], or measure more poses
+        [unreachable] check unit (degrees or radians), sign and offset of the joints, and the nominal parameters
+        [extent] check `unit` of the exports, the units of the joints in the log, and the lengths of the robot
+        [assembly] correct the column `assembly` of these poses, or leave it empty: the mode is then taken from the measurement
+       *[joints] check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters
+    }
+
+reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
+
+# Means: The instrument does not explain the residuals, and a robust fit has no outliers. These are
+# its largest residuals.
+# Matters: Errors of the robot are spread over all poses; wrong readings stand out.
+# Do: Look there first for exchanged labels and wrong readings.
+# Example: a robot with gear errors that are not modelled
+largest-residuals = largest residuals of a robust fit: { $readings }
+    .hint = look there first for exchanged labels and wrong readings; errors of the robot are spread over all poses
+
+outlier-readings = { $count ->
+        [one] 1 of { $total } readings is an outlier
+       *[other] { $count } of { $total } readings are outliers
+    }, more than { $times } times { FIXED($scale_mm, 4) } mm, the standard deviation of the others in a robust fit: { $readings }
+
+# Means: Residuals of a robust fit exceed a multiple of the standard deviation of the others.
+# Matters: Wrong readings pull all parameters.
+# Do: Look there for exchanged labels and wrong readings; measure them again, or leave them out with
+# `exclude` in [identify].
+# Example: a reflector measured under the name of its neighbour
+outliers = { $outliers }
+
+# Means: `outliers = "exclude"` left readings out of the calibration.
+# Matters: They do not take part in the result.
+# Do: Look at these readings: an outlier can also be an error of the robot at one pose.
+# Example: `outliers = "exclude"` with one wrong reading
+outliers-excluded = excluded by `outliers = "exclude"`: { $outliers }
+
+repeated-position = { $target } at poses { $first } and { $second }
+
+# Means: A target has the same coordinates to the last digit at two poses between which the nominal
+# robot moves it.
+# Matters: No instrument repeats to the last digit: one of the readings is that of another pose.
+# Do: Measure the reading again, or leave it out.
+# Example: a reading that was exported twice
+positions-repeat = measured positions repeat to the last digit while the joints move, { $count ->
+        [one] once
+       *[other] { $count } times
+    }: { $pairs }
+    .hint = the export has a reading of another pose: measure these again, or leave them out
+
+repeated-joints = poses { $first } and { $second }, { FIXED($apart_mm, 3) } mm apart
+
+# Means: Two poses have the same joint values to the last digit, and a target moved between them.
+# Matters: One row of the log is that of another pose.
+# Do: Log the joints of this pose again, or leave it out.
+# Example: a log whose recorder stopped for one pose
+joint-values-repeat = joint values repeat to the last digit while the targets move, { $count ->
+        [one] once
+       *[other] { $count } times
+    }: { $pairs }
+    .hint = the log has a reading of another pose: log these again, or leave them out
+
+# Means: Repeats of a fixed point lie farther from their median than the instrument explains.
+# Matters: Features and frames made of this point are less certain than stated.
+# Do: Check `unit` of the export and the uncertainty of the instrument, and that the point did not
+# move.
+# Example: an uncertainty of 15 µm stated for an arm with 60 µm
+repeats-scatter = repeats of `{ $label }` lie up to { FIXED($off_mm, 4) } mm from their median; standard uncertainty of the instrument { FIXED($u_mm, 4) } mm
+    .hint = check `unit` of the export and the uncertainty of the instrument, and that the point did not move
+
+# Means: One or a few repeats of a fixed point lie far from the others.
+# Matters: Features and frames made of this point, and every result, depend on it.
+# Do: Remove the wrong reading from the export, or measure the point again.
+# Example: a reading taken while the reflector was put down
+repeat-off = { $away } of { $count ->
+        [one] 1 repeat
+       *[other] { $count } repeats
+    } of `{ $label }` { $away ->
+        [one] lies
+       *[other] lie up to
+    } { FIXED($off_mm, 4) } mm from their median; standard uncertainty of the instrument { FIXED($u_mm, 4) } mm
+    .hint = remove the wrong reading from the export, or measure the point again: every result depends on it
+
+# Means: Standard uncertainties of rows are 0: the file rounded them. They are read as the
+# resolution of the column, half of the last digit over √3 (GUM 4.3.7).
+# Matters: A reading without uncertainty would outweigh all others.
+# Do: Export uncertainties with more decimals.
+# Example: `0.00` in a column with two decimals
+uncertainty-zero-rounded = `{ $column }` is 0 in { $count ->
+        [one] 1 row
+       *[other] { $count } rows
+    }: rounded, and read as the resolution of the column, u = { $u } { $unit } (half of the last digit over √3)
+    .hint = export uncertainties with more decimals
+
+# Means: Standard uncertainties of rows are 0, and the column shows no resolution.
+# Matters: A reading without uncertainty would outweigh all others: the uncertainty of the
+# instrument counts there.
+# Do: Export uncertainties with more decimals.
+# Example: a column that is 0 in all rows
+uncertainty-zero = `{ $column }` is 0 in { $count ->
+        [one] 1 row
+       *[other] { $count } rows
+    }, and shows no resolution: the uncertainty of the instrument counts there
+    .hint = export uncertainties with more decimals
+
+# Means: A key of the layout of a text is stated for a sheet of a workbook.
+# Matters: Cells of a workbook are read as they are; the key has no effect.
+# Do: Remove the key.
+# Example: `decimal = "comma"` with `sheet`
+key-of-text-table = `{ $key }` means nothing for a sheet of a workbook
+    .hint = remove `{ $key }`: cells of a workbook are read as they are
+
+# Means: The identified robot leaves errors larger than 2 % of the spread of the measured positions.
+# Matters: A calibrated model leaves thousandths of the workspace: these are not measurements of
+# this robot at these joint values.
+# Do: Follow the hint; it names a cause only where the errors show it.
+# Example: a log of another campaign
+measurements-undescribed = on the { $set ->
+        [validation] validation
+       *[calibration] calibration
+    } poses the model leaves { FIXED($after_mm, 3) } mm (root mean square) of positions that spread over { FIXED($spread_mm, 1) } mm; { $count } of { $total } readings are off by more than { FIXED($limit_mm, 1) } mm: the model does not describe these measurements
+
+undescribed-targets = all readings of { $targets } are off, and no others: check its labels, and whether it was moved
+
+undescribed-readings = { $readings }: { $remedy }
+
+undescribed-set-up = check units, order and signs of the joints, the nominal parameters, and how log and points are joined
+
+undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm leaves { FIXED($left_mm, 3) } mm: base or measuring system has moved between calibration and validation poses
+
+undescribed-other-poses = the calibration poses fit, and no motion of the frame explains the others: check whether log and exports of the validation poses are of the same poses (a log of another campaign, or poses that are numbered otherwise)
+
+# Means: `--frames prior` is stated for nominal parameters.
+# Matters: It weighs base and targets by the covariance of identified parameters.
+# Do: Name identified parameters, or fit base and targets again.
+# Example: `etalon validate --frames prior` without `--parameters`
+prior-of-nominal = nominal parameters have no covariance for `--frames prior`
+    .hint = name identified ones with `--parameters`, or use `--frames refit`
+
+# Means: `--frames prior` is stated for a table with other rows than positions.
+# Matters: It is computed for measured positions.
+# Do: Leave rows of other kinds out, or fit base and targets again.
+# Example: `--frames prior` with distances
+prior-of-conditions = `--frames prior` is for measured positions alone
+    .hint = leave rows of other kinds out, or refit base and targets: `--frames refit`
+
+# Means: `--frames given` takes base and targets from nominal values, and one of them has none.
+# Matters: Its place is unknown.
+# Do: Fit base and targets to the calibration poses.
+# Example: `--frames given` with nominal parameters of an arm
+place-without-nominal = `{ $parameter }` has no nominal value: it is found from measurements
+    .hint = fit base and targets to the calibration poses: `--frames refit`
+
+# Means: The given parameters leave larger errors than the nominal ones.
+# Matters: They are probably those of another robot, or base and targets moved since.
+# Do: Check that the parameters are those of this robot, and whether base and targets are those of
+# this campaign (`--frames`).
+# Example: parameters of the neighbouring robot
+given-parameters-worse = the given parameters leave { FIXED($given_mm, 3) } mm, the nominal ones { FIXED($nominal_mm, 3) } mm (root mean square)
+    .hint = check that they are those of this robot, and whether base and targets are those of this campaign (`--frames`)
+
+# Means: More poses are to be chosen than there are candidates, or none.
+# Matters: The plan cannot be made.
+# Do: State fewer `--positions`, or more candidates.
+# Example: `--positions 20` of 12 candidates
+candidate-poses-too-few = { $wanted } of { $count } candidate poses cannot be chosen
+    .hint = state fewer `--positions`, or more candidates
+
+# Means: With the names of two targets exchanged the residuals fall to less than a tenth.
+# Matters: The measurements are those of the other target.
+# Do: Exchange the two names in the export.
+# Example: SMR_1 and SMR_2 named the other way round
+target-names-exchanged = with the names of targets `{ $first }` and `{ $second }` exchanged the residuals fall from { FIXED($before_mm, 3) } to { FIXED($left_mm, 3) } mm
+    .hint = exchange the two names in the export
+
+# Means: The observations contradict the parameters, and without one pose they do not.
+# Matters: This pose was probably measured or logged wrongly.
+# Do: Measure the pose again, and log its joints again.
+# Example: a verification pose with the joints of another pose
+one-pose-contradicts = without pose `{ $pose }` the observations do not contradict the parameters
+    .hint = measure this pose again, and log its joints again
+
+# Means: Several motions (of the base, of a joint’s zero, of a target) explain the residuals of a
+# verification.
+# Matters: Which of them happened is not proven.
+# Do: Observe poses that differ more in the values of the joints.
+# Example: a verification at three poses beside each other
+motions-alike = { $count ->
+        [one] 1 other motion explains
+       *[other] { $count } other motions explain
+    } these residuals too: { $motions }
+    .hint = observe poses that differ more in the values of the joints
+
+# Means: The calibration poses give as many coordinates as parameters are determined, or fewer.
+# Matters: Residuals are zero whatever was measured: nothing checks the parameters.
+# Do: Measure more poses, spread over the workspace.
+# Example: 12 parameters of a planar robot from three poses with two balls
+no-coordinates-to-check = { $count ->
+        [one] 1 coordinate
+       *[other] { $count } coordinates
+    } of the calibration poses determine { $parameters ->
+        [one] 1 parameter
+       *[other] { $parameters } parameters
+    }: none is left to check them
+    .hint = measure more poses, spread over the workspace
+
+# Means: A few errors at validation poses exceed a multiple of the median error.
+# Matters: They are part of the stated accuracy, and probably wrong readings.
+# Do: Look there for exchanged labels and wrong readings; measure them again, or leave them out with
+# `exclude` in [identify].
+# Example: one validation pose logged wrongly
+validation-outliers = { $count } of { $total } validation errors exceed { FIXED($limit_mm, 4) } mm, { $times } times their median: { $readings }
+
+# Means: All identified lengths differ from their nominal values by one factor, by more than chance.
+# Matters: It is rather a scale error of the measuring system, or of the joints, than an error of so
+# many parts.
+# Do: Check scale, temperature compensation and unit of the measuring system and of the encoders.
+# Example: an instrument without temperature compensation
+common-scale = { $parameters } are all about { FIXED($factor, 5) } times nominal: a scale error of the measuring system or of the joints explains this, rather than errors of { $count } parts
+    .hint = check scale, temperature compensation and unit of the measuring system and of the encoders
+
+# Means: The identified compliance of a joint is negative, by more than three standard
+# uncertainties.
+# Matters: No material bends against its load: gravity or the axis of the joint points the other
+# way.
+# Do: Check `gravity` and the direction of the joint’s axis in robot.toml.
+# Example: `gravity = [0, 0, 1]` of a standing robot
+compliance-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint bends against gravity
+    .hint = check `gravity` and the direction of the joint’s axis in robot.toml
+
+# Means: The identified backlash of a joint is negative, by more than three standard uncertainties.
+# Matters: A joint cannot be ahead of its drive: the directions of approach have the other sign, or
+# belong to another motion.
+# Do: Check the sign of the directions, and that the times of the log are those of the same motion.
+# Example: directions written as -1 where the joint value grew
+backlash-negative = `{ $parameter }` is negative ({ FIXED($value, 5) } { $unit }): the joint is ahead of its drive, which no backlash explains
+    .hint = check the sign of the directions of approach (+1 where the joint value grew, -1 where it fell), and that the log’s times are those of the same motion
+
+# Means: The identified distance of the balls K and L has the other sign than its nominal value.
+# Matters: Each was measured where the other is: their names are exchanged.
+# Do: Exchange the names of the two targets in the labels of the export.
+# Example: K and L named the other way round
+ball-names-exchanged = `{ $parameter }`, the distance of K and L, is { FIXED($value, 3) } { $unit }: K and L are exchanged
+    .hint = exchange the names of the two targets in the labels of the export
+
+# Means: The identified robot has larger errors than the nominal robot on a set of poses.
+# Matters: The parameters fit the noise of too few poses, and must not reach a controller.
+# Do: Measure more poses, spread over the workspace, or hold parameters that they do not determine.
+# Example: 30 parameters identified from ten poses in one corner
+identified-worse-than-nominal = on the { $set ->
+        [validation] validation
+       *[calibration] calibration
+    } poses the identified robot is worse than the nominal one: { FIXED($before_mm, 4) } mm before, { FIXED($after_mm, 4) } mm after (root mean square)
+    .hint = measure more poses, spread over the workspace, or hold parameters that they do not determine
+
+value-beyond-tolerance = `{ $parameter }` = { $unit ->
+        [1] { FIXED($value, 4) } (nominal { $nominal }, tolerance { FIXED($tolerance, 3) })
+       *[other] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+    }
+
+# Means: The data alone put parameters beyond their stated tolerance, by more than twice their
+# standard uncertainty.
+# Matters: No such robot left the factory: a sign, unit, order of joints, nominal value or frame is
+# wrong. The parameters must not reach a controller.
+# Do: Check signs, units and order of the joints, the nominal values, and the frames; where the
+# robot is drawn otherwise, state `tolerance` in the robot file.
+# Example: joint 2 logged with the other sign
+tolerance-exceeded = { $count ->
+        [one] 1 parameter is
+       *[other] { $count } parameters are
+    } beyond the tolerance of the robot: { $parameters }
+    .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file

@@ -98,9 +98,6 @@ table-failed = impossible de construire le tableau : { $reason }
 
 not-whole-number = `{ $value }` dans la colonne `{ $column }` n’est pas un nombre entier
 
-cell-empty = la colonne `{ $column }` a une cellule vide
-    .hint = compléter la cellule, ou supprimer la ligne
-
 stored-table-damaged = le tableau enregistré est endommagé : { $reason }
     .hint = exécuter de nouveau la campagne : `etalon run CAMPAGNE`
 
@@ -180,12 +177,14 @@ row-field-count = la ligne a { $fields ->
         [one] { $fields } champ
        *[other] { $fields } champs
     }
-    .expected = { $like ->
+    .expected = { $expected }
+    .hint = vérifier le séparateur, le séparateur décimal et les guillemets : une virgule décimale ajoute des champs ; un fichier tronqué en manque
+
+fields-like = { $like ->
         [header] { $width }, comme l’en-tête
         [first-row] { $width }, comme la première ligne
        *[names] au plus { $width }, comme la ligne des noms
     }
-    .hint = une virgule décimale ajoute des champs dans un fichier à colonnes séparées par des virgules : vérifier `delimiter` et `decimal`
 
 delimiter-does-not-split = séparées par `{ $delimiter }`, les lignes n’ont qu’une colonne
 
@@ -275,7 +274,7 @@ channel-scale-not-number = `{ $key }` de la voie `{ $channel }` est `{ $value }`
 delimiter-differs = l’export est séparé par { $separator }
     .hint = supprimer `delimiter` de ce journal : l’export l’indique
 
-coordinates-differ = les poses atteintes et commandées ont des coordonnées différentes
+coordinates-differ = les positions atteintes et commandées ont des coordonnées différentes
     .expected = les coordonnées de `{ $file }`
     .hint = les robots plans omettent `z_mm` dans les deux tableaux
 
@@ -347,7 +346,7 @@ observation-column-unknown = `{ $column }` n’est pas une colonne d’observati
 column-stated-twice = la colonne `{ $column }` est indiquée comme `{ $first }` et comme `{ $second }`
     .hint = corriger l’une des deux
 
-heading-twice = l’en-tête nomme `{ $column }` deux fois
+heading-twice = l’en-tête nomme `{ $column }` plusieurs fois
     .hint = renommer ou supprimer l’une des colonnes
 
 stated-and-in-table = `{ $key }` est indiqué, et le tableau a une colonne de ce nom
@@ -374,7 +373,11 @@ file-without-points = c’est { $kind ->
        *[xml] un document XML d’un genre inconnu
     }
     .expected = des points mesurés ou un journal, en tableau de texte ou classeur
-    .hint = écrire les nombres en CSV : une ligne par jeu, les noms des colonnes au-dessus
+    .hint = { $kind ->
+        [certificate] nommer le fichier des points mesurés
+        [roughness] nommer le fichier des points mesurés
+       *[other] écrire les nombres en CSV : une ligne par point ou pose, les noms des colonnes au-dessus
+    }
 
 no-rows-of-numbers = { $file ->
         [workbook] aucune feuille du classeur n’a
