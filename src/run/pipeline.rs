@@ -16,7 +16,7 @@ use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
     VerdictDocument,
 };
-use etalon_report::{Faces, Report};
+use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
 
 /// Files that a run writes.
@@ -41,7 +41,7 @@ pub struct Outcome {
     /// The verdict with its reasons.
     pub judgement: VerdictDocument,
     /// The report, where it was wanted.
-    pub faces: Option<Faces>,
+    pub renderer: Option<Renderer>,
     /// Statements of the campaign about itself.
     pub summary: CampaignSummary,
     /// Everything that the report warns of.
@@ -139,7 +139,7 @@ fn write(
     let messages = found.messages().cloned().collect();
     let verdict = found.report().judgement();
     let met = verdict.is_met();
-    let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
+    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
     if tables {
@@ -170,14 +170,14 @@ fn write(
             }
         }
     }
-    let faces = faces.map(|faces| {
-        faces.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
+    let renderer = renderer.map(|renderer| {
+        renderer.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
     });
-    if let Some(faces) = &faces {
-        out.reports(faces.files()?);
+    if let Some(renderer) = &renderer {
+        out.reports(renderer.files()?);
     }
     let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, judgement: verdict, faces, summary, messages })
+    Ok(Outcome { written, identified, tested, met, judgement: verdict, renderer, summary, messages })
 }
 
 /// Input of controller files before parameters are identified again for them.

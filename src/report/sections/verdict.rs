@@ -9,7 +9,7 @@ use crate::{Identified, Report};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
-    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitQuantity, LimitVerdict,
+    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitVerdict,
     ParametersDocument, PoseCharacteristic, PoseSet, Reason, ToolAccuracy, VerdictDocument,
 };
 
@@ -500,7 +500,7 @@ mod tests {
     #[test]
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
-        documents.parameters.solver.termination = Termination::LostPatience;
+        documents.parameters.solver.termination = Termination::IterationLimit;
         let verdict = of(&documents);
         assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
     }
