@@ -134,11 +134,7 @@ impl LimitQuantity {
     /// Error that the limit holds for one by one; `None` if it limits a statistic of several errors
     /// or a characteristic of ISO 9283.
     pub fn of_each_error(self) -> Option<ErrorQuantity> {
-        match self {
-            Self::PositionMaxMm => Some(ErrorQuantity::Position),
-            Self::OrientationMaxDeg => Some(ErrorQuantity::Orientation),
-            Self::PositionMeanMm | Self::PositionRmsMm | Self::RepeatabilityMaxMm | Self::AccuracyMaxMm => None,
-        }
+        self.of_errors().filter(|(_, figure)| *figure == Figure::Max).map(|(quantity, _)| quantity)
     }
 }
 

@@ -15,7 +15,7 @@ use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
     AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict, CampaignSummary,
-    Characteristics, Conformity, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
+    Characteristics, Acceptance, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -172,15 +172,15 @@ fn checks<'a>(
         |name: &str, verdict| BatchCheck { name: name.to_owned(), verdict, value: None, limit: None, unit: None };
     let pass = |passed| if passed { BatchVerdict::Pass } else { BatchVerdict::Fail };
     let limits = identified.iter().flat_map(|i| &i.1.limits).chain(tested.limits()).map(|l| BatchCheck {
-        value: Some(l.value),
+        value: l.value,
         limit: Some(l.limit),
         unit: Some(l.unit.clone()),
         ..check(
             l.name.into(),
-            match l.conformity {
-                Conformity::Conforming => BatchVerdict::Pass,
-                Conformity::Neither => BatchVerdict::Conditional,
-                Conformity::NotConforming => BatchVerdict::Fail,
+            match l.acceptance {
+                Acceptance::Pass => BatchVerdict::Pass,
+                Acceptance::Conditional | Acceptance::Undecided => BatchVerdict::Conditional,
+                Acceptance::Fail => BatchVerdict::Fail,
             },
         )
     });
