@@ -6,6 +6,7 @@ use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, ter
 use crate::number;
 use crate::plots::shares;
 use crate::words::{Words, names, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
     AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, ParameterEntry, ParametersDocument,
@@ -25,7 +26,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
-    section.figures(shares::picture(&accuracy.budget, figure, words));
+    section.figures(shares::picture(&named(accuracy), figure, words));
     section.push(Block::facts(sources(parameters, words)));
     let of_parameters = vec![Block::Table(table(parameters, words))];
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
@@ -93,12 +94,28 @@ fn largest(budget: &[BudgetSource], k: usize) -> Option<Source> {
     Some(budget.iter().max_by(|a, b| of(a).total_cmp(&of(b)))?.source)
 }
 
+/// Figures that have a name: not those along single axes.
+fn named(document: &AccuracyDocument) -> Vec<FigureBudget> {
+    document.budget.iter().filter(|f| is_named(f)).cloned().collect()
+}
+
+fn is_named(f: &FigureBudget) -> bool {
+    match f.quantity {
+        ErrorQuantity::Position => true,
+        quantity => f.figure == Figure::Max && ErrorQuantity::OTHERS.contains(&quantity),
+    }
+}
+
+fn figure(f: &FigureBudget) -> Phrase {
+    names::error(f.quantity, f.figure)
+}
+
 fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     let mut sources: Vec<Source> = document.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
     let start =
-        Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, names::error(f.quantity, f.figure)));
+        Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, figure(f)));
     let columns = sources.into_iter().fold(start, |columns, source| {
         let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)
@@ -108,11 +125,7 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
     let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
-    let has_name = |f: &&FigureBudget| match f.quantity {
-        ErrorQuantity::Position => true,
-        quantity => f.figure == Figure::Max && ErrorQuantity::OTHERS.contains(&quantity),
-    };
-    Table::of(words, document.budget.iter().filter(has_name), columns).on("Budget of errors")
+    Table::of(words, document.budget.iter().filter(|f| is_named(f)), columns).on("Budget of errors")
 }
 
 /// Sentence on repeats of poses.
