@@ -129,6 +129,8 @@ class BatchEntry(Record):
     """Output folder of the campaign."""
     robot: str | None
     """Name of the robot, or of its model."""
+    verdict: Any
+    """Verdict on the result; null if it was not judged or the campaign did not run."""
 
 class BudgetSource(Record):
     """Contribution of one source to the standard uncertainties."""
