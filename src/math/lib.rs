@@ -89,7 +89,7 @@ pub enum Termination {
     /// Converged to rounding: no shorter step lowers the sum of squares.
     NoImprovementPossible,
     /// Iteration limit reached.
-    LostPatience,
+    IterationLimit,
     /// A residual or derivative is not finite, at the start or on the way.
     NotANumber,
     /// Rank-deficient Jacobian: not all parameters are separately identifiable.
@@ -113,7 +113,7 @@ impl fmt::Display for Termination {
             Self::GradientVanished => "converged: the residuals are orthogonal to the Jacobian",
             Self::ResidualsZero => "converged: the residuals are zero to rounding",
             Self::NoImprovementPossible => "converged as far as rounding allows: no shorter step lowers the residuals",
-            Self::LostPatience => "not converged within the iterations allowed: check the starting values",
+            Self::IterationLimit => "not converged within the iterations allowed: check the starting values",
             Self::NotANumber => "stopped: a residual is not a number, check the starting values and the data",
             Self::RankDeficient => "stopped: some parameters are not separately identifiable, hold one of them",
             Self::TooFewEquations => "stopped: fewer equations than parameters, measure more poses or hold parameters",
