@@ -129,7 +129,7 @@ fn campaign(
     if let Some(documents) = current(&campaign, last).filter(recent) {
         let run = Run::read(&documents)?;
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
-        describe(entry, &run.campaign, run.report().is_met(), identified.map(|i| i.0));
+        describe(entry, &run.campaign, run.report().passes(), identified.map(|i| i.0));
         return Ok((rows(identified, &run.tested), None));
     }
     let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;

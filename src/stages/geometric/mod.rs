@@ -232,7 +232,7 @@ fn step(name: &str, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricSt
         expected_mm: scatter.expected_mm,
         max_mm: scatter.max_mm,
         norm_mm: scatter.norm_mm,
-        enlarged_by: scatter.enlarged_by,
+        enlarged_by: scatter.inflation_factor,
         coverage_deg,
     }
 }
