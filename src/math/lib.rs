@@ -91,7 +91,7 @@ pub enum Termination {
     /// Converged to rounding: no shorter step lowers the sum of squares.
     NoImprovementPossible,
     /// Iteration limit reached.
-    LostPatience,
+    IterationLimit,
     /// A residual or derivative is not finite, at the start or on the way.
     NotANumber,
     /// Rank-deficient Jacobian: not all parameters are separately identifiable.

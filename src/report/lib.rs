@@ -70,7 +70,7 @@ pub struct Identified<'a> {
 impl<'a> Report<'a> {
     /// `true` if all limits are met, the result is plausible, and all controller files are written.
     /// Creates no report.
-    pub fn is_met(&self) -> bool {
+    pub fn passes(&self) -> bool {
         sections::verdict::met(self.identified.as_ref(), self.tested)
             && self.controllers.is_none_or(ControllersDocument::is_complete)
     }
@@ -215,7 +215,7 @@ pub fn kinds() -> impl Iterator<Item = &'static str> {
 
 /// A report created once from its documents, to be rendered to files and on the terminal.
 #[derive(Debug)]
-pub struct Faces {
+pub struct Renderer {
     contents: Contents,
     /// Attached to the PDF only.
     attachments: Vec<Attachment>,
@@ -223,7 +223,7 @@ pub struct Faces {
     words: Words,
 }
 
-impl Faces {
+impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
         Self { contents: contents.in_language(&words), attachments, presentation, words }
     }
@@ -377,7 +377,7 @@ impl Faces {
     }
 
     /// `true` if all limits are met and the result is plausible.
-    pub fn is_met(&self) -> bool {
+    pub fn passes(&self) -> bool {
         self.contents.verdict.met
     }
 

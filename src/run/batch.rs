@@ -131,7 +131,7 @@ fn campaign(
         let run = Run::read(&documents)?;
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
         let report = run.report();
-        describe(entry, &run.campaign, report.is_met(), identified.map(|i| i.0));
+        describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
         entry.checks = checks(identified, &run.tested, report.messages().into_iter());
         return Ok((rows(identified, &run.tested), None));
     }

@@ -15,7 +15,7 @@ use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
 };
-use etalon_report::{Faces, Report};
+use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
 
 /// Files that a run writes.
@@ -38,7 +38,7 @@ pub struct Outcome {
     /// `true` if every limit is met, and the result can be that of a robot.
     pub met: bool,
     /// The report, where it was wanted.
-    pub faces: Option<Faces>,
+    pub renderer: Option<Renderer>,
     /// Statements of the campaign about itself.
     pub summary: CampaignSummary,
     /// Everything that the report warns of.
@@ -134,8 +134,8 @@ fn write(
     mut out: Output,
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
-    let met = found.report().is_met();
-    let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
+    let met = found.report().passes();
+    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
     if tables {
@@ -165,14 +165,14 @@ fn write(
             }
         }
     }
-    let faces = faces.map(|faces| {
-        faces.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
+    let renderer = renderer.map(|renderer| {
+        renderer.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
     });
-    if let Some(faces) = &faces {
-        out.reports(faces.files()?);
+    if let Some(renderer) = &renderer {
+        out.reports(renderer.files()?);
     }
     let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, faces, summary, messages })
+    Ok(Outcome { written, identified, tested, met, renderer, summary, messages })
 }
 
 /// Input of controller files before parameters are identified again for them.

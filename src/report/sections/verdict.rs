@@ -379,7 +379,7 @@ mod tests {
     #[test]
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
-        documents.parameters.solver.termination = Termination::LostPatience;
+        documents.parameters.solver.termination = Termination::IterationLimit;
         let verdict = of(&documents);
         assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
     }
