@@ -117,7 +117,6 @@ impl Documents {
                 definition_phrase: None,
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
-                definition_phrase: None,
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
                 placed_apart: Vec::new(),
                 effects: Vec::new(),
