@@ -848,6 +848,8 @@ undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nenn
 
 undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
 
+undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso zu ihnen; mehr Kalibrierposen messen, im Arbeitsraum verteilt
+
 undescribed-other-poses = die Kalibrierposen passen, und keine Bewegung des Systems erklärt die anderen: prüfen, ob Protokoll und Exporte der Validierungsposen dieselben Posen sind (Protokoll einer anderen Kampagne oder anders nummerierte Posen)
 
 prior-of-nominal = Nennparameter haben keine Kovarianz für `--frames prior`

@@ -1728,6 +1728,8 @@ undescribed-set-up = check units, order and signs of the joints, the nominal par
 
 undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm leaves { FIXED($left_mm, 3) } mm: base or measuring system has moved between calibration and validation poses
 
+undescribed-unchecked = the calibration poses leave no coordinate to check: other places of base and targets fit them as well; measure more calibration poses, spread over the workspace
+
 undescribed-other-poses = the calibration poses fit, and no motion of the frame explains the others: check whether log and exports of the validation poses are of the same poses (a log of another campaign, or poses that are numbered otherwise)
 
 # Means: `--frames prior` is stated for nominal parameters.

@@ -848,6 +848,8 @@ undescribed-set-up = vérifier unités, ordre et signes des articulations, les p
 
 undescribed-frame-moved = un mouvement du repère de { FIXED($motion_mm, 1) } mm laisse { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
 
+undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles y conviennent aussi ; mesurer davantage de poses d’étalonnage, réparties dans l’espace de travail
+
 undescribed-other-poses = les poses d’étalonnage conviennent, et aucun mouvement du repère n’explique les autres : vérifier que le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
 
 prior-of-nominal = des paramètres nominaux n’ont pas de covariance pour `--frames prior`
