@@ -13,11 +13,11 @@ const FREE: [(&str, usize); 8] = [
     ("campaign", 2),
     ("cli", 3),
     ("documents", 4),
-    ("formats", 472),
+    ("formats", 249),
     ("identify", 64),
     ("report", 18),
     ("run", 93),
-    ("stages", 348),
+    ("stages", 254),
 ];
 
 /// Calls in a file.
@@ -41,7 +41,8 @@ impl Calls {
             }
             let before = |n: usize| i.checked_sub(n).map(|at| all[at].to_string()).unwrap_or_default();
             match (before(2).as_str(), before(1).as_str()) {
-                (name @ ("error" | "warning" | "phrase"), "!") => self.of_catalogue.extend(call(name, group)),
+                (name @ ("error" | "warning" | "phrase"), "!") => self.of_catalogue.extend(call(name, group.stream())),
+                ("tr", "!") => self.of_catalogue.extend(call("tr", behind_comma(group.stream()))),
                 (":", "error" | "warning") if before(4) == "Message" => self.free += 1,
                 (".", "hint" | "expected") if !is_phrase(group) && !group.stream().is_empty() => self.free += 1,
                 _ => {}
@@ -70,9 +71,27 @@ fn is_phrase(group: &Group) -> bool {
     text.starts_with("phrase ! ") || text.starts_with("phrase!") || text == "hint" || text == "expected"
 }
 
+/// Tokens behind the first comma: the language of `tr!(words, "id", ...)` is not part of the text.
+fn behind_comma(tokens: TokenStream) -> TokenStream {
+    tokens.into_iter().skip_while(|token| token.to_string() != ",").skip(1).collect()
+}
+
+/// Calls in a template of a report: `"id"|t` and `"id"|t(argument=...)`.
+fn calls_of_template(text: &str) -> Vec<(String, String, BTreeSet<String>)> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut all = Vec::new();
+    for (end, _) in text.match_indices("\"|t").filter(|(end, call)| !text[end + call.len()..].starts_with(is_word)) {
+        let start = text[..end].rfind('"').map_or(0, |quote| quote + 1);
+        let values = text[end + 3..].strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or("", |(all, _)| all);
+        let names = values.split(',').filter_map(|value| Some(value.split_once('=')?.0.trim().to_owned()));
+        all.push(("tr".to_owned(), text[start..end].to_owned(), names.collect()));
+    }
+    all
+}
+
 /// Id and names of the arguments of a call; `None` where the macro passes tokens on.
-fn call(name: &str, group: &Group) -> Option<(String, String, BTreeSet<String>)> {
-    let mut tokens = group.stream().into_iter().peekable();
+fn call(name: &str, tokens: TokenStream) -> Option<(String, String, BTreeSet<String>)> {
+    let mut tokens = tokens.into_iter();
     let id = match tokens.next()? {
         TokenTree::Literal(literal) => literal.to_string().trim_matches('"').to_owned(),
         _ => return None,
@@ -99,7 +118,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && name != "tests" {
             sources(&path, found);
-        } else if name.ends_with(".rs") && name != "tests.rs" {
+        } else if (name.ends_with(".rs") && name != "tests.rs") || name.ends_with(".html") {
             found.push(path);
         }
     }
@@ -112,10 +131,14 @@ fn calls() -> BTreeMap<String, Calls> {
     sources(&src, &mut files);
     let mut all: BTreeMap<String, Calls> = BTreeMap::new();
     for path in files {
-        let tokens: TokenStream = std::fs::read_to_string(&path).unwrap().parse().unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
         let inside =
             path.strip_prefix(&src).unwrap().components().next().unwrap().as_os_str().to_string_lossy().into_owned();
-        all.entry(inside).or_default().read(tokens);
+        let found = all.entry(inside).or_default();
+        match path.extension().is_some_and(|e| e == "html") {
+            true => found.of_catalogue.extend(calls_of_template(&text)),
+            false => found.read(text.parse().unwrap()),
+        }
     }
     all
 }
@@ -216,7 +239,7 @@ fn every_call_has_its_text_in_all_languages_and_every_text_its_call() {
 #[test]
 fn every_message_is_explained() {
     let called = calls();
-    let messages = called.values().flat_map(|calls| &calls.of_catalogue).filter(|(name, ..)| name != "phrase");
+    let messages = called.values().flat_map(|calls| &calls.of_catalogue).filter(|(name, ..)| name == "error" || name == "warning");
     let messages: BTreeSet<&str> = messages.map(|(_, id, _)| id.as_str()).collect();
     let mut wrong = String::new();
     for entry in entries() {
@@ -245,12 +268,16 @@ fn texts_outside_the_catalogue_become_fewer() {
 #[test]
 fn calls_are_found_wherever_they_are() {
     let source = r#"
-        fn f() { vec![error!("a", x, y = g(1, z))]; Message::error("free").hint(phrase!("b")).expected("free"); }
+        fn f() { vec![error!("a", x, y = g(1, z))]; tr!(self.words, "d", n = tr!(words, "e")); Message::error("free").hint(phrase!("b")).expected("free"); }
         #[cfg(test)]
         mod tests { fn g() { warning!("c"); } }
     "#;
     let mut calls = Calls::default();
     calls.read(source.parse().unwrap());
     let ids: Vec<(&str, usize)> = calls.of_catalogue.iter().map(|(_, id, all)| (id.as_str(), all.len())).collect();
-    assert_eq!((ids, calls.free), (vec![("a", 2), ("b", 0)], 2));
+    assert_eq!((ids, calls.free), (vec![("a", 2), ("e", 0), ("d", 1), ("b", 0)], 2));
+    let template = r#"{{ "a"|t }} {{ "plain"|title }} {{ "b-c"|t(n=x|length, m=1) }}"#;
+    let ids: Vec<(String, usize)> =
+        calls_of_template(template).into_iter().map(|(_, id, all)| (id, all.len())).collect();
+    assert_eq!(ids, [("a".to_owned(), 0), ("b-c".to_owned(), 2)]);
 }

@@ -28,8 +28,20 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 9] =
-    files!["base", "campaign", "cli", "compare", "controllers", "documents", "fit", "simulate", "standards"];
+pub const FILES: [(&str, [&str; 3]); 12] = files![
+    "base",
+    "campaign",
+    "cli",
+    "compare",
+    "controllers",
+    "documents",
+    "fit",
+    "formats",
+    "report",
+    "simulate",
+    "stages",
+    "standards",
+];
 
 /// Named arguments of a text.
 pub type Arguments = BTreeMap<String, Argument>;
@@ -129,7 +141,8 @@ impl Argument {
 
     fn value(&self, language: &str) -> FluentValue<'static> {
         match self {
-            Self::Whole(value) => FluentValue::from(*value),
+            // a number of Fluent is a double
+            Self::Whole(value) if value.unsigned_abs() <= 1 << 53 => FluentValue::from(*value),
             Self::Number(value) => FluentValue::from(*value),
             _ => FluentValue::from(self.text(language)),
         }

@@ -32,8 +32,9 @@ pub use tables::observations::{TableLayout, observations, observations_with};
 
 use crate::dialect::{Encoding, Unit};
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
+use etalon_base::{error, warning};
 use polars::prelude::DataFrame;
 use std::path::Path;
 
@@ -69,18 +70,15 @@ pub fn points_and_refused(
     let (rows, mut problems) = format.read(file, &text.into(), unit);
     if format.about().points_only {
         let refused = rows.iter().filter_map(|row| Some((row, row.refused.as_ref()?)));
-        problems.0.extend(refused.map(|(row, reason)| {
-            Message::error(reason.as_str())
-                .at(Place::line(file, row.line, &row.text))
-                .hint("take the row out of the file")
-        }));
+        problems.0.extend(
+            refused.map(|(row, reason)| error!("row-without-point", reason).at(Place::line(file, row.line, &row.text))),
+        );
     }
     problems.check()?;
     let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some()).collect();
     let said = refused.first().map(|first| {
         let reason = first.refused.as_deref().unwrap_or_default();
-        let what = format!("{} left out, the first: {reason}", count(refused.len(), "row"));
-        Message::warning(what).at(Place::line(file, first.line, &first.text))
+        warning!("rows-left-out", count = refused.len(), reason).at(Place::line(file, first.line, &first.text))
     });
     let points = rows.iter().filter(|row| row.refused.is_none()).map(|row| (row.label.to_string(), row.xyz_mm));
     Ok((points.collect(), said))
@@ -97,10 +95,11 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
 /// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
-    for point in points.iter().filter(|point| point.refused.is_some()) {
-        let message = Message::error("the sample has no coordinates");
-        problems.0.push(message.at(Place::line(file, point.line, &point.text)).hint("remove the row"));
-    }
+    let refused = points.iter().filter_map(|point| Some((point, point.refused.as_ref()?)));
+    problems.0.extend(
+        refused
+            .map(|(point, reason)| error!("row-without-point", reason).at(Place::line(file, point.line, &point.text))),
+    );
     problems.check()?;
     points::table(&points)
 }

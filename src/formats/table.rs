@@ -1,9 +1,10 @@
 //! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
 
 use etalon_base::cell::cell;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use polars::prelude::*;
 use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use serde::Serialize;
@@ -40,7 +41,7 @@ pub const ASSEMBLY: &str = "assembly";
 
 /// The problem that a table cannot be made.
 pub fn failed(error: impl std::fmt::Display) -> Problems {
-    Message::error(format!("table: {error}")).into()
+    error!("table-failed", reason = error.to_string()).into()
 }
 
 /// A table of `height` rows.
@@ -56,15 +57,20 @@ pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
 
 /// A column of whole numbers without gaps.
 pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
-    let wrong = || Message::error(format!("column `{name}` holds a value that is not a whole number"));
+    let wrong = |value: String| error!("not-whole-number", value, column = name);
     let column = column(table, name)?;
     // a cast would cut 1.5 and 1e300
-    let cut = |v: f64| v.is_finite() && v.fract() != 0.0 || v.abs() > 9e15;
-    if column.dtype().is_float() && numbers(table, name)?.into_iter().any(cut) {
-        return Err(wrong().into());
+    let cut = |v: &f64| v.is_finite() && v.fract() != 0.0 || v.abs() > 9e15;
+    if column.dtype().is_float()
+        && let Some(value) = numbers(table, name)?.into_iter().find(cut)
+    {
+        return Err(wrong(value.to_string()).into());
     }
-    let column = column.strict_cast(&DataType::Int64).map_err(|_| wrong())?;
-    let whole = |v: Option<i64>| v.ok_or_else(|| Message::error(format!("column `{name}` has an empty cell")).into());
+    let Ok(column) = column.strict_cast(&DataType::Int64) else {
+        let other = texts(table, name)?.into_iter().find(|text| text.parse::<i64>().is_err());
+        return Err(wrong(other.unwrap_or_default()).into());
+    };
+    let whole = |v: Option<i64>| v.ok_or_else(|| error!("cell-empty", column = name).into());
     column.i64().map_err(failed)?.iter().map(whole).collect()
 }
 
@@ -179,7 +185,7 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
         // `line` is where a row was read, no user wrote it
         let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
         let names: Vec<&str> = names.collect();
-        Message::error(format!("the table has no column `{name}`")).hint_names(name, names).into()
+        error!("column-unknown", column = name).hint_names(name, names).into()
     })
 }
 
@@ -253,12 +259,11 @@ impl<W: Write + Send> RowGroups<W> {
 
 /// The table of so many rows of a Parquet file that a stage wrote; another number is refused before any row is read.
 pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<DataFrame> {
-    let unreadable = |e| Problems::from(Message::error(format!("it is not a table: {e}")));
+    let unreadable = |e: PolarsError| Problems::from(error!("stored-table-damaged", reason = e.to_string()));
     let mut reader = ParquetReader::new(Cursor::new(bytes));
     let found = reader.num_rows().map_err(unreadable)?;
     if found != rows {
-        let message = Message::error(format!("the table has {found} rows")).expected(format!("{rows} rows"));
-        return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
+        return Err(error!("stored-table-damaged", reason = phrase!("stored-row-count", found, rows)).into());
     }
     reader.finish().map_err(unreadable)
 }

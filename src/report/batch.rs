@@ -4,7 +4,7 @@
 
 use super::html;
 use super::number::{quantile, significant, with_uncertainty};
-use super::words::Words;
+use super::words::{Words, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, Presentation};
 use serde::Serialize;
@@ -114,10 +114,10 @@ fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
 
 fn ended(end: BatchEnd, words: &Words) -> String {
     match end {
-        BatchEnd::Done => words.say("done"),
-        BatchEnd::NotMet => words.say("limits not met"),
-        BatchEnd::Failed => words.say("failed"),
-        BatchEnd::Skipped => words.say("skipped"),
+        BatchEnd::Done => tr!(words, "done"),
+        BatchEnd::NotMet => tr!(words, "batch-limits-not-met"),
+        BatchEnd::Failed => tr!(words, "failed"),
+        BatchEnd::Skipped => tr!(words, "skipped"),
     }
 }
 
@@ -132,7 +132,7 @@ fn digits(value: BatchValue) -> String {
 
 /// Translates the name of a quantity word by word: "validation position max".
 fn named(quantity: &str, words: &Words) -> String {
-    quantity.split(' ').map(|word| words.say(word)).collect::<Vec<_>>().join(" ")
+    quantity.split(' ').map(|word| words.named(word)).collect::<Vec<_>>().join(" ")
 }
 
 impl Row<'_> {
@@ -213,9 +213,8 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
     };
     Page {
         version: env!("CARGO_PKG_VERSION"),
-        title: words.fill("{0} campaigns of {1} robots", &[&campaigns.len(), &robots.len()]),
-        subtitle: words
-            .fill("{0} done, {1} with limits not met, {2} failed, {3} skipped", &[done, not_met, failed, skipped]),
+        title: tr!(words, "campaigns-of-robots", campaigns = campaigns.len(), robots = robots.len()),
+        subtitle: tr!(words, "batch-ends", done, limits = not_met, failed, skipped),
         class: if failed + not_met > 0 { "bad" } else { "good" },
         headings: figures.quantities.iter().map(|q| format!("{} [{}]", named(&q.name, words), q.unit)).collect(),
         worst: worst.iter().map(plain).collect(),

@@ -7,10 +7,11 @@ use super::supervised::supervised;
 use super::words::{Words, isolated};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use etalon_base::catalogue::{Arguments, Phrase};
 use etalon_base::message::{Message, Place, Problems, Result, one_line};
 use etalon_documents::Presentation;
 use minijinja::syntax::SyntaxConfig;
-use minijinja::value::{Rest, Serde};
+use minijinja::value::{Kwargs, Serde};
 use minijinja::{Environment, UndefinedBehavior, Value};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -114,10 +115,7 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     environment.add_filter("one_line", |text: String| one_line(&text));
     environment.add_filter("isolated", |text: String| isolated(&text));
     let words = words.clone();
-    environment.add_filter("t", move |text: String, values: Rest<Value>| {
-        let values: Vec<&dyn std::fmt::Display> = values.iter().map(|v| v as &dyn std::fmt::Display).collect();
-        words.fill(&text, &values)
-    });
+    environment.add_filter("t", move |id: String, arguments: Kwargs| translated(id, &arguments, &words));
     environment.add_global("lang", presentation.language.code());
     environment.add_global("logo", presentation.logo.as_deref());
     for (name, text) in BUILT_IN {
@@ -128,6 +126,19 @@ fn environment<'a>(presentation: &'a Presentation, words: &Words) -> Result<Envi
     let problems = Problems(own.filter_map(read).map(|e| failure(&e, presentation)).collect());
     problems.check()?;
     Ok(environment)
+}
+
+/// Text of the catalogue in a template: `"rows-in-workbook"|t(count=3)`.
+fn translated(id: String, arguments: &Kwargs, words: &Words) -> std::result::Result<String, minijinja::Error> {
+    let mut phrase = Phrase { id: id.into(), arguments: Arguments::new() };
+    for name in arguments.args() {
+        let value: Value = arguments.get(name)?;
+        phrase = match value.as_usize() {
+            Some(count) => phrase.with(name, &count),
+            None => phrase.with(name, &value.to_string()),
+        };
+    }
+    Ok(words.tr(&phrase))
 }
 
 /// Error of a template, with its line for a template of the laboratory.

@@ -2,8 +2,8 @@
 //! without network access, as a PDF to be signed, as a workbook, and on the terminal.
 //!
 //! Every renderer is a pure function: it reads only its arguments and writes equal bytes for equal
-//! documents. A new section needs a file in `sections`, a line in `sections::ALL`, and its texts in
-//! `words`.
+//! documents. A new section needs a file in `sections`, a line in
+//! `sections/mod.rs`, and its texts in `src/base/messages/*/report.ftl`.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 pub mod batch;
@@ -30,7 +30,7 @@ use etalon_documents::{
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
-use words::{Words, isolated};
+use words::{Words, isolated, tr};
 
 /// Template of report.pdf for typst.
 const TYPESET: (&str, &str) = ("report.typ", include_str!("pdf/report.typ"));
@@ -100,10 +100,10 @@ impl<'a> Report<'a> {
     fn contents(&self, words: &Words) -> Contents {
         let subtitle = match self.identified {
             Some(i) => match sections::conditions::robot_name(self) {
-                Some(name) => words.fill("Calibration report of robot {0}", &[&isolated(&one_line(&name))]),
+                Some(name) => tr!(words, "calibration-report-of-robot", robot = isolated(&one_line(&name))),
                 None => of_model(i.parameters, words),
             },
-            None if self.tested.is_empty() && self.geometric.is_some() => words.say("Measurements by geometry alone"),
+            None if self.tested.is_empty() && self.geometric.is_some() => tr!(words, "geometry-alone-title"),
             None => sections::verdict::title(self.tested, words),
         };
         Contents {
@@ -117,7 +117,7 @@ impl<'a> Report<'a> {
             signed: true,
             compact: false,
             number: self.campaign.issue.number.clone(),
-            statement: words.say("These results relate only to the item tested."),
+            statement: tr!(words, "results-relate-to-item"),
             brief: true,
         }
     }
@@ -127,7 +127,7 @@ impl<'a> Report<'a> {
         let mut verdict = sections::verdict::verdict(self.identified.as_ref(), self.tested, words);
         if self.controllers.is_some_and(|c| !c.is_complete()) {
             (verdict.class, verdict.met) = (model::Grade::Bad, false);
-            verdict.sentences.push(words.say("A controller file is not written: see the messages."));
+            verdict.sentences.push(tr!(words, "controller-file-not-written"));
         }
         verdict
     }
@@ -155,12 +155,12 @@ impl<'a> Report<'a> {
 
 /// Title of the calibration of a robot without a name.
 fn of_model(document: &ParametersDocument, words: &Words) -> String {
-    words.fill("Calibration report of a robot of model {0}", &[&isolated(&one_line(&document.robot))])
+    tr!(words, "calibration-report-of-model", model = isolated(&one_line(&document.robot)))
 }
 
 /// Subject of an answer.
 fn named(robot: &str, words: &Words) -> String {
-    words.fill("Robot of model {0}", &[&isolated(&one_line(robot))])
+    tr!(words, "robot-of-model", model = isolated(&one_line(robot)))
 }
 
 /// A document attached to a PDF.
@@ -241,7 +241,7 @@ impl Faces {
             .iter()
             .filter_map(|c| Some(format!("{}: {}", one_line(&c.folder), c.synthetic.as_ref()?)));
         let contents = Contents {
-            title: words.say("What changed"),
+            title: tr!(words, "what-changed"),
             subtitle: lead(document, &words),
             synthetic: synthetic.collect(),
             date: document.campaigns.iter().rev().find_map(|c| c.date.clone()),
@@ -260,8 +260,8 @@ impl Faces {
         let words = Words::of(presentation.language)?;
         let robot = isolated(&one_line(&document.robot));
         let contents = Contents {
-            title: words.say("Poses to measure"),
-            subtitle: words.fill("Plan for the calibration of a robot of model {0}", &[&robot]),
+            title: tr!(words, "poses-to-measure"),
+            subtitle: tr!(words, "plan-for-model", model = robot),
             version: document.provenance.version.clone(),
             verdict: verdict(document, &words),
             sections: sections(document, &words),
@@ -286,7 +286,7 @@ impl Faces {
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
         let sections = limits.into_iter().chain([sections::errors::of(document, &[], &words)]).collect();
-        let title = words.say("Validation of given parameters");
+        let title = tr!(words, "validation-of-given-parameters");
         let attached = Attachment::of("accuracy.json", "data", "Errors of given parameters", document)?;
         Ok(Self::answer(Contents { title, verdict, sections, ..Contents::default() }, attached, presentation, words))
     }
@@ -296,7 +296,7 @@ impl Faces {
         use sections::given::{still_valid, verification};
         let words = Words::of(presentation.language)?;
         let contents = Contents {
-            title: words.say("Verification of identified parameters"),
+            title: tr!(words, "verification-of-identified-parameters"),
             subtitle: named(&document.robot, &words),
             verdict: still_valid(document, &words),
             sections: verification(document, &words),
@@ -311,7 +311,7 @@ impl Faces {
         use sections::given::{chosen, poses_to_verify};
         let words = Words::of(presentation.language)?;
         let contents = Contents {
-            title: words.say("Poses to verify identified parameters"),
+            title: tr!(words, "poses-to-verify-identified-parameters"),
             subtitle: named(&document.robot, &words),
             verdict: chosen(document, &words),
             sections: poses_to_verify(document, &words),
@@ -326,7 +326,7 @@ impl Faces {
         use sections::given::{recommendation, recommended};
         let words = Words::of(presentation.language)?;
         let contents = Contents {
-            title: words.say("Recommendation of parameters to load"),
+            title: tr!(words, "recommendation-title"),
             subtitle: named(&document.robot, &words),
             verdict: recommended(document, &words),
             sections: recommendation(document, &words),
@@ -364,7 +364,7 @@ impl Faces {
     pub fn uncertainty(document: &UncertaintyDocument) -> Self {
         use sections::distributions::{sections, verdict};
         let words = Words::default();
-        let title = words.fill("Uncertainties of robot {0}", &[&isolated(&one_line(&document.robot))]);
+        let title = tr!(words, "uncertainties-of-robot", robot = isolated(&one_line(&document.robot)));
         Self::without_campaign(title, verdict(document, &words), sections(document, &words), words)
     }
 

@@ -5,6 +5,7 @@
 
 use super::number;
 use super::words::Words;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::one_line;
 use etalon_base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
@@ -261,7 +262,7 @@ pub(crate) struct Figure {
     pub pair: String,
     pub side: &'static str,
     /// Names of the two figures; "before" and "after" if absent.
-    pub sides: Option<[&'static str; 2]>,
+    pub sides: Option<[String; 2]>,
     /// `true` if colours have a common scale of both figures and a separate one.
     pub scaled: bool,
     /// Numbers of the figure; empty if another table contains them.
@@ -437,13 +438,42 @@ pub(crate) fn numbers(shown: impl Into<Option<String>>) -> Cell {
 }
 
 /// A term, translated where people read it.
-pub(crate) fn term(words: &Words, english: &str) -> Cell {
-    Cell::Term { english: english.to_owned(), shown: words.say(english), strong: false }
+pub(crate) fn term(words: &Words, term: Phrase) -> Cell {
+    Cell::Term { english: term.to_string(), shown: words.tr(&term), strong: false }
 }
 
 /// A term in bold letters.
-pub(crate) fn strong_term(words: &Words, english: &str) -> Cell {
-    Cell::Term { english: english.to_owned(), shown: words.say(english), strong: true }
+pub(crate) fn strong_term(words: &Words, term: Phrase) -> Cell {
+    Cell::Term { english: term.to_string(), shown: words.tr(&term), strong: true }
+}
+
+/// Title of a column: a symbol or name that is the same in all languages, or a text of the
+/// catalogue.
+#[derive(Clone, Debug)]
+pub(crate) enum Title<'a> {
+    Symbol(&'a str),
+    Text(Phrase),
+}
+
+impl Title<'_> {
+    fn shown(&self, words: &Words) -> String {
+        match self {
+            Self::Symbol(symbol) => (*symbol).to_owned(),
+            Self::Text(phrase) => words.tr(phrase),
+        }
+    }
+}
+
+impl<'a> From<&'a str> for Title<'a> {
+    fn from(symbol: &'a str) -> Self {
+        Self::Symbol(symbol)
+    }
+}
+
+impl From<Phrase> for Title<'_> {
+    fn from(phrase: Phrase) -> Self {
+        Self::Text(phrase)
+    }
 }
 
 /// Renderers that show a column.
@@ -456,10 +486,10 @@ enum On {
 
 /// A column of records of type `T`: title, unit and content.
 struct Column<'a, T> {
-    title: &'a str,
+    title: Title<'a>,
     unit: &'a str,
     shown_in: &'a str,
-    group: &'a str,
+    group: Title<'a>,
     on: On,
     cell: Box<dyn Fn(&'a T) -> Cell + 'a>,
 }
@@ -472,30 +502,40 @@ impl<'a, T> Columns<'a, T> {
         Self(Vec::new())
     }
 
-    fn with<C: Into<Cell>>(mut self, on: On, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
+    fn with<C: Into<Cell>>(mut self, on: On, title: Title<'a>, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
         let cell = Box::new(move |record: &'a T| cell(record).into());
-        self.0.push(Column { title, unit, shown_in: unit, group: "", on, cell });
+        self.0.push(Column { title, unit, shown_in: unit, group: "".into(), on, cell });
         self
     }
 
     /// Adds a column for all renderers.
-    pub fn both<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
-        self.with(On::Both, title, unit, cell)
+    pub fn both<C: Into<Cell>>(
+        self,
+        title: impl Into<Title<'a>>,
+        unit: &'a str,
+        cell: impl Fn(&'a T) -> C + 'a,
+    ) -> Self {
+        self.with(On::Both, title.into(), unit, cell)
     }
 
     /// Adds a column that the workbook omits, because other columns contain the numbers separately.
-    pub fn page<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
-        self.with(On::Page, title, unit, cell)
+    pub fn page<C: Into<Cell>>(
+        self,
+        title: impl Into<Title<'a>>,
+        unit: &'a str,
+        cell: impl Fn(&'a T) -> C + 'a,
+    ) -> Self {
+        self.with(On::Page, title.into(), unit, cell)
     }
 
     /// Adds a column for the workbook only; its title is in English in every language, so that
     /// programs can find it.
     pub fn sheet<C: Into<Cell>>(self, title: &'a str, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
-        self.with(On::Sheet, title, unit, cell)
+        self.with(On::Sheet, title.into(), unit, cell)
     }
 
     /// Adds a column of lengths in mm, shown in µm.
-    pub fn micrometres<V: Into<Option<f64>>>(self, title: &'a str, mm: impl Fn(&'a T) -> V + 'a) -> Self {
+    pub fn micrometres<V: Into<Option<f64>>>(self, title: impl Into<Title<'a>>, mm: impl Fn(&'a T) -> V + 'a) -> Self {
         self.both(title, "mm", move |record| um(mm(record))).shown_in("µm")
     }
 
@@ -508,14 +548,15 @@ impl<'a, T> Columns<'a, T> {
     /// Adds a page column for each angle.
     pub fn page_angles(self, titles: &'a [String], of: fn(&'a T) -> &'a [f64]) -> Self {
         let add = |columns: Self, (i, title): (usize, &'a String)| {
-            columns.page(title, "deg", move |record| fixed(of(record).get(i).copied(), 4))
+            columns.page(title.as_str(), "deg", move |record| fixed(of(record).get(i).copied(), 4))
         };
         titles.iter().enumerate().fold(self, add)
     }
 
     /// Adds the columns of another table with these titles to the page.
     pub fn page_of(mut self, table: Self, titles: &[&str]) -> Self {
-        let shown = table.0.into_iter().filter(|c| titles.contains(&c.title));
+        let english = Words::default();
+        let shown = table.0.into_iter().filter(|c| titles.contains(&c.title.shown(&english).as_str()));
         self.0.extend(shown.map(|c| Column { on: On::Page, ..c }));
         self
     }
@@ -533,8 +574,9 @@ impl<'a, T> Columns<'a, T> {
     }
 
     /// Adds a common title above the last columns.
-    pub fn below(mut self, columns: usize, group: &'a str) -> Self {
-        self.0.iter_mut().rev().take(columns).for_each(|c| c.group = group);
+    pub fn below(mut self, columns: usize, group: impl Into<Title<'a>>) -> Self {
+        let group = group.into();
+        self.0.iter_mut().rev().take(columns).for_each(|c| c.group = group.clone());
         self
     }
 }
@@ -574,15 +616,17 @@ impl Table {
         records: impl IntoIterator<Item = &'a T>,
         Columns(columns): Columns<'a, T>,
     ) -> Self {
+        let english = Words::default();
         let titled = |c: &Column<T>| {
             let behind = |unit: &str| if unit.is_empty() { String::new() } else { format!(", {unit}") };
-            let before = if c.group.is_empty() { String::new() } else { format!("{}, ", c.group) };
+            let [group, title] = [&c.group, &c.title].map(|title| title.shown(&english));
+            let before = if group.is_empty() { String::new() } else { format!("{group}, ") };
             let unit = if c.unit.is_empty() { String::new() } else { format!(" [{}]", c.unit) };
             Titled {
                 on: c.on,
-                group: words.say(c.group),
-                title: words.say(c.title) + &behind(c.shown_in),
-                sheet: format!("{before}{}{unit}", c.title),
+                group: c.group.shown(words),
+                title: c.title.shown(words) + &behind(c.shown_in),
+                sheet: format!("{before}{title}{unit}"),
                 unit: c.unit.to_owned(),
             }
         };

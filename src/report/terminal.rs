@@ -2,7 +2,7 @@
 //! figures and notes.
 
 use super::model::{Block, Cell, Contents, Table, Tone};
-use super::words::Words;
+use super::words::{Words, tr};
 use etalon_base::message::printable_character;
 
 /// Text for the terminal.
@@ -107,7 +107,7 @@ impl<'a> Page<'a> {
         self.line(&line(kept.iter().map(|i| laid.header[*i]).collect()));
         rows.iter().for_each(|row| self.line(&line(kept.iter().map(|i| row[*i].as_str()).collect())));
         if laid.left_out > 0 {
-            self.line(&self.words.fill("{0} more rows are left out: the workbook has all.", &[&laid.left_out]));
+            self.line(&tr!(self.words, "rows-in-workbook", count = laid.left_out));
         }
     }
 }

@@ -1,14 +1,20 @@
-//! Texts of the report in its languages. The English text is the key; `words/` contains one table
-//! per language.
+//! Texts of the report in its language, from the catalogue.
 //!
-//! Statements of a campaign, and messages of the program, are never translated.
+//! Statements of a campaign are never translated.
 
 pub(super) mod comparison;
+pub(super) mod names;
 
+use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::{Message, Result, printable};
 use etalon_documents::Language;
 use std::collections::BTreeMap;
-use std::fmt::Display;
+
+/// Text of the catalogue in the language of a report: `tr!(words, "limit-band-value", value = 3)`.
+macro_rules! tr {
+    ($words:expr, $($call:tt)*) => { $words.tr(&etalon_base::phrase!($($call)*)) };
+}
+pub(crate) use tr;
 
 /// A name in a sentence, isolated for any writing direction.
 pub(crate) fn isolated(name: &str) -> String {
@@ -20,75 +26,7 @@ pub(crate) fn isolated(name: &str) -> String {
     }
 }
 
-/// Texts that come from documents instead of the program's reports.
-#[cfg(test)]
-const OF_DOCUMENTS: [&str; 63] = [
-    "base shift",
-    "base rotation",
-    "before",
-    "after",
-    "nominal minus identified",
-    "zeros",
-    "zeros of the joints",
-    "geometry",
-    "gains",
-    "coupling",
-    "bending",
-    "calibration",
-    "validation",
-    "position",
-    "x",
-    "y",
-    "z",
-    "orientation",
-    "error",
-    "warning",
-    "geometric",
-    "plane",
-    "line",
-    "circle",
-    "cylinder",
-    "export",
-    "log",
-    "campaign",
-    "table",
-    "both",
-    "the platform's centre as the balls measure it",
-    "the platform's centre C in the base frame",
-    "the targets as measured",
-    "the targets in the world",
-    "instrument",
-    "contact",
-    "rigid parts",
-    "known points",
-    "nominal values",
-    "repeatability",
-    "model",
-    "residuals",
-    "world frame",
-    "frames of poses",
-    "scale",
-    "temperature",
-    "homing",
-    "the stated uncertainty of each reading",
-    "how well the robot finds a measured point again, as stated",
-    "stated shapes of parts that carry targets",
-    "stated places and lengths of fixed points",
-    "nominal values of the parameters, by their tolerances",
-    "what repeats of a pose scatter beyond the instrument",
-    "what residuals exceed all of this by: errors of the robot that the model does not describe",
-    "scatter of the residuals; no uncertainty is stated",
-    "points that define the world frame, in common to all poses",
-    "points of the frame that was measured again at each pose",
-    "scale of the measuring system, in common to all lengths",
-    "temperature, by the expansion of robot and part, in common to all lengths",
-    "joint values after homing, in common to all poses",
-    "mean position error, validation",
-    "root mean square position error, validation",
-    "largest position error, validation",
-];
-
-/// Texts of reports in one language, and sentences of documents with placeholders.
+/// Language of a report, and the texts of documents that have no id yet.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Words {
     language: Language,
@@ -116,17 +54,30 @@ impl Words {
         self.language.code()
     }
 
+    /// Text of the catalogue. Numbers in texts get the decimal mark of the language.
+    pub fn tr(&self, phrase: &Phrase) -> String {
+        let mut phrase = phrase.clone();
+        phrase.arguments.values_mut().for_each(|value| self.mark(value));
+        phrase.text(self.code())
+    }
+
+    fn mark(&self, argument: &mut Argument) {
+        match argument {
+            Argument::Text(text) => *text = self.value(std::mem::take(text)),
+            Argument::List(all) => all.iter_mut().for_each(|one| self.mark(one)),
+            _ => {}
+        }
+    }
+
     /// Sentence of a document in this language; `None` without a translation.
     pub fn of_document(&self, sentence: &str) -> Option<String> {
         self.sentences.iter().find_map(|(pattern, translation)| {
             let values = values(pattern, sentence)?;
-            let and = self.filled(&self.say("{0} and {1}"), &[&"`", &"`"]);
+            let and = tr!(self, "rms-and-max-values", rms = "`", max = "`");
             let said = |v: &&str| {
                 v.split(", ").map(|name| self.said(name)).collect::<Vec<_>>().join(", ").replace("` and `", &and)
             };
-            let values: Vec<String> = values.iter().map(said).collect();
-            let values: Vec<&dyn Display> = values.iter().map(|v| v as &dyn Display).collect();
-            Some(self.filled(translation, &values))
+            Some(self.filled(translation, &values.iter().map(said).collect::<Vec<_>>()))
         })
     }
 
@@ -134,17 +85,21 @@ impl Words {
     /// further rows.
     fn said(&self, name: &str) -> String {
         let rows = |one: &str| name.strip_suffix(one).and_then(|counted| counted.split_once(" and "));
-        match (rows(" more rows"), rows(" more row")) {
-            (Some((last, count)), _) => self.fill("{0} and {1} more rows", &[&last, &count]),
-            (_, Some((last, count))) => self.fill("{0} and {1} more row", &[&last, &count]),
-            _ => self.say(name),
+        match rows(" more rows").or_else(|| rows(" more row")) {
+            Some((last, count)) => match count.parse::<usize>() {
+                Ok(count) => tr!(self, "further-rows", last, count),
+                Err(_) => name.to_owned(),
+            },
+            None => names::of_document(name).map_or_else(|| self.term(name), |phrase| self.tr(&phrase)),
         }
     }
 
     /// Numbers of a text with the decimal mark of the language; words with letters or several
     /// points are not numbers.
     pub fn number(&self, text: &str) -> String {
-        let Some(mark) = self.texts.get(".") else { return text.to_owned() };
+        if self.language == Language::En {
+            return text.to_owned();
+        }
         let is_part = |c: char| c.is_ascii_digit() || c == '.';
         let mut out = String::with_capacity(text.len());
         let mut rest = text;
@@ -160,7 +115,7 @@ impl Words {
             let apart = !before.ends_with(named) && (exponent || !behind.starts_with(letter));
             out.push_str(before);
             match number.split_once('.').filter(|(_, decimals)| apart && !decimals.contains('.')) {
-                Some((whole, decimals)) => out.extend([whole, mark, decimals]),
+                Some((whole, decimals)) => out.extend([whole, ",", decimals]),
                 None => out.push_str(number),
             }
             rest = behind;
@@ -175,35 +130,23 @@ impl Words {
         if number || text.starts_with("p ") { self.number(&text) } else { text }
     }
 
-    /// Translation of a text; texts without translation stay in English.
-    pub fn say(&self, text: &str) -> String {
+    /// A name that documents enumerate in this language; any other name as it is.
+    pub fn named(&self, name: &str) -> String {
+        names::of_document(name).map_or_else(|| name.to_owned(), |phrase| self.tr(&phrase))
+    }
+
+    /// Translation of a text of a document; texts without translation stay in English.
+    pub fn term(&self, text: &str) -> String {
         self.texts.get(text).map_or_else(|| text.to_owned(), Clone::clone)
     }
 
-    /// Texts that differ in this language.
-    #[cfg(test)]
-    pub fn differing(&self) -> impl Iterator<Item = &String> {
-        self.texts.iter().filter(|(text, translation)| text != translation).map(|(text, _)| text)
-    }
-
-    /// `true` if there is a translation, even if it equals the text.
-    #[cfg(test)]
-    pub fn translates(&self, text: &str) -> bool {
-        self.texts.contains_key(text)
-    }
-
-    /// Translation of a text with values for the placeholders `{0}`, `{1}` ...
-    pub fn fill(&self, text: &str, values: &[&dyn Display]) -> String {
-        self.filled(&self.say(text), values)
-    }
-
-    fn filled(&self, text: &str, values: &[&dyn Display]) -> String {
+    fn filled(&self, text: &str, values: &[String]) -> String {
         let mut pieces = text.split('{');
         let mut filled = pieces.next().unwrap_or_default().to_owned();
         for piece in pieces {
             let place = piece.split_once('}').and_then(|(i, rest)| Some((values.get(i.parse::<usize>().ok()?)?, rest)));
             match place {
-                Some((value, rest)) => filled.extend([&self.value(value.to_string()), rest]),
+                Some((value, rest)) => filled.extend([&self.value(value.clone()), rest]),
                 None => filled.push_str(&format!("{{{piece}")),
             }
         }
@@ -231,76 +174,10 @@ fn values<'a>(pattern: &str, sentence: &'a str) -> Option<Vec<&'a str>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
-    use std::path::Path;
-
-    /// Texts for which a file of the report requests a translation.
-    fn asked(text: &str, rust: bool, found: &mut BTreeSet<String>) {
-        if !rust {
-            for (end, _) in
-                text.match_indices("\"|t").filter(|(i, _)| !text[i + 3..].starts_with(char::is_alphanumeric))
-            {
-                let start = text[..end].rfind('"').unwrap();
-                found.insert(text[start + 1..end].to_owned());
-            }
-            return;
-        }
-        // tests of a file contain results, not requests
-        let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
-        for call in [
-            ".say(",
-            ".fill(",
-            "meaning(",
-            "term(words,",
-            ".both(",
-            ".page(",
-            ".micrometres(",
-            ".below(2,",
-            ".below(3,",
-            ".below(4,",
-            ".below(5,",
-        ] {
-            for (i, _) in text.match_indices(call) {
-                let Some(literal) = text[i + call.len()..].trim_start().strip_prefix('"') else { continue };
-                let end = literal.match_indices('"').find(|(j, _)| !literal[..*j].ends_with('\\')).unwrap().0;
-                found.insert(literal[..end].replace("\\\"", "\""));
-            }
-        }
-    }
-
-    fn all_asked(folder: &Path, found: &mut BTreeSet<String>) {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                all_asked(&path, found);
-            } else if path.extension().is_some_and(|e| e == "rs" || e == "html") {
-                let text = std::fs::read_to_string(&path).unwrap();
-                asked(&text, path.extension().is_some_and(|e| e == "rs"), found);
-            }
-        }
-    }
-
-    #[test]
-    fn every_text_has_its_translation_and_every_translation_its_text() {
-        let mut found: BTreeSet<String> = OF_DOCUMENTS.into_iter().chain(["."]).map(str::to_owned).collect();
-        for room in ["report", "math", "fit", "robots", "identify"] {
-            all_asked(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(room), &mut found);
-        }
-        assert!(found.len() > 200, "{}", found.len());
-        // symbols and units are equal in all languages
-        let is_worded = |text: &&String| text.split(|c: char| !c.is_lowercase()).any(|word| word.len() > 2);
-        for language in [Language::Fr, Language::De] {
-            let words = Words::of(language).unwrap();
-            let missing: Vec<_> =
-                found.iter().filter(is_worded).filter(|text| !words.texts.contains_key(*text)).collect();
-            let unused: Vec<_> = words.texts.keys().filter(|text| !found.contains(*text)).collect();
-            assert!(missing.is_empty() && unused.is_empty(), "{language:?}: missing {missing:#?}, unused {unused:#?}");
-        }
-    }
 
     #[test]
     fn a_translation_has_the_places_of_its_text() {
-        let places = |text: &str| -> BTreeSet<String> {
+        let places = |text: &str| -> std::collections::BTreeSet<String> {
             text.split('{').skip(1).map(|piece| piece.split('}').next().unwrap().to_owned()).collect()
         };
         for language in [Language::Fr, Language::De] {
@@ -315,8 +192,8 @@ mod tests {
     #[test]
     fn values_stand_in_their_places_and_are_not_read_again() {
         let words = Words::default();
-        assert_eq!(words.fill("{1} of {0}, {x} {7", &[&"{1}", &2]), "2 of {1}, {x} {7");
-        assert_eq!(Words::of(Language::De).unwrap().say("no such text"), "no such text");
+        assert_eq!(words.filled("{1} of {0}, {x} {7", &["{1}".into(), "2".into()]), "2 of {1}, {x} {7");
+        assert_eq!(tr!(words, "pose-named", pose = "{ $pose }"), "pose { $pose }");
     }
 
     #[test]
@@ -332,7 +209,8 @@ mod tests {
             assert_eq!(german.number(text), shown);
             assert_eq!(Words::default().number(text), text);
         }
-        assert_eq!(german.fill("{0}: {1}", &[&"ball 1.5", &"0.25 mm"]), "ball 1.5: 0,25 mm");
+        assert_eq!(tr!(german, "plane-named", plane = "ball 1.5"), "ball 1.5-Ebene");
+        assert_eq!(tr!(german, "plane-named", plane = "0.25 mm"), "0,25 mm-Ebene");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
-use super::words::Words;
+use super::words::{Words, tr};
 use etalon_base::message::{Message, Result};
 use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
@@ -60,11 +60,11 @@ pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
 /// First sheet: verdict, and summary lines of all sections.
 fn summary(contents: &Contents, words: &Words) -> Table {
     let line = |what: String, said: &str| Fact { what, said: said.into(), unit: "" };
-    let mut lines = vec![line(words.say("verdict"), &contents.verdict.sentences.join(" "))];
-    lines.push(line(words.say("report"), &contents.title));
-    lines.extend(contents.synthetic.iter().map(|why| line(words.say("synthetic data"), why)));
+    let mut lines = vec![line(tr!(words, "verdict"), &contents.verdict.sentences.join(" "))];
+    lines.push(line(tr!(words, "report"), &contents.title));
+    lines.extend(contents.synthetic.iter().map(|why| line(tr!(words, "synthetic-data"), why)));
     let facts = lines.iter().chain(contents.sections.iter().flat_map(|s| &s.summary));
-    let version = line(words.say("written by"), &format!("etalon {}", contents.version));
+    let version = line(tr!(words, "written-by"), &format!("etalon {}", contents.version));
     let stated = facts.chain([&version]).filter(|f| !f.said.is_missing());
     let columns = Columns::<Fact>::new()
         .sheet("what", "", |f| f.what.as_str())

@@ -1,8 +1,9 @@
 //! Readings and rows that are left out, each with its reason, which the report repeats.
 
 use crate::stages::kinds::Observed;
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, Exclude, Identify, Selection, StatedPoses};
 use etalon_identify::{Condition, Observation, Settings};
 use etalon_robots::Robot;
@@ -44,8 +45,7 @@ impl Exclusion {
     pub fn of_option(option: &str, text: &str) -> Result<(StatedPoses, String)> {
         let (named, reason) = text.split_once(':').unwrap_or((text, ""));
         if reason.trim().is_empty() {
-            let message = Message::error(format!("{option} {text:?} states no reason"));
-            return Err(message.expected("what is left out, and why: \"13, 20-22: ball loose\"").into());
+            return Err(error!("exclusion-option-without-reason", option, text).into());
         }
         Ok((StatedPoses::Text(named.trim().to_owned()), reason.trim().to_owned()))
     }
@@ -63,13 +63,12 @@ pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) 
         match readings_of(rule, poses, robot, &measured) {
             Ok(readings) => {
                 let Exclude { cycle, target, reason, .. } = rule;
-                let of = target.as_ref().map_or(String::new(), |target| format!(" of `{target}`"));
-                let cycle = cycle.map_or(String::new(), |cycle| format!(", cycle {cycle}"));
                 let poses = poses.to_string();
-                let of_poses = if poses.trim().parse::<i64>().is_ok() { "pose" } else { "poses" };
-                let readings_left_out = count(readings.len(), "reading");
-                let what = format!("excluded: {readings_left_out}{of}, {of_poses} {poses}{cycle}: {reason}");
-                messages.push(Message::warning(what).routine());
+                let several = if poses.trim().parse::<i64>().is_ok() { 1 } else { 2 };
+                let mut of = vec![phrase!("exclusion-poses", count = several, poses)];
+                of.extend(cycle.map(|cycle| phrase!("exclusion-cycle", cycle)));
+                of.extend(target.as_ref().map(|target| phrase!("exclusion-target", target)));
+                messages.push(warning!("excluded-readings", count = readings.len(), of, reason).routine());
                 excluded.extend(readings);
             }
             Err(message) => problems.0.push(message.at(place.clone())),
@@ -85,7 +84,7 @@ pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) 
     let mut condition = 0..;
     conditions.retain(|_| condition.next().is_some_and(|i| !out.contains(&Source::Condition(i))));
     if let (true, Some(first)) = (observations.is_empty() && conditions.is_empty(), rules.first()) {
-        problems.0.push(Message::error("the exclusions leave no reading").at(first.place.clone()));
+        problems.0.push(error!("exclusions-leave-nothing").at(first.place.clone()));
     }
     problems.check()?;
     Ok(messages)
@@ -133,15 +132,14 @@ fn readings_of(
 ) -> std::result::Result<BTreeSet<usize>, Message> {
     let Exclude { cycle, target, reason, .. } = rule;
     let Ok(Selection::Named(named)) = Selection::parse(poses) else {
-        let message = Message::error(format!("`{poses}` names no poses to exclude"));
-        return Err(message.expected("names and ranges like \"13, 20-22, home\""));
+        return Err(error!("exclusion-names-nothing", stated = poses.to_string(), of = "poses"));
     };
     if let Some(target) = target.as_ref().filter(|target| !robot.targets().contains(target)) {
-        let message = Message::error(format!("`{target}` is not a target of this robot"));
+        let message = error!("not-of-this-robot", name = target, kind = "target");
         return Err(message.hint_names(target, robot.targets().iter().map(String::as_str)));
     }
     if reason.trim().is_empty() {
-        return Err(Message::error("an exclusion needs its reason"));
+        return Err(error!("exclusion-without-reason"));
     }
     let mut all = BTreeSet::new();
     for poses in named {
@@ -151,11 +149,7 @@ fn readings_of(
         };
         let mut excluded = (0..measured.len()).filter(|&i| here(&measured[i])).peekable();
         if excluded.peek().is_none() {
-            let what = format!(
-                "this exclusion leaves no reading out at pose {}: there is none of this pose, cycle and target",
-                poses.name
-            );
-            return Err(Message::error(what));
+            return Err(error!("exclusion-matches-nothing", of = "poses", name = poses.name));
         }
         all.extend(excluded);
     }
@@ -172,18 +166,17 @@ pub fn excluded_rows(
     rows: impl Iterator<Item = i64> + Clone,
 ) -> std::result::Result<BTreeSet<i64>, Message> {
     let Ok(Selection::Named(named)) = Selection::parse(stated) else {
-        let message = Message::error(format!("`{stated}` names no rows to exclude"));
-        return Err(message.expected("numbers and ranges like \"13, 20-22\", counted from the first row of data"));
+        return Err(error!("exclusion-names-nothing", stated = stated.to_string(), of = "rows"));
     };
     if reason.trim().is_empty() {
-        return Err(Message::error("an exclusion needs its reason"));
+        return Err(error!("exclusion-without-reason"));
     }
     let mut excluded = BTreeSet::new();
     for range in named {
         let before = excluded.len();
         excluded.extend(rows.clone().filter(|row| range.contains((*row).into())));
         if excluded.len() == before {
-            return Err(Message::error(format!("there is no row {} to exclude", range.name)));
+            return Err(error!("exclusion-matches-nothing", of = "rows", name = range.name));
         }
     }
     Ok(excluded)

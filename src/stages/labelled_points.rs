@@ -1,6 +1,7 @@
 //! Points of a campaign that belong to one step of a procedure, found by the form of their labels.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -42,8 +43,7 @@ impl<'a> LabelledPoints<'a> {
             step.entry(key).or_default().push(point.xyz_mm);
         }
         if step.is_empty() {
-            let what = format!("no point has a label of the form `{}`", pattern.get_ref());
-            return Err(Message::error(what).at(place()).hint("correct the pattern, or add the export").into());
+            return Err(error!("labels-missing", pattern = pattern.get_ref()).at(place()).into());
         }
         Ok(step)
     }

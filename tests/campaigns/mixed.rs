@@ -60,7 +60,7 @@ fn a_file_with_joints_and_points_is_joined_by_its_rows() {
     for (export, more, part) in [
         (format!("{apart}\n{JOINTS}"), log, "the joints are stated twice"),
         (format!("{apart}\n{JOINTS}"), "[join]\nby = [\"pose\"]\n", "is joined by its rows"),
-        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "the header has no column `RP9`"),
+        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "error[column-unknown]: there is no column `RP9`"),
         (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
         (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "has no column for joint `rho3`"),
     ] {
@@ -257,10 +257,10 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
         let (code, said, _) = campaign(&proposed.replacen(from, to, 1));
         assert!(code == Some(2) && said.contains(expected), "{code:?} {said}");
     };
-    slip("\"J1\"", "\"J7\"", "the header names no `J7`");
-    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "`J1` is stated to be `q1_deg` and `q2_deg`");
+    slip("\"J1\"", "\"J7\"", "error[column-unknown]: there is no column `J7`");
+    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "error[column-stated-twice]: the column `J1`");
     slip("delimiter =", "sheet = \"A\"\ndelimiter =", "`delimiter` means nothing for a sheet of a workbook");
-    slip("x_mm =", "x =", "`x` is not a column of observations");
+    slip("x_mm =", "x =", "error[observation-column-unknown]: `x`");
     slip("pose = \"row\"", "", "no column `pose`");
     let spoilt = own.replacen(';', ";x", 9);
     std::fs::write(folder.path().join("cobot/own.csv"), own_head.to_owned() + &spoilt).unwrap();

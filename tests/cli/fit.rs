@@ -228,7 +228,7 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
         );
         assert!((documents[0].radius_mm.unwrap() - 10.0).abs() < 1e-9, "{documents:?}");
         let said = text(&answered.stderr);
-        assert_eq!(said.contains("1 row left out, the first: a value without a label"), format == "inspec", "{said}");
+        assert_eq!(said.contains("warning[rows-left-out]: 1 row left out"), format == "inspec", "{said}");
     }
     for (rest, part) in
         [(&["--format", "inspect"][..], "--format: invalid value"), (&["--format", "dmis"], "no measured feature")]

@@ -39,7 +39,11 @@ fn assembly_modes_are_read_or_taken_from_the_measurement_and_told() {
     }
     let wrong = run(&table(true).replacen(",-1\n", ",2\n", 1).replacen(",1\n", ",2\n", 1));
     assert_eq!(wrong.status.code(), Some(2));
-    assert!(text_of(&wrong).contains("assembly mode 2"), "{}", text_of(&wrong));
+    assert!(
+        text_of(&wrong).contains("error[assembly-mode-invalid]: row 1: the assembly mode is 2"),
+        "{}",
+        text_of(&wrong)
+    );
 }
 
 #[test]

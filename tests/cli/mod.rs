@@ -501,11 +501,11 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     assert!(said.contains("warning[instrument-too-coarse]"), "{said}");
 
     for (from, to, said) in [
-        ("1,2,", "1,1,", "pose 1 is there twice in cycle 1"),
-        ("1,2,", "7,2,", "pose 7 is not among the commanded poses"),
-        ("100.3,", ",", "a coordinate is missing"),
-        ("x_mm", "x", "no column `x_mm`"),
-        ("c_deg", "b_deg", "different coordinates"),
+        ("1,2,", "1,1,", "error[pose-attained-twice]: pose 1"),
+        ("1,2,", "7,2,", "error[pose-not-commanded]: pose 7"),
+        ("100.3,", ",", "error[coordinate-missing]"),
+        ("x_mm", "x", "error[column-unknown]: there is no column `x_mm`"),
+        ("c_deg", "b_deg", "error[coordinates-differ]"),
     ] {
         std::fs::write(folder.path().join("poses.csv"), poses.replacen(from, to, 1)).unwrap();
         let refused = run(&[]);

@@ -148,7 +148,7 @@ fn a_table_is_read_in_its_own_marks() {
     let expected = found(&text, &[]);
     let german = text.replace(',', ";").replace('.', ",");
     agree(&expected, &found(&german, &["--delimiter", "semicolon", "--decimal", "comma"]), 1e-12);
-    refused(&german, &[], &["separated by `,`, the rows have", "`;` with decimal `,` separates them"]);
+    refused(&german, &[], &["error[delimiter-does-not-split]", "`delimiter = \";\"` and `decimal = \",\"`"]);
     refused(&german, &["--delimiter", "semicolon"], &["is not a number", "o.csv:2"]);
     refused(&german, &["--decimal", "comma"], &["o.csv"]);
 }
@@ -178,7 +178,7 @@ fn uncertainties_that_are_none_are_refused() {
     refused(&with(",0.003,0.003"), &option, &["weigh residuals of targets"]);
     // a name that is mistaken is not read, and said
     let mistaken = found(&table(&rows, ",ux_m m,uy_nm", |_| ",0.003,0.003".to_owned()), &[]);
-    assert!(mistaken.messages.iter().any(|m| m.what.contains("not read: 2 columns")), "{:?}", mistaken.messages);
+    assert!(mistaken.messages.iter().any(|m| m.is("columns-not-read", &[("count", &2)])), "{:?}", mistaken.messages);
 }
 
 #[test]

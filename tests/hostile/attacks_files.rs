@@ -262,11 +262,11 @@ fn no_cell_that_is_written_is_a_formula() {
     let scratch = copy_sample("draw-wire");
     scratch.replace("observations.csv", ",ball,", &format!(",{formula},"));
     for command in ["check", "run"] {
-        ends(&scratch, command, 2, &["the target `=cmd|'/C calc'!A0` would be a formula", "observations.csv:2:12"]);
+        ends(&scratch, command, 2, &["error[name-is-formula]: the name `=cmd|'/C calc'!A0`", "observations.csv:2:12"]);
     }
     let arguments = ["identify", "--robot", "campaign/robot.toml", "--observations", "campaign/observations.csv"];
     let (code, said) = said(&scratch, &arguments);
-    assert!(code == Some(2) && said.contains("would be a formula"), "{said}");
+    assert!(code == Some(2) && said.contains("error[name-is-formula]"), "{said}");
     // nor does a simulation write one
     let scratch = copy_sample("column-arm");
     scratch.replace("truth.toml", "label = \"floor_1\"", &format!("label = \"{formula}\""));

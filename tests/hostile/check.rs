@@ -84,7 +84,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
         "robot = \"robot.toml\"\noutput = \"exports\"",
         &["the output folder holds the input"],
     );
-    campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["`rho3_mm` states `rho3_mm` once more"]);
+    campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["error[log-column-twice]: `rho3_mm`"]);
     let arm = |from: &str, to: &str, parts: &[&str]| {
         if crate::reference_data("robots/irb120_faro_ets").is_none() {
             return;
@@ -110,8 +110,8 @@ fn logs_that_do_not_look_as_stated() {
     let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     std::fs::write(scratch.path().join("encoders.csv"), text.replace(',', ";")).unwrap();
     let (code, said) = etalon(&scratch, "check");
-    assert!(code == Some(2) && said.contains("has one column, of which the campaign names 5"), "{said}");
-    assert!(said.contains("hint: `delimiter = \";\"` and `decimal = \".\"` read its rows"), "{said}");
+    assert!(code == Some(2) && said.contains("error[delimiter-does-not-split]"), "{said}");
+    assert!(said.contains("hint: state `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
     broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is not a whole number", "encoders.csv:2:1"]);
 }
 

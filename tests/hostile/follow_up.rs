@@ -58,7 +58,7 @@ fn an_assembly_mode_that_is_none_has_its_line() {
     cells[column] = "0";
     lines[6] = cells.join(",");
     std::fs::write(scratch.path().join("encoders.csv"), lines.join("\n") + "\n").unwrap();
-    hinted(&scratch, &["0 is not an assembly mode", "encoders.csv:7:", "expected: 1 or -1"]);
+    hinted(&scratch, &["error[assembly-mode-invalid]", "encoders.csv:7:", "expected: 1 or -1"]);
 }
 
 #[test]

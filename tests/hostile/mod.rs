@@ -93,7 +93,12 @@ fn a_decimal_comma_is_not_read_as_something_else() {
 
 #[test]
 fn a_column_that_the_log_does_not_have() {
-    broken("encoders.csv", "RP3", "RP33", &["the header has no column `RP3`", "did you mean `RP33`?", "campaign.toml"]);
+    broken(
+        "encoders.csv",
+        "RP3",
+        "RP33",
+        &["error[column-unknown]: there is no column `RP3`", "did you mean `RP33`?", "campaign.toml"],
+    );
 }
 
 #[test]
@@ -250,7 +255,7 @@ fn log_rows_of_another_width_are_refused() {
         "encoders.csv",
         ".",
         ",",
-        &["the row has 8 fields", "encoders.csv:2", "5, as the first row", "decimal comma"],
+        &["error[row-field-count]: the row has 8 fields", "encoders.csv:2", "5, as the first row", "decimal comma"],
     );
 }
 

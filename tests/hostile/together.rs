@@ -119,14 +119,17 @@ fn a_log_in_another_dialect_is_told_which() {
     let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     std::fs::write(scratch.path().join("encoders.csv"), text.replace('.', "#").replace(',', ";").replace('#', ","))
         .unwrap();
-    said(&scratch, &["has one column", "hint: `delimiter = \";\"` and `decimal = \",\"`", "encoders.csv:1"]);
+    said(
+        &scratch,
+        &["error[delimiter-does-not-split]", "hint: state `delimiter = \";\"` and `decimal = \",\"`", "encoders.csv:1"],
+    );
 }
 
 #[test]
 fn a_numbered_column_beyond_the_width_is_said_once() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho3_mm = 9");
-    let said = said(&scratch, &["the log has 5 columns, none of them is number 9", "campaign.toml:25"]);
+    let said = said(&scratch, &["error[column-number-unknown]: there is no column 9", "campaign.toml:25"]);
     assert_eq!(said.lines().filter(|l| l.starts_with("error")).count(), 1, "{said}");
 }
 
@@ -167,8 +170,11 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "`1e300` is not a whole number"]),
         ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "`x` is not a number"]),
         ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "`inf` is not a number"]),
-        ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "the row has 7 fields"]),
-        ("1,1,L,1,2,3,4,5,6\n", ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "the row has 9 fields"]),
+        ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "error[row-field-count]: the row has 7 fields"]),
+        (
+            "1,1,L,1,2,3,4,5,6\n",
+            ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "error[row-field-count]: the row has 9 fields"],
+        ),
         ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "occurs twice"]),
     ] {
         let said = refused(PREXYT, &format!("{head}{good}{rows}"));
@@ -188,7 +194,10 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         "{said}"
     );
     let said = refused(PREXYT, &(head.replace("rho2_mm", "rho1_mm") + good));
-    assert!(said.contains("the header names `rho1_mm` twice") && said.contains("observations.csv:1"), "{said}");
+    assert!(
+        said.contains("error[heading-twice]: the header names `rho1_mm`") && said.contains("observations.csv:1"),
+        "{said}"
+    );
 }
 
 #[test]

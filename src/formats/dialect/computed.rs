@@ -1,10 +1,13 @@
 //! Columns that are computed from others of their row: `x_t - x_dif`, `(low + high) / 2`, `25.4 * $3`.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 use std::borrow::Cow;
 
 /// Longest text of an expression.
 const LONGEST: usize = 1000;
+/// Characters of an expression that is too long to be shown whole.
+const SHOWN: usize = 40;
 /// Deepest nesting of an expression.
 const DEEPEST: usize = 40;
 
@@ -36,13 +39,15 @@ impl Expression {
     /// A name that is no heading, or a text that is no expression.
     pub fn parse(text: &str, header: &[Cow<str>]) -> Result<Self, Message> {
         if text.len() > LONGEST {
-            return Err(Message::error("the expression of a column is longer than 1000 characters"));
+            let start: String = text.chars().take(SHOWN).collect();
+            let expression = format!("{start}...");
+            return Err(error!("expression-malformed", expression, fault = "too-long", rest = ""));
         }
         let mut parser = Parser { whole: text, rest: text, header, depth: 0 };
         let expression = parser.sum()?;
         match parser.rest.trim() {
             "" => Ok(expression),
-            rest => Err(parser.wrong(&format!("`{rest}` is left over"))),
+            rest => Err(parser.wrong("left-over", rest)),
         }
     }
 
@@ -74,9 +79,8 @@ impl Expression {
 }
 
 impl Parser<'_> {
-    fn wrong(&self, what: &str) -> Message {
-        Message::error(format!("the expression `{}` does not read: {what}", self.whole))
-            .expected("headings, `$3` for the third column, and numbers, with + - * / and brackets between them")
+    fn wrong(&self, fault: &str, rest: &str) -> Message {
+        error!("expression-malformed", expression = self.whole, fault, rest)
     }
 
     fn next(&mut self) -> Option<char> {
@@ -94,7 +98,7 @@ impl Parser<'_> {
     fn sum(&mut self) -> Result<Expression, Message> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(self.wrong("its brackets are nested too deeply"));
+            return Err(self.wrong("brackets-too-deep", ""));
         }
         let mut left = self.product()?;
         while let Some(operator) = self.take(&[('+', '+'), ('-', '-'), ('\u{2212}', '-')]) {
@@ -119,7 +123,7 @@ impl Parser<'_> {
         if self.take(&[('-', '-'), ('\u{2212}', '-')]).is_some() {
             self.depth += 1;
             if self.depth > DEEPEST {
-                return Err(self.wrong("it has too many signs"));
+                return Err(self.wrong("too-many-signs", ""));
             }
             let of = self.factor()?;
             self.depth -= 1;
@@ -129,16 +133,14 @@ impl Parser<'_> {
             let inner = self.sum()?;
             return match self.take(&[(')', ')')]) {
                 Some(_) => Ok(inner),
-                None => Err(self.wrong("a bracket is not closed")),
+                None => Err(self.wrong("bracket-open", "")),
             };
         }
         if self.take(&[('$', '$')]).is_some() {
             let digits = self.rest.bytes().take_while(u8::is_ascii_digit).count();
             let number = self.rest[..digits].parse().ok().and_then(|n: usize| n.checked_sub(1));
             self.rest = &self.rest[digits..];
-            return number
-                .map(Expression::Column)
-                .ok_or_else(|| self.wrong("behind `$` is the number of a column, from 1"));
+            return number.map(Expression::Column).ok_or_else(|| self.wrong("column-number", ""));
         }
         self.number()
     }
@@ -175,10 +177,10 @@ impl Parser<'_> {
         }
         let name = rest.split(['+', '*', '/', '(', ')']).next().unwrap_or("").trim();
         if name.is_empty() {
-            return Err(self.wrong("a column or a number is missing"));
+            return Err(self.wrong("incomplete", ""));
         }
         let names = self.header.iter().map(|name| name.as_ref());
-        Err(Message::error(format!("the header names no `{name}`")).hint_names(name, names))
+        Err(error!("column-unknown", column = name).hint_names(name, names))
     }
 }
 

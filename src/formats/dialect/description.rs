@@ -4,6 +4,7 @@ use super::columns::{ColumnAt, ColumnRole, Columns};
 use super::source::Cells;
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
 use etalon_base::angle_order::AngleOrder;
+use etalon_base::error;
 use etalon_base::message::{Message, printable, printable_character};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -208,36 +209,32 @@ impl Dialect {
         let count = |form: &&&[ColumnRole]| form.iter().filter(|role| roles.contains(role)).count();
         let forms: Vec<&&[ColumnRole]> = ColumnRole::ORIENTATIONS.iter().filter(|form| count(form) > 0).collect();
         if forms.len() > 1 {
-            wrong.push(Message::error("`columns` names an orientation in two forms").hint("leave one of them out"));
+            wrong.push(error!("columns-in-two-forms", quantity = "orientation"));
         }
         for form in forms.iter().filter(|form| count(form) < form.len()) {
             let names: Vec<&str> = form.iter().map(|role| role.name()).collect();
-            let message = Message::error("`columns` names a part of an orientation");
-            wrong.push(message.expected(format!("{}, or none of them", names.join(", "))));
+            wrong.push(error!("column-group-incomplete", names));
         }
         if let Some(order) = &self.rotation {
             if !roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad)) {
-                wrong.push(Message::error("`rotation` means nothing without columns rx_deg, ry_deg, rz_deg"));
+                wrong.push(error!("key-needs-columns", key = "rotation", columns = ["rx_deg", "ry_deg", "rz_deg"]));
             }
             wrong.extend(order.parse::<AngleOrder>().err());
         }
         let expanded = roles.iter().filter(|role| role.is_expanded()).count();
         if expanded > 0 && self.coverage_factor.is_none() {
-            let message = Message::error("expanded uncertainties need their `coverage_factor`");
-            wrong.push(message.hint("state it in `format`: `coverage_factor = 2`"));
+            wrong.push(error!("coverage-factor-missing"));
         }
         let of_axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].iter().filter(|role| roles.contains(role)).count();
         if expanded > 0 && expanded != of_axes {
-            let what = format!("`columns` names {expanded} expanded uncertainties of {of_axes} coordinates x, y, z");
-            wrong.push(Message::error(what).expected("u95x, u95y and u95z with x, y and z, or none of them"));
+            let names = ["u95x", "u95y", "u95z"];
+            wrong.push(error!("uncertainty-column-count", stated = expanded, coordinates = of_axes, names));
         }
         if expanded > 0 && roles.iter().any(|role| role.is_uncertainty()) {
-            wrong.push(
-                Message::error("`columns` names standard and expanded uncertainties").hint("leave one of them out"),
-            );
+            wrong.push(error!("columns-in-two-forms", quantity = "uncertainty"));
         }
         if self.coverage_factor.is_some_and(|factor| !(factor > 0.0 && factor.is_finite())) {
-            wrong.push(Message::error("`coverage_factor` must be positive"));
+            wrong.push(error!("key-not-positive", key = "coverage_factor"));
         }
         wrong
     }
@@ -246,19 +243,14 @@ impl Dialect {
         let stated = [self.delimiter.is_some(), !self.widths.is_empty(), self.sheet.is_some()];
         let mut wrong = Vec::new();
         if stated.iter().filter(|s| **s).count() != 1 {
-            wrong.push(
-                Message::error("the format does not state what separates columns, or states it twice")
-                    .expected("one of `delimiter`, `widths` and `sheet`")
-                    .hint("`etalon formats FILE` proposes how to read the file"),
-            );
+            wrong.push(error!("column-separation-unclear", stated = stated.iter().filter(|s| **s).count()));
         }
         if self.widths.contains(&0) {
-            wrong.push(Message::error("a column of `widths` is 0 characters wide"));
+            wrong.push(error!("column-width-zero"));
         }
         let columns = self.columns.roles().len();
         if !self.widths.is_empty() && matches!(self.columns, Columns::InOrder(_)) && columns > self.widths.len() {
-            let what = format!("`columns` names {columns} columns, and `widths` has {}", self.widths.len());
-            wrong.push(Message::error(what));
+            wrong.push(error!("more-columns-than-widths", columns, widths = self.widths.len()));
         }
         wrong
     }
@@ -273,10 +265,8 @@ impl Dialect {
         let delimiter = self.delimiter.is_some_and(|d| d.name() == thousands.name())
             || (thousands == Thousands::Blank && self.delimiter == Some(Delimiter::Blank));
         if decimal || delimiter {
-            let other = if decimal { "decimal mark" } else { "delimiter" };
-            let what =
-                format!("the thousands mark `{}` is the {other} as well: no number has one meaning", thousands.name());
-            wrong.push(Message::error(what).hint("export the file with other marks"));
+            let other = if decimal { "decimal" } else { "delimiter" };
+            wrong.push(error!("thousands-mark-ambiguous", mark = thousands.name(), other));
         }
         wrong
     }
@@ -286,32 +276,29 @@ impl Dialect {
         let mut wrong = Vec::new();
         for (n, role) in roles.iter().enumerate().filter(|(_, r)| !matches!(r, ColumnRole::Label | ColumnRole::Skip)) {
             if roles[..n].contains(role) {
-                wrong.push(Message::error(format!("`columns` names `{}` twice", role.name())));
+                wrong.push(error!("column-role-twice", role = role.name()));
             }
         }
         let typed = roles.iter().any(|r| r.is_typed());
         let coordinates: Vec<ColumnRole> = roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         match (typed, coordinates.is_empty()) {
-            (true, false) => wrong.push(
-                Message::error("`columns` names coordinates, and others whose kind each row states")
-                    .expected("either x, y, z and the like, or c1, c2, c3"),
-            ),
+            (true, false) => wrong.push(error!("coordinates-of-two-kinds")),
             (true, true) => wrong.extend(self.row_types(&roles)),
-            _ => wrong.extend(self.coordinates_of("`columns`", &coordinates)),
+            _ => wrong.extend(self.coordinates_of("columns", &coordinates)),
         }
         if !typed && (!self.types.is_empty() || roles.contains(&ColumnRole::Type)) {
-            let message = Message::error("`type` and `types` mean nothing without columns c1, c2, c3");
-            wrong.push(message.hint("name the columns whose meaning they state `c1`, `c2`, `c3`"));
+            let key = if self.types.is_empty() { "type" } else { "types" };
+            wrong.push(error!("key-needs-columns", key, columns = ["c1", "c2", "c3"]));
         }
         let of = |set: [ColumnRole; 3]| set.into_iter().filter(|r| roles.contains(r)).count();
         if !matches!(of([ColumnRole::I, ColumnRole::J, ColumnRole::K]), 0 | 3) {
-            wrong.push(Message::error("`columns` names a part of a direction").expected("i, j and k, or none of them"));
+            wrong.push(error!("column-group-incomplete", names = ["i", "j", "k"]));
         }
         let uncertain = of([ColumnRole::U1, ColumnRole::U2, ColumnRole::U3]);
         let axes = if typed { 3 } else { coordinates.len() };
         if uncertain != 0 && uncertain != axes {
-            let what = format!("`columns` names {uncertain} standard uncertainties of {axes} coordinates");
-            wrong.push(Message::error(what).expected("one each, u1, u2, u3 in the order of the coordinates, or none"));
+            let names = ["u1", "u2", "u3"];
+            wrong.push(error!("uncertainty-column-count", stated = uncertain, coordinates = axes, names));
         }
         wrong
     }
@@ -319,67 +306,52 @@ impl Dialect {
     fn row_types(&self, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         if !roles.contains(&ColumnRole::Type) || self.types.is_empty() {
-            let message =
-                Message::error("columns c1, c2, c3 need a column `type`, and `types` that state what they are");
-            wrong.push(
-                message.hint("e.g. types = { 0 = [\"x\", \"y\", \"z\"], 7 = [\"azimuth\", \"zenith\", \"distance\"] }"),
-            );
+            wrong.push(error!("row-types-missing"));
         }
         for (name, meant) in &self.types {
-            let place = format!("type `{name}`");
+            let key = format!("types.{name}");
             if meant.len() != 3 || roles.iter().filter(|r| r.is_typed()).count() != 3 {
-                wrong.push(Message::error(format!("{place} needs three coordinates: what c1, c2 and c3 are")));
+                wrong.push(error!("row-type-incomplete", key));
             }
-            wrong.extend(self.coordinates_of(&place, meant));
+            wrong.extend(self.coordinates_of(&key, meant));
         }
         wrong
     }
 
     /// What is wrong with coordinates that are stated together.
-    fn coordinates_of(&self, place: &str, roles: &[ColumnRole]) -> Vec<Message> {
+    fn coordinates_of(&self, key: &str, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         let kind = coordinate_type(roles);
         if kind.is_none() {
             let names: Vec<&str> = roles.iter().map(|r| r.name()).collect();
-            let what = match names.is_empty() {
-                true => format!("{place} names no coordinates"),
-                false => format!("{place}: {} are not the coordinates of one point", names.join(", ")),
-            };
-            wrong.push(Message::error(what).expected(
-                "x and y, and z in space; radius, azimuth, and z; or azimuth, zenith or elevation, and distance",
-            ));
+            wrong.push(error!("not-coordinates", key, count = names.len(), names));
         }
         if roles.iter().any(|r| r.is_angle()) && self.angle_unit.is_none() {
-            let message = Message::error(format!("{place} names angles, and the format does not state their unit"));
-            wrong.push(message.expected("`angle_unit`: deg, rad or gon").hint("it is never guessed"));
+            wrong.push(error!("angle-unit-missing", key));
         }
         if let (Some(stated), Some(kind), true) = (self.coordinates, kind, self.types.is_empty())
             && stated != kind
         {
-            let what = format!("`coordinates` states {}, and {place} names {} ones", stated.name(), kind.name());
-            wrong.push(Message::error(what));
+            wrong.push(error!("coordinate-type-differs", stated = stated.name(), key, named = kind.name()));
         }
         wrong
     }
 
     fn header(&self) -> Vec<Message> {
         let Columns::Named(named) = &self.columns else { return Vec::new() };
-        let heading = |column: &ColumnAt| matches!(column, ColumnAt::Name(name) if !name.contains('$'));
-        let by_name = named.iter().any(|(_, column)| heading(column));
-        match by_name && self.header == Header::Rows(0) {
-            true => vec![
-                Message::error("`columns` names columns of a header, and the format states none")
-                    .hint("state `header = 1`, or words of the header's row"),
-            ],
-            false => Vec::new(),
-        }
+        let heading = |column: &'_ ColumnAt| match column {
+            ColumnAt::Name(name) if !name.contains('$') => Some(name.clone()),
+            _ => None,
+        };
+        let by_name = named.iter().find_map(|(_, column)| heading(column));
+        let stated = by_name.filter(|_| self.header == Header::Rows(0));
+        stated.map(|column| error!("header-not-stated", column)).into_iter().collect()
     }
 }
 
 /// A comma that separates columns and marks decimals.
 pub fn two_commas() -> Message {
-    Message::error("a comma cannot both separate columns and mark decimals: `1,25` would be one number or two")
-        .hint("export the file with semicolons or tabs, or with a decimal point")
+    error!("comma-ambiguous")
 }
 
 /// What coordinates of these kinds are, if they are those of a point.

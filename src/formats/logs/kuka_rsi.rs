@@ -4,7 +4,8 @@
 
 use super::{About, Columns, LogFormat, Values};
 use crate::exports::Recognised;
-use etalon_base::message::{Message, Place, count};
+use etalon_base::message::{Message, Place};
+use etalon_base::warning;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -39,7 +40,7 @@ fn unit_of(column: &str) -> Option<&'static str> {
     let axis = axis.trim_start_matches("ASPos.");
     match column {
         "IPOC" => Some("ms"),
-        "Timestamp" => Some("whole seconds of a wall clock; the clock of this log is `IPOC`"),
+        "Timestamp" => Some("wall-clock"),
         _ if ["X_", "Y_", "Z_"].iter().any(|start| column.starts_with(start)) => Some("mm"),
         _ if ["A_", "B_", "C_"].iter().any(|start| column.starts_with(start)) => Some("deg"),
         _ if ["A1", "A2", "A3", "A4", "A5", "A6"].contains(&axis) => Some("deg"),
@@ -57,8 +58,7 @@ fn gaps(file: &str, columns: &Columns) -> Option<Message> {
     let (&step, _) = steps.iter().max_by_key(|(step, n)| (**n, Reverse(**step)))?;
     let odd: Vec<usize> = (0..times_s.len() - 1).filter(|&i| ms(&times_s[i..i + 2]) != step).collect();
     let first = *odd.first()?;
-    let what = format!("{} where `IPOC` does not go on by {step} ms", count(odd.len(), "row"));
     let line = columns.lines.get(first + 1).map(|&line| line as usize);
     let place = Place { line, ..Place::file(file) };
-    Some(Message::warning(what).at(place).hint("telegrams were lost: the recording computer was late"))
+    Some(warning!("rsi-cycles-missing", count = odd.len(), step_ms = step).at(place))
 }

@@ -13,6 +13,7 @@ mod write;
 
 pub use joint_log::{DIRECTION, is_common_column, meaning};
 pub use joint_log::{JointLog, LogRow, is_joint_column};
+pub(crate) use sheet::{one_column, row_width, words_missing};
 pub use write::write;
 
 use super::dialect::{Column, Decimal, Delimiter, Dialect, Encoding, FromRow, Header};
@@ -21,6 +22,7 @@ use super::input::{bytes_of, text_of};
 use crate::table::ASSEMBLY;
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_documents::{Refused, Source};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
@@ -168,9 +170,9 @@ pub(crate) trait LogFormat: Sync {
         None
     }
 
-    /// Why a column is not given by its number, if it is not.
-    fn not_by_number(&self) -> Option<&'static str> {
-        None
+    /// `true` if a column keeps its number from file to file.
+    fn has_stable_order(&self) -> bool {
+        true
     }
 
     /// What is wrong with a statement on a column of this format.
@@ -404,42 +406,37 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
     let numbered = log.pose.is_some().then_some("pose");
     for (key, column) in &log.columns {
         let Some((name, factor)) = meaning(key.get_ref()) else {
-            problems.0.push(
-                Message::error(format!("`{}` states no unit that a joint can have", key.get_ref()))
-                    .at(stated.place(key))
-                    .expected(
-                        "`pose`, `cycle`, `time_s`, `label`, or a joint with its unit like `q1_deg`, `q1_rad`, `rho1_mm`",
-                    ),
-            );
+            problems.0.push(error!("log-column-unknown", key = key.get_ref()).at(stated.place(key)));
             continue;
         };
         if wanted.iter().any(|w| w.name == name) || [clock, numbered].contains(&Some(name.as_str())) {
-            let message = Message::error(format!("`{}` states `{name}` once more", key.get_ref()));
-            let hint = "a joint has one column; `pose = \"row\"` needs none for the pose, `period_s` none for the time";
-            problems.0.push(message.at(stated.place(key)).hint(hint));
+            problems.0.push(error!("log-column-twice", key = key.get_ref(), name).at(stated.place(key)));
             continue;
         }
         let wants = Wanted { key, column, name, factor };
         if column.per_count.is_some() && !wants.is_joint() {
-            let message = Message::error(format!("`per_count` means nothing for `{}`", key.get_ref()));
-            problems.0.push(message.at(stated.place(key)).hint("it is what one count of a joint's encoder is worth"));
+            let message = error!("log-key-inapplicable", key = "per_count", column = key.get_ref());
+            problems.0.push(message.at(stated.place(key)));
             continue;
         }
         wanted.push(wants);
     }
+    let here = |message: Message| message.at(stated.place(&log.file));
     if log.period_s.is_some_and(|period| period <= 0.0 || !period.is_finite()) {
-        let message = Message::error("`period_s` must be positive").at(stated.place(&log.file));
-        problems.0.push(message.hint("it is the time from one row of the log to the next, in seconds"));
+        problems.0.push(here(error!("key-not-positive", key = "period_s")));
     }
     if log.values.is_some() && !log.format.0.has_channels() {
-        let message = Message::error("`values` means nothing for this log").at(stated.place(&log.file));
-        problems.0.push(message.hint("it belongs to `format = \"twincat\"`"));
+        problems.0.push(here(inapplicable("values")));
     }
     if !log.has_header() && log.format.0.has_channels() {
-        let message = Message::error("`header = false` means nothing for this log").at(stated.place(&log.file));
-        problems.0.push(message.hint("a TwinCAT export names its channels: leave `header` out"));
+        problems.0.push(here(inapplicable("header")));
     }
     wanted
+}
+
+/// Returns the error that a key means nothing for logs of this format.
+fn inapplicable(key: &str) -> Message {
+    error!("log-key-inapplicable", key, column = "none")
 }
 
 /// An error where the key states another unit than the column has in files of this format.
@@ -454,12 +451,12 @@ fn other_unit(wanted: &Wanted, column: &str, stated: &str, known: &str) -> Optio
         return None;
     }
     let key = wanted.key.get_ref();
-    let message = Message::error(format!("`{key}` states {stated}, and `{column}` is in {known}"));
+    let message = error!("column-unit-differs", key, stated, column, known);
     let meant = key.rsplit_once('_').map_or_else(|| key.clone(), |(name, _)| format!("{name}_{known}"));
     Some(match meaning(&meant) {
         Some((name, _)) if (name == "time_s") == (wanted.name == "time_s") => {
-            message.hint(format!("write `{meant} = \"{column}\"`"))
+            message.hint(phrase!("write-column", key = meant, column))
         }
-        _ => message.expected(format!("a column in {stated}")),
+        _ => message.expected(phrase!("column-in-unit", unit = stated)),
     })
 }

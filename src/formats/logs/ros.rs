@@ -4,7 +4,8 @@
 use super::sheet::Sheet;
 use super::{About, LogFormat};
 use crate::exports::Recognised;
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 
 /// ROS messages: joints in any order, named by the header or by their rows.
 pub(super) struct Ros;
@@ -27,8 +28,8 @@ impl LogFormat for Ros {
         unit_of(column)
     }
 
-    fn not_by_number(&self) -> Option<&'static str> {
-        Some("the order of joints is arbitrary")
+    fn has_stable_order(&self) -> bool {
+        false
     }
 
     fn name_columns(&self, sheet: &mut Sheet, problems: &mut Problems) {
@@ -58,11 +59,8 @@ fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
         let Some(first) = sheet.rows.first().and_then(|row| row.fields.get(at)) else { continue };
         named[to].clone_from(first);
         if let Some(row) = sheet.rows.iter().find(|row| row.fields.get(at) != Some(first)) {
-            let found = row.field(at);
-            let message = Message::error(format!("joint {number} is `{found}` here, and `{first}` in the first row"));
-            let place = row.place(sheet.file);
-            let hint = "two publishers share the topic: record them into files of their own";
-            problems.0.push(message.at(place).hint(hint));
+            let message = error!("ros-joints-change", number, found = row.field(at), first = first.as_ref());
+            problems.0.push(message.at(row.place(sheet.file)));
         }
     }
     if let Some(header) = &mut sheet.header {

@@ -7,7 +7,8 @@
 use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, StandstillCriterion};
 use crate::table::{ASSEMBLY, LABEL};
-use etalon_base::message::{Message, Place, Result, SourceText};
+use etalon_base::error;
+use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_documents::{Source, StandingInterval, StandingJoint};
 use etalon_standards::iso9283::statistics::sample::{self, SampleSpread};
 use std::collections::VecDeque;
@@ -103,21 +104,16 @@ pub(super) fn reduce(
     source: &mut Source,
 ) -> Result<JointLog> {
     let place = || stated.place(&log.file);
-    let (times_s, within) = limits(log, still, &read).map_err(|message| message.at(place()))?;
+    let (times_s, within) = limits(log, still, &read).map_err(|message| Problems::from(message).at(&place()))?;
     let values: Vec<Vec<f64>> =
         (0..read.joints.len()).map(|k| read.rows.iter().map(|row| row.joints[k]).collect()).collect();
     let watched: Vec<Watched> = values.iter().zip(within).map(|(values, within)| Watched { values, within }).collect();
     let found = standing(&times_s, &watched, still.at_least_s);
     if found.is_empty() {
         let longest = stretches(times_s.len(), &watched).into_iter().map(|(a, b)| times_s[b] - times_s[a]);
-        let longest = longest.fold(0.0, f64::max);
-        let message = Message::error(format!(
-            "the robot of log `{}` is never at a standstill for {} s",
-            log.name, still.at_least_s
-        ));
-        let hint =
-            format!("its longest standstill within these limits is {longest:.3} s: check `at_least_s` and the limits");
-        return Err(message.at(place()).hint(hint).into());
+        let (longest_s, at_least_s) = (longest.fold(0.0, f64::max), still.at_least_s);
+        let message = error!("standstill-missing", log = &log.name, at_least_s, longest_s);
+        return Err(message.at(place()).into());
     }
     let mut rows = Vec::with_capacity(found.len());
     let mut intervals = Vec::with_capacity(found.len());
@@ -151,18 +147,19 @@ fn limits(
     still: &StandstillCriterion,
     read: &JointLog,
 ) -> std::result::Result<(Vec<f64>, Vec<f64>), Message> {
-    let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
-    if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
-        let message = Message::error("the limits of [log.standstill] must be positive");
-        return Err(message.hint("they are the movements at a standstill, as the encoders show them"));
+    let limits =
+        [("at_least_s", Some(still.at_least_s)), ("within_deg", still.within_deg), ("within_mm", still.within_mm)];
+    let wrong = |(_, limit): &(&str, Option<f64>)| limit.is_some_and(|limit| limit <= 0.0 || !limit.is_finite());
+    if let Some((key, _)) = limits.into_iter().find(wrong) {
+        return Err(error!("key-not-positive", key));
     }
     let Some(times_s) = read.rows.iter().map(|row| row.time_s).collect::<Option<Vec<f64>>>() else {
-        let message = Message::error("[log.standstill] needs the times of the rows");
-        return Err(message.hint("state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`"));
+        return Err(error!("standstill-time-missing"));
     };
     if let Some(i) = times_s.windows(2).position(|pair| pair[1] <= pair[0]) {
-        let message = Message::error(format!("times of log `{}` do not increase at its row {}", log.name, i + 2));
-        return Err(message.hint("sort the log by time, and remove rows with equal times"));
+        let message = error!("time-not-increasing", later_s = times_s[i + 1], earlier_s = times_s[i]);
+        let line = Some(read.rows[i + 1].line);
+        return Err(message.at(Place { line, ..Place::file(log.file.get_ref()) }));
     }
     let within = |name: &String| {
         if name.ends_with(DIRECTION) {
@@ -170,10 +167,7 @@ fn limits(
         }
         let (key, within) =
             if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
-        within.ok_or_else(|| {
-            let message = Message::error(format!("[log.standstill] does not state when `{name}` is at a standstill"));
-            message.hint(format!("add `{key}`: the largest movement that is none"))
-        })
+        within.ok_or_else(|| error!("standstill-limit-missing", column = name, key))
     };
     Ok((times_s, read.joints.iter().map(within).collect::<std::result::Result<_, _>>()?))
 }
@@ -190,10 +184,9 @@ fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     for (name, value) in of.into_iter().filter(|(name, _)| *name != "pose" || log.pose.is_none()) {
         let first = value(&rows[0]);
         if let Some(row) = rows.iter().find(|row| value(row) != first) {
-            let what = format!("`{name}` goes from {first} to {} within a standstill", value(row));
             let place = Place { line: Some(row.line), ..Place::file(log.file.get_ref()) };
-            let hint = "at a standstill the robot is at one pose: leave the column out, or lower the limits";
-            return Err(Message::error(what).at(place).hint(hint).into());
+            let message = error!("changes-at-standstill", column = name, from = first, to = value(row));
+            return Err(message.at(place).into());
         }
     }
     Ok(())

@@ -3,11 +3,13 @@
 //! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
 //! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
 
-use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, other_unit};
-use crate::dialect::{ColumnAt, Decimal, Delimiter};
+use super::sheet::{occurrence_of, row_width};
+use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, inapplicable, other_unit};
+use crate::dialect::{ColumnAt, Decimal, Delimiter, two_commas};
 use crate::exports::Recognised;
 use crate::lexer::{Row, number};
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::{error, warning};
 use etalon_documents::Source;
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
@@ -57,8 +59,7 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
     source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.about().title);
     let mut problems = Problems::default();
     if log.period_s.is_some() {
-        let message = Message::error("the channels bring their own times").at(stated.place(&log.file));
-        problems.0.push(message.hint("leave `period_s` out of this log"));
+        problems.0.push(inapplicable("period_s").at(stated.place(&log.file)));
     }
     let mut chosen = Vec::new();
     for wanted in wanted {
@@ -68,7 +69,7 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
         }
     }
     if chosen.is_empty() && problems.0.is_empty() {
-        let message = Message::error("`columns` of this log names no channel").at(stated.place(&log.file));
+        let message = error!("log-columns-missing").at(stated.place(&log.file));
         problems.0.push(message.hint_names("", header.channels.iter().map(|c| c.name.as_str())));
     }
     problems.check()?;
@@ -80,24 +81,15 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
 /// The channel that a key wants, in a unit and a scale that are clear.
 fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::Result<&'a Channel, Message> {
     if wanted.name == "time_s" {
-        return Err(Message::error("the channels bring their own times").hint("leave the time out of `columns`"));
+        return Err(inapplicable(wanted.key.get_ref()));
     }
     let ColumnAt::Name(name) = &wanted.column.at else {
-        let message = Message::error("a channel is not given by its number: what is sorted changes with the export");
-        return Err(message.hint("give its name"));
+        return Err(error!("column-by-number", format = log.format.about().name));
     };
     let named: Vec<&Channel> = header.channels.iter().filter(|c| c.name == *name).collect();
-    let channel = match (&named[..], wanted.column.occurrence) {
-        ([one], None) => *one,
-        (several, Some(n)) if n > 0 && n <= several.len() => several[n - 1],
-        ([], _) => {
-            let message = Message::error(format!("the export has no channel `{name}`"));
-            return Err(message.hint_names(name, header.channels.iter().map(|c| c.name.as_str())));
-        }
-        (several, _) => {
-            let message = Message::error(format!("{} channels are called `{name}`", several.len()));
-            return Err(message.hint(format!("state which: `{{ name = \"{name}\", occurrence = 1 }}`")));
-        }
+    let Some(channel) = occurrence_of(name, &named, wanted.column.occurrence)? else {
+        let names = header.channels.iter().map(|c| c.name.as_str());
+        return Err(error!("column-unknown", column = name).hint_names(name, names));
     };
     let known = match channel.unit.as_str() {
         "mm" | "m" | "um" | "deg" | "rad" => channel.unit.as_str(),
@@ -119,15 +111,9 @@ fn scale(channel: &Channel, values: Option<ChannelValues>) -> std::result::Resul
     match (channel.scale, channel.unit_scale, values) {
         (NONE, NONE, _) | (_, _, Some(ChannelValues::Scaled)) => Ok(NONE),
         (one, NONE, Some(ChannelValues::Raw)) | (NONE, one, Some(ChannelValues::Raw)) => Ok(one),
-        (_, _, Some(ChannelValues::Raw)) => {
-            let what = format!("channel `{}` has a scale and a unit with a scale", channel.name);
-            let message = Message::error(format!("{what}: which comes first is not documented"));
-            Err(message.hint("export it with scaled values, and state `values = \"scaled\"`"))
-        }
+        (_, _, Some(ChannelValues::Raw)) => Err(error!("twincat-two-scales", channel = &channel.name)),
         ((f, o), (uf, uo), None) => {
-            let what = format!("channel `{}` has a scale ({f}, {o}) or a unit with one ({uf}, {uo})", channel.name);
-            let message = Message::error(format!("{what}, and the file does not state whether it is applied"));
-            Err(message.hint("state `values = \"raw\"` or `values = \"scaled\"`, as the export was set"))
+            Err(error!("twincat-scale-undecided", channel = &channel.name, scale = [f, o], unit_scale = [uf, uo]))
         }
     }
 }
@@ -150,9 +136,7 @@ fn samples(
         source.rows_read += 1;
         let row = Row::of(i + 1, line, line.split(header.separator).map(str::trim));
         if row.fields.iter().skip(header.width).any(|f| !f.is_empty()) {
-            let message = Message::error(format!("the row has {} fields", row.fields.len()));
-            let message = message.at(row.place(file)).expected(format!("at most {}", header.width));
-            problems.0.push(message.hint("is the decimal mark a comma in a file separated by commas?"));
+            problems.0.push(row_width(file, &row, header.width, "names"));
             continue;
         }
         for (channel, samples) in channels.iter().zip(&mut all) {
@@ -165,23 +149,23 @@ fn samples(
                 problems.0.push(message.at(row.cell(file, at)));
             };
             if samples.ended {
-                wrong(Message::error(format!("channel `{}` goes on after it has ended", channel.name)), channel.at);
+                wrong(error!("channel-resumes", channel = &channel.name), channel.at);
                 continue;
             }
             match (number(time, log.decimal), number(value, log.decimal)) {
                 (Err(message), _) => wrong(message, channel.time),
                 (_, Err(message)) => wrong(message, channel.at),
-                (Ok(time), Ok(_)) if samples.times_ms.last().is_some_and(|last| *last >= time) => {
-                    wrong(
-                        Message::error(format!("the time of channel `{}` does not go on", channel.name)),
-                        channel.time,
-                    );
-                }
-                (Ok(time), Ok(value)) => {
-                    samples.times_ms.push(time);
-                    samples.values.push(value);
-                    samples.lines.push(i as i64 + 1);
-                }
+                (Ok(time), Ok(value)) => match samples.times_ms.last() {
+                    Some(last) if *last >= time => {
+                        let (later_s, earlier_s) = (time / 1000.0, last / 1000.0);
+                        wrong(error!("time-not-increasing", later_s, earlier_s), channel.time);
+                    }
+                    _ => {
+                        samples.times_ms.push(time);
+                        samples.values.push(value);
+                        samples.lines.push(i as i64 + 1);
+                    }
+                },
             }
         }
     }
@@ -202,8 +186,7 @@ fn together(
         first.times_ms.iter().copied().filter(|&t| samples.iter().all(|s| at(s, t).is_some())).collect();
     let place = || Place { line: Some(header.names), ..Place::file(file) };
     if shared.is_empty() {
-        let message = Message::error("there is no time at which all these channels have a value").at(place());
-        return Err(message.hint("export channels of one task, with one sample time").into());
+        return Err(error!("channels-without-common-time").at(place()).into());
     }
     let mut columns = Columns {
         rows: (1..=shared.len() as i64).collect(),
@@ -217,9 +200,7 @@ fn together(
         columns.columns.push((wanted.name.clone(), Values::Real(shared.iter().filter_map(value).collect())));
         let alone = samples.times_ms.len() - shared.len();
         if alone > 0 {
-            let samples = count(alone, "sample");
-            let what = format!("channel `{}` has {samples} at times that another channel has not", channel.name);
-            columns.said.push(Message::warning(what).at(place()).hint("they are left out; nothing is interpolated"));
+            columns.said.push(warning!("channel-samples-unused", channel = &channel.name, count = alone).at(place()));
         }
     }
     Ok(columns)
@@ -266,25 +247,18 @@ impl Header {
         let split = |i: usize| lines.get(i).map_or(Vec::new(), |line| line.split(separator).map(str::trim).collect());
         let names = (1..lines.len().min(100)).find(|&i| split(i).first() == Some(&"Name"));
         let Some(first) = names else {
-            let message = Message::error("no row names the channels").at(shown(0));
-            return Err(message.expected("a row that begins with `Name` after the start and end of the export").into());
+            return Err(error!("twincat-head-malformed", part = "names").at(shown(0)).into());
         };
         let end = (first..lines.len().min(first + 100)).find(|&i| lines[i].trim().is_empty());
         let Some(end) = end else {
-            let message = Message::error("the head of the channels does not end").at(shown(first));
-            return Err(message.expected("an empty line before the data").into());
+            return Err(error!("twincat-head-malformed", part = "end").at(shown(first)).into());
         };
         let head: Vec<Vec<&str>> = (first..end).map(split).collect();
         let width = head[0].len();
         // comments that are empty end their row early
         let fits = |row: &Vec<&str>| row.len() == width || row.len() < width && row[0] == "SymbolComment";
         let ragged = head.iter().enumerate().filter(|(_, row)| !fits(row)).map(|(i, row)| {
-            let (here, wanted) = (row.len(), format!("{width}, as the row of names"));
-            let reason = "a comma of the operating system's decimal mark, or a name, holds the separator";
-            Message::error(format!("row `{}` of the head has {here} fields: {reason}", row[0]))
-                .at(shown(first + i))
-                .expected(wanted)
-                .hint("export again, separated by tabs or semicolons")
+            error!("twincat-head-ragged", row = row[0], fields = row.len(), width).at(shown(first + i))
         });
         Problems(ragged.collect()).check()?;
         let field = |key: &str, at: usize| {
@@ -302,8 +276,8 @@ impl Header {
                 "" => absent,
                 // the head keeps the decimal mark of the operating system, whatever the data have
                 text => text.replace(',', ".").parse().unwrap_or_else(|_| {
-                    let what = format!("`{key}` of channel `{name}` is `{text}`, not a number");
-                    problems.0.push(Message::error(what).at(shown(first)));
+                    let message = error!("channel-scale-not-number", key, channel = name, value = text);
+                    problems.0.push(message.at(shown(first)));
                     absent
                 }),
             };
@@ -334,23 +308,18 @@ impl Header {
 /// The separator, which the first line shows after its first word; one that reads two ways is refused.
 fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     let after = lines.first().and_then(|line| line.strip_prefix("Name")).and_then(|rest| rest.chars().next());
-    let again = "export again, separated by tabs or semicolons";
     let Some(separator) = after.filter(|c| ['\t', ' ', ':', ';', ','].contains(c)) else {
-        let message = Message::error("this is not a TwinCAT 3 Scope export");
-        return Err(message.expected("a first line of `Name`, a separator, and the name of the export"));
+        return Err(error!("twincat-head-malformed", part = "first-line"));
     };
     if separator == ' ' {
-        let what = "the export is separated by blanks, and a blank is also a missing value and part of names";
-        return Err(Message::error(what).hint(again));
+        return Err(error!("twincat-separated-by-blanks"));
     }
     if separator == ',' && log.decimal == Decimal::Comma {
-        let message = Message::error("the export is separated by commas, and its decimal mark is a comma");
-        return Err(message.hint(again));
+        return Err(two_commas());
     }
     let stated = log.delimiter.and_then(Delimiter::byte).map(char::from);
     if log.delimiter.is_some() && stated != Some(separator) {
-        let message = Message::error(format!("the export is separated by {separator:?}"));
-        return Err(message.hint("leave `delimiter` out of this log: the export states it itself"));
+        return Err(error!("delimiter-differs", separator = format!("{separator:?}")));
     }
     Ok(separator)
 }

@@ -4,6 +4,7 @@ use super::{JointLog, Log, LogRow, meaning};
 use crate::dialect::{Column, ColumnAt};
 use crate::lexer::{line, written};
 use crate::table::{ASSEMBLY, LABEL};
+use etalon_base::error;
 use etalon_base::message::{Message, Result, SourceText};
 
 /// A campaign may number columns, but not without end.
@@ -63,8 +64,7 @@ fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
         };
         let twice = places.iter().any(|p| p.2 == at || name.is_some() && p.3 == name);
         if twice || at >= MOST_COLUMNS {
-            return Err(Message::error(format!("the column of `{}` cannot be simulated", key.get_ref()))
-                .expected(format!("a column of its own for each key, at most {MOST_COLUMNS} of them")));
+            return Err(error!("simulated-column-clash", key = key.get_ref(), most = MOST_COLUMNS));
         }
         places.push((key, column, at, name));
     }
@@ -73,10 +73,7 @@ fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
 
 /// What a key of `columns` brings.
 fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result<Content, Message> {
-    let unknown = || {
-        Message::error(format!("a simulated log cannot bring `{key}`"))
-            .expected("`pose`, `cycle`, `time_s` and the joints with their units")
-    };
+    let unknown = || error!("simulated-column-unknown", key);
     match key {
         "pose" => return Ok(Content::Pose),
         "cycle" => return Ok(Content::Cycle),

@@ -15,6 +15,7 @@ use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
+use etalon_base::error;
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use lines::{JOINTS, Proposal};
@@ -22,27 +23,32 @@ use meaning::Interpretation;
 use std::path::Path;
 use table::Table;
 
-/// What holds no points, and by what it is recognised.
-const NO_POINTS: [fn(&str) -> Option<Recognised>; 3] = [
-    |text| {
-        let mark = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
-        let what = "a digital calibration certificate: results of a calibration, and no measured points";
-        Recognised::by(is_xml(text) && mark, 0.9, what)
-    },
-    |text| Recognised::by(is_xml(text), 0.1, "an XML document of no kind that is read"),
-    |text| {
-        let mark = text.starts_with("// Header") && text.contains("Version;SJ-4");
-        Recognised::by(mark, 1.0, "roughness parameters of a Mitutoyo SJ-410, and no coordinates")
-    },
-];
+/// Kind of a text that holds no points, and how surely it is recognised, from 0 to 1.
+fn without_points(text: &str) -> Option<(&'static str, f64)> {
+    let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
+    let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");
+    match (is_xml(text), roughness) {
+        (_, true) => Some(("roughness", 1.0)),
+        (true, _) if certificate => Some(("certificate", 0.9)),
+        (true, _) => Some(("xml", 0.1)),
+        (false, _) => None,
+    }
+}
 
-/// The format of a text that states what it is, none where it holds no points; and what states so.
-fn known(text: &str) -> Option<(Option<&'static str>, Recognised)> {
-    let none = NO_POINTS.iter().filter_map(|kind| kind(text)).max_by(|a, b| a.score.total_cmp(&b.score));
-    match (recognise(text), none) {
-        (Some((_, found)), Some(none)) if none.score > found.score => Some((None, none)),
-        (Some((format, found)), _) => Some((Some(format), found)),
-        (None, none) => none.map(|none| (None, none)),
+/// Content of a text that states what it is.
+enum Known {
+    /// Points in the format of this name.
+    Points(&'static str, Recognised),
+    /// A document of this kind, which holds no points.
+    Other(&'static str),
+}
+
+/// Returns what a text states that it is.
+fn known(text: &str) -> Option<Known> {
+    match (recognise(text), without_points(text)) {
+        (Some((_, found)), Some((kind, score))) if score > found.score => Some(Known::Other(kind)),
+        (Some((format, found)), _) => Some(Known::Points(format, found)),
+        (None, other) => other.map(|(kind, _)| Known::Other(kind)),
     }
 }
 
@@ -59,25 +65,25 @@ const SHOWN_COLUMNS: usize = 60;
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
-    let refused = |what: String| Message::error(what).at(Place::file(name.as_str()));
+    let here = |message: Message| message.at(Place::file(name.as_str()));
     if bytes.is_empty() {
-        return Err(refused("the file is empty".to_owned()).hint("export it again").into());
+        return Err(here(error!("file-empty")).into());
     }
     if workbook::is_workbook(&bytes) {
-        return of_workbook(&name, &bytes).map_err(|m| m.at(Place::file(name.as_str())).into());
+        return of_workbook(&name, &bytes).map_err(|message| here(message).into());
     }
-    let (text, encoding) = decoded(bytes).map_err(|m| m.at(Place::file(name.as_str())))?;
-    if let Some(what) = structure::structured(&text).filter(|_| known(&text).is_none()) {
-        let message = refused(format!("this is {what}")).expected("a table of text, or a workbook");
-        return Err(message.hint("write its numbers as CSV, one row each, with names of the columns above").into());
-    }
-    if let (None, what) = known(&text).map_or((Some(""), ""), |(format, found)| (format, found.what)) {
-        return Err(refused(format!("this is {what}")).expected("measured points, or a log").into());
+    let (text, encoding) = decoded(bytes).map_err(here)?;
+    let other = match known(&text) {
+        Some(Known::Points(..)) => None,
+        Some(Known::Other(kind)) => Some(kind),
+        None => structure::structured(&text),
+    };
+    if let Some(kind) = other {
+        return Err(here(error!("file-without-points", kind)).into());
     }
     let mut document = propose(&name, &text);
     if document.readings.is_empty() && document.format.is_none() {
-        let message = refused("no reading as delimited text gives rows with two or more numbers".to_owned());
-        return Err(message.hint("export the points as text, one row each").into());
+        return Err(here(error!("no-rows-of-numbers", file = "text")).into());
     }
     if let Some(encoding) = encoding {
         let line = format!("encoding = {:?}\n", encoding.name());
@@ -103,7 +109,7 @@ fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument,
             return Ok(document);
         }
     }
-    Err(Message::error("no sheet of the workbook holds rows with two or more numbers"))
+    Err(error!("no-rows-of-numbers", file = "workbook"))
 }
 
 /// The text, and the encoding that the campaign must state for it.
@@ -131,7 +137,7 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
 
 /// The proposal for a text that states its format.
 fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<FormatsDocument> {
-    let (Some(format), Recognised { what, unit, .. }) = known(text)? else { return None };
+    let Known::Points(format, Recognised { what, unit, .. }) = known(text)? else { return None };
     let mut document = empty.clone();
     document.format = Some(format.to_owned());
     document.kind = "export".to_owned();

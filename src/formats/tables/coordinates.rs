@@ -1,9 +1,10 @@
 //! Positions and angles of a table `x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, checked.
 
 use crate::table::{self, ANGLES};
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::{PoseName, two_spellings};
+use etalon_base::{error, warning};
 use polars::prelude::DataFrame;
 
 /// A table with the name of its file, for messages.
@@ -44,9 +45,7 @@ pub fn like(here: CoordinatesOf, there: CoordinatesOf) -> Result<()> {
     if (here.spatial, here.angles) == (there.spatial, there.angles) {
         return Ok(());
     }
-    let message = Message::error("attained and commanded poses have different coordinates");
-    let message = message.at(Place::file(here.file)).expected(format!("those of `{}`", there.file));
-    Err(message.hint("planar robots leave out z_mm in both tables").into())
+    Err(error!("coordinates-differ", file = there.file).at(Place::file(here.file)).into())
 }
 
 impl NamedTable<'_> {
@@ -98,7 +97,7 @@ impl NamedTable<'_> {
         let usable = |v: &f64| v.abs() < 1e100;
         let sound = |i: usize| all.positions_mm[i].iter().all(usable) && all.angles_rad.iter().all(|a| usable(&a[i]));
         let bad = (0..all.positions_mm.len()).filter(|&i| !sound(i));
-        let bad = bad.map(|i| self.at_row(Message::error("a coordinate is missing or is not a finite number"), i));
+        let bad = bad.map(|i| self.at_row(error!("coordinate-missing"), i));
         Problems(bad.take(20).collect()).check()?;
         Ok(all)
     }
@@ -108,10 +107,9 @@ impl NamedTable<'_> {
         let known: Vec<&str> = read.iter().chain(&table::XYZ).chain(&ANGLES).copied().collect();
         let names = self.frame.get_column_names().into_iter().map(|name| name.as_str());
         let others: Vec<&str> = names.filter(|name| *name != "line" && !known.contains(name)).collect();
-        let quoted: Vec<String> = others.iter().map(|name| format!("`{name}`")).collect();
-        let message =
-            Message::warning(format!("not read: {} {}", count(others.len(), "column"), quoted.join(", "))).routine();
         let first = *others.first()?;
+        let columns: Vec<String> = others.iter().map(|name| format!("`{name}`")).collect();
+        let message = warning!("columns-not-read", count = columns.len(), columns).routine();
         Some(message.at(Place::file(self.file)).hint_names(first, known.iter().copied()))
     }
 

@@ -2,6 +2,7 @@
 
 use crate::table::{self, ASSEMBLY};
 use etalon_base::message::{Message, Place, Result};
+use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 
@@ -21,10 +22,7 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
         let joint = &robot.joints()[k];
         let column = joint.direction_column();
         if table.column(&column).is_err() {
-            let what = format!("`backlash` of joint `{}` needs the direction from which it came", joint.name);
-            let hint =
-                "a campaign takes it from a log with times; or remove the joint from `backlash` of the robot file";
-            return Err(Message::error(what).expected(expected_direction(joint)).hint(hint).into());
+            return Err(error!("joint-direction-missing", joint = &joint.name, column).into());
         }
         for (i, (row, direction)) in rows.iter_mut().zip(table::numbers(table, &column)?).enumerate() {
             // rows about fixed points alone have no joint values
@@ -40,14 +38,9 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
 
 /// An error where a value is not the direction from which a joint came.
 pub fn wrong_direction(joint: &Joint, direction: f64) -> Option<Message> {
-    let what = if direction.is_nan() { "missing".to_owned() } else { direction.to_string() };
-    let message = Message::error(format!("`{}` is {what}", joint.direction_column()));
-    (direction.abs() != 1.0).then(|| message.expected(expected_direction(joint)))
-}
-
-fn expected_direction(joint: &Joint) -> String {
-    let (name, column) = (&joint.name, joint.direction_column());
-    format!("+1 where `{name}` came from below, -1 from above, in a column `{column}`")
+    let value = if direction.is_nan() { "missing".to_owned() } else { direction.to_string() };
+    let column = joint.direction_column();
+    (direction.abs() != 1.0).then(|| error!("joint-direction-invalid", joint = &joint.name, column, value))
 }
 
 /// The column of a joint, in one of its units, and what takes its values to mm or rad; without one the column that is missing.
@@ -56,8 +49,8 @@ pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
     let mut found = names.filter_map(|name| Some((joint.factor(&name)?, name)));
     match (found.next(), found.next()) {
         (Some((_, one)), Some((_, two))) => {
-            let message = Message::error(format!("the table has joint `{}` twice: `{one}` and `{two}`", joint.name));
-            Err(message.at(Place { line: Some(1), ..Place::default() }).hint("leave one of them out").into())
+            let message = error!("joint-column-twice", joint = &joint.name, first = one, second = two);
+            Err(message.at(Place { line: Some(1), ..Place::default() }).into())
         }
         (Some((factor, name)), None) => Ok((name, factor)),
         (None, _) => Ok((joint.column(), joint.quantity.inward(1.0))),
@@ -77,8 +70,6 @@ pub fn stated_mode(row: usize, value: f64) -> Result<Option<f64>> {
     match value {
         value if value.is_nan() => Ok(None),
         value if value.abs() == 1.0 => Ok(Some(value)),
-        value => Err(Message::error(format!("row {} states the assembly mode {value}", row + 1))
-            .expected("1, -1 or nothing in the column `assembly`")
-            .into()),
+        value => Err(error!("assembly-mode-invalid", value).within(phrase!("in-row", row = row + 1)).into()),
     }
 }

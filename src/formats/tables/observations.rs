@@ -6,10 +6,11 @@ use crate::dialect::{
 };
 use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
-use crate::logs::meaning;
+use crate::logs::{meaning, one_column, row_width, words_missing};
 use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
@@ -98,13 +99,11 @@ impl TableLayout {
                 ColumnSource::Number(number) => Some(number - 1).filter(|at| *at < width),
             };
             let message = match (at, source) {
-                _ if !known => Message::error(format!("`{name}` is not a column of observations")).hint(
-                    "coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md has all columns",
-                ),
+                _ if !known => error!("observation-column-unknown", column = name),
                 (Some(at), _) => match renamed[at] {
                     Some(other) => {
                         let heading = headings.get(at).map_or_else(|| format!("${}", at + 1), ToString::to_string);
-                        Message::error(format!("`{heading}` is stated to be `{other}` and `{name}`"))
+                        error!("column-stated-twice", column = heading, first = other, second = name)
                     }
                     None => {
                         renamed[at] = Some(name);
@@ -117,7 +116,7 @@ impl TableLayout {
                     }
                 },
                 (None, ColumnSource::Number(number)) => {
-                    Message::error(format!("there are {width} columns, none of them is number {number}"))
+                    error!("column-number-unknown", number, columns = width)
                 }
                 (None, ColumnSource::Heading(text)) if Expression::is_likely(text) => {
                     match Expression::parse(text, &headings) {
@@ -129,8 +128,9 @@ impl TableLayout {
                     }
                 }
                 (None, ColumnSource::Heading(_)) if self.lenient => continue,
-                (None, ColumnSource::Heading(heading)) => Message::error(format!("the header names no `{heading}`"))
-                    .hint_names(heading, headings.iter().map(AsRef::as_ref)),
+                (None, ColumnSource::Heading(heading)) => {
+                    error!("column-unknown", column = heading).hint_names(heading, headings.iter().map(AsRef::as_ref))
+                }
             };
             problems.0.push(message.at(place()));
         }
@@ -138,7 +138,7 @@ impl TableLayout {
         for (i, name) in names.iter().enumerate().filter(|(i, name)| names[..*i].contains(name)) {
             // headings of columns that nothing reads may be alike
             if !named || is_known(name) {
-                let message = Message::error(format!("the header names `{name}` twice"));
+                let message = error!("heading-twice", column = name.as_ref());
                 problems.0.push(header.map_or(message.clone(), |row| message.at(row.cell(file, i))));
             }
         }
@@ -164,8 +164,7 @@ impl TableLayout {
         let mut added: Vec<Column> = Vec::new();
         for (name, cell) in constants {
             if table.column(name).is_ok() || added.iter().any(|column| column.name() == name) {
-                let message = Message::error(format!("`{name}` is stated, and the table has such a column"));
-                return Err(message.at(Place::file(file)).hint("state one of them").into());
+                return Err(error!("stated-and-in-table", key = name).at(Place::file(file)).into());
             }
             let mut named = Cow::Borrowed(name);
             let factor = in_mm(&mut named, self.coverage_factor);
@@ -214,27 +213,17 @@ fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Opt
         }
     };
     let Some(before) = before else {
-        let message = Message::error("no line holds the words of the header").at(Place::file(file));
-        return Err(message.into());
+        return Err(words_missing(&layout.header).at(Place::file(file)).into());
     };
     if all.len() < before + 1 {
-        let expected = if before > 0 { "a header and rows" } else { "rows" };
-        return Err(Message::error("the table has no rows").at(Place::file(file)).expected(expected).into());
+        return Err(error!("data-rows-missing").at(Place::file(file)).into());
     }
     if all[0].fields.len() == 1
         && before > 0
-        && let Some(Dialect { delimiter: Some(delimiter), decimal, .. }) =
-            guesses(text, None).first().map(|g| &g.dialect)
-        && *delimiter != layout.delimiter
+        && let Some(guess) = guesses(text, None).first().map(|guess| &guess.dialect)
+        && guess.delimiter.is_some_and(|delimiter| delimiter != layout.delimiter)
     {
-        let message = Message::error(format!("separated by `{}`, the rows have one column", layout.delimiter.name()));
-        let hint = format!(
-            "`{}` with decimal `{}` separates them: state `delimiter` and `decimal`, or --delimiter and --decimal; or \
-             save the table with commas and decimal points",
-            delimiter.name(),
-            decimal.name()
-        );
-        return Err(message.at(all[0].place(file)).hint(hint).into());
+        return Err(one_column(layout.delimiter, Some(guess)).at(all[0].place(file)).into());
     }
     let data = all.split_off(before);
     Ok((all.pop(), data))
@@ -246,11 +235,9 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     let mut columns = layout.read_columns(file, header.as_ref(), width)?;
     let factors: Vec<f64> = columns.iter_mut().map(|column| in_mm(&mut column.name, layout.coverage_factor)).collect();
     let mut problems = Problems::default();
-    let expected = if header.is_some() { "as the header" } else { "as the first row" };
-    for row in all.iter().filter(|row| row.fields.len() != width) {
-        let message = Message::error(format!("the row has {} fields", row.fields.len()));
-        problems.0.push(message.at(row.place(file)).expected(format!("{width}, {expected}")));
-    }
+    let like = if header.is_some() { "header" } else { "first-row" };
+    let wrong = all.iter().filter(|row| row.fields.len() != width);
+    problems.0.extend(wrong.map(|row| row_width(file, row, width, like)));
     let kept = kept(file, layout, header.as_ref(), &all)?;
     let (numbers, all): (Vec<i64>, Vec<Row>) = (1..).zip(all).filter(|(number, _)| kept[*number as usize - 1]).unzip();
     let mut made: Vec<Column> =
@@ -262,8 +249,7 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
         let named: Vec<_> = numbers.iter().map(|row| Some(PoseName::from(from.number(*row)))).collect();
         match columns.iter().any(|column| column.name == "pose") {
             true => {
-                let message = Message::error("`pose` is stated, and the table has such a column");
-                problems.0.push(message.at(Place::file(file)).hint("state one of them"));
+                problems.0.push(error!("stated-and-in-table", key = "pose").at(Place::file(file)));
             }
             false => made.push(pose_column("pose", &named)),
         }
@@ -285,8 +271,7 @@ fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) ->
         }
     }
     if !rows.is_empty() && !kept.contains(&true) {
-        let message = Message::error("`only` and `without` leave no row").at(Place::file(file));
-        return Err(message.hint("compare the cells that they state with those of the file").into());
+        return Err(error!("no-row-selected").at(Place::file(file)).into());
     }
     Ok(kept)
 }
@@ -317,11 +302,10 @@ fn made_column(
         };
         let odd = |v: f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
         let value = match column.from.value(&cell) {
-            Ok(Some(value)) if !value.is_finite() => {
-                Err((at, Message::error(format!("`{name}` is computed as {value}"))))
-            }
+            Ok(Some(value)) if !value.is_finite() => Err((at, error!("computed-not-finite", column = name, value))),
             Ok(Some(value)) if odd(value) => {
-                Err((at, Message::error(format!("`{}` is not a whole number", row.field(at)))))
+                let shown = row.fields.get(at).map_or_else(|| value.to_string(), ToString::to_string);
+                Err((at, error!("not-whole-number", value = shown, column = name)))
             }
             read => read,
         };
@@ -347,8 +331,7 @@ fn refuse_formulas(file: &str, columns: &[ReadColumn], rows: &[Row], problems: &
         let Expression::Column(i) = column.from else { continue };
         let (column, name) = (&column.name, row.field(i));
         if is_formula(name) {
-            let message = Message::error(format!("the {column} `{name}` would be a formula in a spreadsheet"));
-            problems.0.push(message.at(row.cell(file, i)).hint("give it another name"));
+            problems.0.push(error!("name-is-formula", column = column.as_ref(), name).at(row.cell(file, i)));
         }
     }
 }

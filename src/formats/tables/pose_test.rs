@@ -1,9 +1,10 @@
 //! Tables of attained and commanded poses, checked and grouped by pose.
 
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,7 +36,7 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
         )?;
         for (i, &pose) in c.poses.iter().enumerate() {
             if poses.iter().any(|p| p.pose == pose) {
-                problems.0.push(commanded.at_row(Message::error(format!("pose {pose} is commanded twice")), i));
+                problems.0.push(commanded.at_row(error!("pose-commanded-twice", pose = pose.to_string()), i));
             }
             let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
             poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
@@ -51,9 +52,8 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
         let approach = attained.has("approach").then(|| visit.approach.clone());
         let first = seen.insert((*pose, visit.cycle, visit.robot.clone(), approach.clone()));
         let Some(place) = poses.iter_mut().find(|p| p.pose == *pose) else {
-            let message = Message::error(format!("pose {pose} is not among the commanded poses"));
             let file = commanded.map_or("", |commanded| commanded.file);
-            problems.0.push(attained.at_row(message, i).hint(format!("add it to `{file}`")));
+            problems.0.push(attained.at_row(error!("pose-not-commanded", pose = pose.to_string(), file), i));
             continue;
         };
         let same = |v: &&mut AttainedPose| {
@@ -62,10 +62,8 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
         match place.attained.iter_mut().find(same) {
             Some(before) if several => before.read_again(&visit),
             _ if !first => {
-                let message = Message::error(format!("pose {pose} is there twice in cycle {}", visit.cycle));
-                let hint =
-                    "number the cycles, or name them in `approach`, or number readings of one visit in `reading`";
-                problems.0.push(attained.at_row(message, i).hint(hint));
+                let message = error!("pose-attained-twice", pose = pose.to_string(), cycle = visit.cycle);
+                problems.0.push(attained.at_row(message, i));
             }
             _ => place.attained.push(visit),
         }
@@ -76,11 +74,11 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
     warnings.extend(attained.unread(&["pose", "cycle", "approach", "robot", "reading"]));
     warnings.extend(commanded.and_then(|commanded| commanded.unread(&["pose", "cycle"])));
     for p in poses.iter().filter(|p| p.attained.is_empty()) {
-        warnings.push(Message::warning(format!("pose {} is commanded, but nothing was measured there", p.pose)));
+        warnings.push(warning!("commanded-pose-not-measured", pose = p.pose.to_string()));
     }
     poses.retain(|p| !p.attained.is_empty());
     if poses.is_empty() {
-        return Err(Message::error("no pose was measured").at(Place::file(attained.file)).into());
+        return Err(error!("no-pose-measured").at(Place::file(attained.file)).into());
     }
     Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, warnings })
 }

@@ -2,7 +2,8 @@
 
 use crate::table::numbers;
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::message::{Place, Result};
+use etalon_base::{error, phrase};
 use etalon_standards::iso9283::motion::stream::{Recording, Stream, Unusable};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
@@ -17,25 +18,21 @@ pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
     let n = positions_mm.len();
     let time_s = match rate_hz {
         Some(rate) if rate > 0.0 && rate.is_finite() => (0..n).map(|i| i as f64 / rate).collect(),
-        Some(rate) => return Err(Message::error(format!("a sampling rate of {rate} Hz")).into()),
+        Some(_) => return Err(error!("key-not-positive", key = "rate_hz").into()),
         None => numbers(table.frame, "time_s").unwrap_or_default(),
     };
     if time_s.iter().all(|t| t.is_nan()) {
-        let message = Message::error("the recording has no time column").at(Place::file(table.file));
-        let message = message.expected("a column time_s, or the sampling rate");
-        return Err(message.hint("state the rate of the instrument: --rate-hz 1000").into());
+        return Err(error!("recording-time-missing").at(Place::file(table.file)).into());
     }
     let unusable = |Unusable { sample, message, is_late }| {
         let message = table.at_row(message, sample);
-        let hint = "stamps that are coarser than the sampling rate give no times: state the rate (--rate-hz) instead";
-        if is_late { message.hint(hint) } else { message }
+        if is_late { message.hint(phrase!("state-sampling-rate")) } else { message }
     };
     let stream = Stream::new(time_s, positions_mm, &angles_rad).map_err(unusable)?;
     let (stream, jumps) = stream.without_jumps();
     if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
-        let what = format!("no robot moves like this: {} of {n} samples are faster than 20 m/s", jumps.len());
-        let message = table.at_row(Message::error(what), jumps[0]);
-        return Err(message.hint("is the sampling rate right, and the unit? are samples in order?").into());
+        let message = error!("recording-implausible", count = jumps.len(), samples = n);
+        return Err(table.at_row(message, jumps[0]).into());
     }
     let lines = table.integers("line")?;
     let left_out = jumps.iter().filter_map(|&i| usize::try_from(*lines.get(i)?).ok()).collect();
@@ -57,8 +54,7 @@ pub fn commanded_poses(table: NamedTable) -> Result<Vec<CommandedPose>> {
     let poses = table.poses()?;
     let positions_mm = table.coordinates()?.positions_mm;
     if let Some(i) = (0..poses.len()).find(|&i| poses[..i].contains(&poses[i])) {
-        let message = Message::error(format!("pose {} is commanded twice", poses[i]));
-        return Err(table.at_row(message, i).into());
+        return Err(table.at_row(error!("pose-commanded-twice", pose = poses[i].to_string()), i).into());
     }
     Ok(poses.into_iter().zip(positions_mm).map(|(pose, position_mm)| CommandedPose { pose, position_mm }).collect())
 }

@@ -1,8 +1,9 @@
 //! Drift of the set-up, compensated by reference targets that a table measures from time to time.
 
 use crate::tables::coordinates::NamedTable;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::{error, warning};
 use etalon_documents::Iso9283Epoch;
 use etalon_standards::iso9283::pose::reference::{Epoch, epochs};
 use etalon_standards::iso9283::pose::rotations::RotationOrder;
@@ -42,9 +43,8 @@ pub fn compensate_setup_drift(
             let Some(order) = turning.filter(|_| epoch.moved_mm > 0.0) else { continue };
             let pose = order.pose(all_three(&angles, &attained.angles_rad));
             let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&pose), start_rad) else {
-                let what = format!("angles of pose {}, cycle {} cannot be turned back", p.pose, attained.cycle);
-                let hint = "near this orientation the order of rotations does not separate two angles: state another";
-                return Err(Message::error(what).hint(hint).into());
+                let pose = p.pose.to_string();
+                return Err(error!("angles-not-separable", pose, cycle = attained.cycle).into());
             };
             attained.angles_rad = angles.iter().map(|&k| turned[k]).collect();
         }
@@ -61,10 +61,7 @@ fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<Rotation
         false => rotation_order.and_then(RotationOrder::parse).filter(|_| test.angles.len() == 3),
     };
     if order.is_none() && !test.angles.is_empty() {
-        let message = Message::warning("angles are not turned back with the reference targets")
-            .expected("all of a_deg, b_deg, c_deg (of a planar robot c_deg), and the order of their rotations");
-        test.warnings
-            .push(message.hint("state it, e.g. --rotation-order \"Rz(c) Ry(b) Rx(a)\"; a campaign as rotation_order"));
+        test.warnings.push(warning!("angles-not-compensated"));
     }
     order
 }
@@ -78,10 +75,11 @@ fn all_three(angles: &[usize], values: &[f64]) -> Vector {
 
 /// The epoch that holds in a cycle.
 fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Epoch> {
-    cycles.partition_point(|c| *c <= cycle).checked_sub(1).map(|i| &epochs[i]).ok_or_else(|| {
-        let message = Message::error(format!("cycle {cycle} was measured before any reference target"));
-        message.hint(format!("the first are of cycle {}; measure them before the test", cycles[0])).into()
-    })
+    cycles
+        .partition_point(|c| *c <= cycle)
+        .checked_sub(1)
+        .map(|i| &epochs[i])
+        .ok_or_else(|| error!("cycle-before-reference-targets", cycle, first = cycles[0]).into())
 }
 
 /// Cycles in which the targets were measured, ascending, and what they state.
@@ -92,16 +90,14 @@ fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
     let mut measured: BTreeMap<i64, BTreeMap<&str, Vector>> = BTreeMap::new();
     for (i, (cycle, name)) in cycles.iter().zip(&names).enumerate() {
         if measured.entry(*cycle).or_default().insert(name, positions_mm[i]).is_some() {
-            let message = Message::error(format!("target `{name}` is there twice in cycle {cycle}"));
-            return Err(table.at_row(message, i).into());
+            return Err(table.at_row(error!("reference-target-twice", target = name, cycle), i).into());
         }
     }
     let mut sets: Vec<Vec<Vector>> = Vec::new();
     let first: Vec<&str> = measured.values().next().map(|all| all.keys().copied().collect()).unwrap_or_default();
     for (cycle, targets) in &measured {
         if !targets.keys().eq(&first) {
-            let message = Message::error(format!("reference targets of cycle {cycle} are others than the first"));
-            return Err(table.place(message.expected(first.join(", "))));
+            return Err(table.place(error!("reference-targets-differ", cycle, targets = first)));
         }
         sets.push(targets.values().copied().collect());
     }

@@ -12,7 +12,7 @@ mod world;
 use super::branding::logo_file;
 use super::model::Contents;
 use super::supervised::supervised;
-use super::words::Words;
+use super::words::{Words, tr};
 use super::{Attachment, TYPESET};
 use etalon_base::date::date;
 use etalon_base::message::{Message, Problems, Result};
@@ -82,9 +82,9 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
             }
         }
         if !notices.is_empty() {
-            let more = [json!({ "text": words.fill("{0} more are in the annex.", &[&notices.len()]), "mark": "own" })];
+            let more = [json!({ "text": tr!(words, "more-in-annex", count = notices.len()), "mark": "own" })];
             kept.push(json!({ "kind": "text", "tone": "plain", "text": more }));
-            annexes.push(json!({ "title": words.say("More warnings and remarks"), "blocks": notices }));
+            annexes.push(json!({ "title": tr!(words, "more-warnings-and-remarks"), "blocks": notices }));
         }
         section["blocks"] = kept.into();
     }
@@ -95,18 +95,18 @@ fn paper(contents: &Contents, presentation: &Presentation, words: &Words) -> ser
 
 /// Texts of the layout itself, and language.
 fn labels(presentation: &Presentation, words: &Words) -> Value {
-    let note = words.say("Texts of the campaign are in their own language.");
+    let note = tr!(words, "texts-of-campaign-note");
     let lang = presentation.language.code();
     json!({
         "lang": lang,
-        "synthetic": words.say("Synthetic data:"),
-        "page": words.say("page {0} of {1}"),
-        "left_out": words.say("{0} more rows are left out: the workbook has all."),
-        "logo": presentation.logo.as_ref().map(|_| words.say("Logo of the laboratory")),
-        "end": words.say("End of report"),
-        "signatures": words.say("Signatures"),
-        "signs": [words.say("Tested by"), words.say("Approved by")],
-        "line": words.say("name, date, signature"),
+        "synthetic": tr!(words, "synthetic-data-label"),
+        "page": tr!(words, "page-of", page = "{0}", total = "{1}"),
+        "left_out": tr!(words, "rows-in-workbook", count = "{0}"),
+        "logo": presentation.logo.as_ref().map(|_| tr!(words, "logo-of-the-laboratory")),
+        "end": tr!(words, "end-of-report"),
+        "signatures": tr!(words, "signatures"),
+        "signs": [tr!(words, "tested-by"), tr!(words, "approved-by")],
+        "line": tr!(words, "name-date-signature"),
         "note": if lang == "en" { String::new() } else { note },
     })
 }

@@ -22,12 +22,12 @@ pub(crate) fn pictures(
 ) -> Vec<Figure> {
     let of_joint = |(k, column): (usize, &String)| {
         let (name, unit) = column.rsplit_once('_').unwrap_or((column, ""));
-        let name = words.fill("{0} in {1}", &[&name, &unit]);
+        let name = tr!(words, "quantity-in-unit", quantity = name, unit);
         Along { id: format!("joint-{k}"), name, of: Box::new(move |p| p.joints.get(k).copied()) }
     };
     let reach = base_mm.map(|base| Along {
         id: "reach".to_owned(),
-        name: words.say("distance from the base in mm"),
+        name: tr!(words, "distance-from-base-in-mm"),
         of: Box::new(move |p| Some(norm(minus(p.at_mm, base)))),
     });
     let all = joints.iter().enumerate().map(of_joint).chain(reach);
@@ -40,7 +40,7 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
     let drawn = points::readable(&known);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
     let up = Axis::from_zero("mm", largest(drawn.iter().map(|p| points::after_mm(p))));
-    let name = words.fill("position error in {0}", &[&up.shown().unit]);
+    let name = tr!(words, "position-error-in", unit = up.shown().unit);
     let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up], [along.name.clone(), name]);
     for p in &drawn {
         let at = chart.at((along.of)(p)?, points::after_mm(p));
@@ -48,10 +48,8 @@ fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words
     }
     points::legend(&mut chart.svg, &drawn, words);
     chart.limits(limits, ErrorQuantity::Position, false);
-    let title = words.fill("Position error after calibration against {0}", &[&along.name]);
-    let description = words.say(
-        "One mark for each error: circles calibration, diamonds validation poses. A trend is what the model lacks.",
-    );
+    let title = tr!(words, "position-error-against", quantity = along.name);
+    let description = tr!(words, "errors-against-description");
     let caption = description.clone() + &points::how_many(drawn.len(), known.len(), words);
     Some(Figure { caption, ..chart.figure(&format!("against-{}", along.id), title, description) })
 }

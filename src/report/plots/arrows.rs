@@ -46,17 +46,15 @@ fn in_plane(errors: &[&PointError], seen: Seen, after: bool, words: &Words) -> F
     points::legend(&mut map.svg, errors, words);
     let (times, name) = (number::significant(factor, 1), seen.name());
     let title = match after {
-        true => words.fill("Error vectors after calibration, {0} plane", &[&name]),
-        false => words.fill("Error vectors before calibration, {0} plane", &[&name]),
+        true => tr!(words, "error-vectors-after", plane = name),
+        false => tr!(words, "error-vectors-before", plane = name),
     };
-    let description = words
-        .fill("At each measured position an arrow of measured minus predicted, arrows enlarged {0} times.", &[&times]);
+    let description = tr!(words, "arrows-description", factor = times);
     let longest = format!("{} {}", number::significant(longest_mm * shown.factor, 3), shown.unit);
-    let mut caption = words.fill("Arrows enlarged {0} times; the longest is {1}.", &[&times, &longest]);
+    let mut caption = tr!(words, "arrows-longest", factor = times, longest);
     if drawn.len() < errors.len() {
-        let counts: [&dyn std::fmt::Display; 2] = [&drawn.len(), &errors.len()];
         caption += " ";
-        caption += &words.fill("{0} of {1} points are drawn, evenly chosen, the largest among them.", &counts);
+        caption += &tr!(words, "points-drawn", drawn = drawn.len(), total = errors.len());
     }
     let (pair, side) = (format!("arrows-{name}"), points::side(after));
     Figure { pair, side, caption, ..map.figure(&format!("arrows-{side}-{name}"), title, description) }
@@ -72,17 +70,17 @@ fn enlargement(drawn: &[&PointError], seen: Seen, longest_mm: f64) -> f64 {
 
 fn table(drawn: &[&PointError], words: &Words) -> (String, Vec<String>, Vec<Vec<String>>) {
     let shown = number::shown("mm", largest(drawn.iter().map(|p| points::after_mm(p))));
-    let column = |axis: &str| words.fill("error {0} in {1}", &[&axis, &shown.unit]);
-    let mut header = vec![words.say("set"), words.say("pose"), words.say("cycle"), words.say("target")];
-    header.extend(["x", "y", "z"].map(|axis| words.fill("{0} in {1}", &[&axis, &"mm"])));
+    let column = |axis: &str| tr!(words, "error-in", quantity = axis, unit = shown.unit);
+    let mut header = vec![tr!(words, "set"), tr!(words, "pose"), tr!(words, "cycle"), tr!(words, "target")];
+    header.extend(["x", "y", "z"].map(|axis| tr!(words, "quantity-in-unit", quantity = axis, unit = "mm")));
     header.extend(["x", "y", "z"].map(column));
     let row = |p: &&PointError| {
-        let mut row = vec![words.say(p.set.name()), p.pose.to_string(), p.cycle.to_string(), p.target.clone()];
+        let mut row = vec![words.tr(&names::set(p.set)), p.pose.to_string(), p.cycle.to_string(), p.target.clone()];
         row.extend(p.at_mm.map(|v| number::fixed(v, 3)));
         row.extend(p.after_mm.map(|v| number::fixed(v * shown.factor, if shown.factor > 1.0 { 2 } else { 4 })));
         row
     };
-    (words.fill("Numbers of the {0} arrows", &[&drawn.len()]), header, drawn.iter().map(row).collect())
+    (tr!(words, "numbers-of-arrows", count = drawn.len()), header, drawn.iter().map(row).collect())
 }
 
 #[cfg(test)]

@@ -43,49 +43,30 @@ fn picture(
     let axis = if logarithmic { Axis::decades(unit, ends, DECADES) } else { Axis::from_zero(unit, ends.1) };
     let (low, unit) = (axis.ends().0, axis.shown().unit);
     let (title, name) = match is_angle {
-        true => (
-            words.say("Orientation error by pose, before and after calibration"),
-            words.fill("orientation error in {0}", &[&unit]),
-        ),
-        false => (
-            words.say("Position error by pose, before and after calibration"),
-            words.fill("position error in {0}", &[&unit]),
-        ),
+        true => (tr!(words, "orientation-error-by-pose"), tr!(words, "orientation-error-in", unit)),
+        false => (tr!(words, "position-error-by-pose"), tr!(words, "position-error-in", unit)),
     };
     let poses = poses(&drawn);
-    let mut chart = Chart::new(WIDE, [across(&poses), axis], [words.say("pose"), name]);
+    let mut chart = Chart::new(WIDE, [across(&poses), axis], [tr!(words, "pose"), name]);
     let before = |look: Look<'static>| Look { class: "before", ..look };
     for (k, (p, s)) in [0, 1].into_iter().flat_map(|k| pairs.iter().map(move |pair| (k, pair))) {
         let look = if k == 0 { before(points::look(p)) } else { points::look(p) };
         chart.svg.mark(look, chart.at(place(&poses, p), s[k]), 2.8, &points::tooltip(p, words));
     }
     for (look, name) in points::sets(&drawn) {
-        chart.svg.legend(before(look), &words.fill("{0}, before", &[&words.say(name)]));
+        chart.svg.legend(before(look), &tr!(words, "before-named", name = words.tr(&name)));
     }
     for (look, name) in points::sets(&drawn) {
-        chart.svg.legend(look, &words.fill("{0}, after", &[&words.say(name)]));
+        chart.svg.legend(look, &tr!(words, "after-named", name = words.tr(&name)));
     }
     chart.limits(limits, quantity, false);
     let (description, rule) = match logarithmic {
-        true => (
-            words.fill("One mark for each pose, cycle and target; logarithmic axis in {0}.", &[&unit]),
-            words.fill(
-                "The error axis is logarithmic: the largest error before is more than {0} times the median after.",
-                &[&RATIO],
-            ),
-        ),
-        false => (
-            words.fill("One mark for each pose, cycle and target; linear axis in {0}.", &[&unit]),
-            words.fill(
-                "The error axis is linear: the largest error before is no more than {0} times the median after.",
-                &[&RATIO],
-            ),
-        ),
+        true => (tr!(words, "errors-by-pose-logarithmic", unit), tr!(words, "error-axis-logarithmic", factor = RATIO)),
+        false => (tr!(words, "errors-by-pose-linear", unit), tr!(words, "error-axis-linear", factor = RATIO)),
     };
     let lower = match of(0).chain(of(1)).filter(|v| *v < low).count() {
         0 => String::new(),
-        1 => format!(" {}", words.say("1 smaller error is drawn at the lower edge.")),
-        n => format!(" {}", words.fill("{0} smaller errors are drawn at the lower edge.", &[&n])),
+        n => format!(" {}", tr!(words, "errors-below-axis", count = n)),
     };
     let caption = rule + &lower + &points::how_many(drawn.len(), all.len(), words);
     Some(Figure { caption, ..chart.figure(&format!("by-pose-{quantity}"), title, description) })

@@ -24,10 +24,9 @@ pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let mut map = Workspace::new(XY, &drawn.iter().map(|p| p.at_mm).collect::<Vec<_>>(), words);
     let tip = |p: &CandidatePlace| {
         let [x, y, _] = p.at_mm.map(|v| number::fixed(v, 1));
-        let values: [&dyn std::fmt::Display; 4] = [&p.pose, &p.configurations, &x, &y];
         match p.chosen {
-            true => words.fill("pose {0}, {1} configurations, chosen: x {2}, y {3} mm", &values),
-            false => words.fill("pose {0}, {1} configurations: x {2}, y {3} mm", &values),
+            true => tr!(words, "chosen-candidate-tooltip", pose = p.pose, configurations = p.configurations, x, y),
+            false => tr!(words, "candidate-tooltip", pose = p.pose, configurations = p.configurations, x, y),
         }
     };
     let radius = |configurations: usize| 1.6 + 0.7 * (configurations.min(6) as f64);
@@ -42,14 +41,11 @@ pub(crate) fn map(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     }
     let counts: BTreeSet<usize> = drawn.iter().map(|p| p.configurations).collect();
     for count in counts.into_iter().take(4) {
-        let name = if count == 1 { words.say("1 mode") } else { words.fill("{0} modes", &[&count]) };
+        let name = tr!(words, "mode-count", count);
         map.svg.legend_of(CANDIDATE, radius(count), &name);
     }
-    let title = words.say("Candidates and chosen positions");
-    let description = words.say("Hollow marks: candidates; filled marks with the number of their pose: chosen.");
-    let caption = words.fill(
-        "{0} of {1} candidates are chosen; the larger a mark, the more configurations reach it.",
-        &[&plan.chosen.len(), &plan.candidates],
-    );
+    let title = tr!(words, "candidates-and-chosen-positions");
+    let description = tr!(words, "chosen-candidates-marks");
+    let caption = tr!(words, "candidates-chosen", chosen = plan.chosen.len(), candidates = plan.candidates);
     Some(Figure { caption, ..map.figure("chosen", title, description) })
 }

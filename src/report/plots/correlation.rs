@@ -35,7 +35,13 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
     for (i, name) in names.iter().enumerate() {
         for (j, other) in names.iter().enumerate().take(i + 1) {
             let at = (margin + cell * j as f64, TOP + cell * i as f64);
-            let tip = words.fill("{0} and {1}: {2}", &[name, other, &number::fixed(r(i, j), 3)]);
+            let tip = tr!(
+                words,
+                "correlation-tooltip",
+                first = name,
+                second = other,
+                correlation = number::fixed(r(i, j), 3)
+            );
             svg.rect(Look::colour(&colour(r(i, j))), at, (cell - 1.0, cell - 1.0), &tip);
         }
         if i.is_multiple_of(n.div_ceil(LETTERED)) {
@@ -51,19 +57,18 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
         |&(i, j): &(usize, usize)| format!("{} – {} {}", names[j], names[i], words.number(&number::fixed(r(i, j), 3)));
     let listed = strong.iter().take(6).map(said).collect::<Vec<_>>().join(", ");
     let caption = match strong.len() {
-        0 => words.say("No pair is correlated by 0.9 or more."),
-        1..=6 => words.fill("Correlated by 0.9 or more: {0}.", &[&listed]),
-        n => words.fill("{0} pairs are correlated by 0.9 or more, the strongest: {1}.", &[&n, &listed]),
+        0 => tr!(words, "no-correlated-pairs"),
+        1..=6 => tr!(words, "correlated-pairs", pairs = listed),
+        n => tr!(words, "correlated-pairs-strongest", count = n, pairs = listed),
     };
-    let title = words.say("Correlation of the identified parameters");
-    let description =
-        words.say("One cell for each pair: blue where they rise together, orange where one falls as the other rises.");
+    let title = tr!(words, "correlation-title");
+    let description = tr!(words, "correlation-description");
     let row =
         |i: usize| std::iter::once(names[i].to_owned()).chain((0..n).map(|j| number::fixed(r(i, j), 3))).collect();
     Some(Figure {
         caption: format!("{description} {caption}"),
-        table_title: words.say("Numbers of this picture"),
-        header: std::iter::once(words.say("name")).chain(names.iter().map(|name| (*name).to_owned())).collect(),
+        table_title: tr!(words, "numbers-of-this-picture"),
+        header: std::iter::once(tr!(words, "name")).chain(names.iter().map(|name| (*name).to_owned())).collect(),
         // with many parameters, the numbers are in the workbook
         rows: if n > FEW { Vec::new() } else { (0..n).map(row).collect() },
         ..svg.figure("correlation", title, description)

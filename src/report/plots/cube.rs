@@ -64,24 +64,18 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     }
     for (pose, p) in &places {
         let [x, y, z] = p.map(|v| number::fixed(v, 3));
-        let tip = words.fill("pose {0}: x {1}, y {2}, z {3} mm", &[pose, &x, &y, &z]);
+        let tip = tr!(words, "pose-tooltip", pose, x, y, z);
         map.svg.mark(CALIBRATION, map.at(*p), 4.0, &tip);
         if places.len() <= NAMED {
             map.svg.text("start over", map.at(*p).beside(7.0, -5.0), &format!("P{pose}"));
         }
     }
     let description = match cube {
-        Some((_, half)) if planar => words.fill(
-            "P1 is the centre of a square of {0} mm, P2 to P5 are on its diagonals (ISO 9283:1998, 6).",
-            &[&number::fixed(2.0 * half, 1)],
-        ),
-        Some((_, half)) => words.fill(
-            "P1 is the centre of a cube of {0} mm, P2 to P5 are on the diagonals of the test plane (ISO 9283:1998, 6).",
-            &[&number::fixed(2.0 * half, 1)],
-        ),
-        None => words.say("The box is that of the poses, its edges are parallel to the axes."),
+        Some((_, half)) if planar => tr!(words, "test-square", size = number::fixed(2.0 * half, 1)),
+        Some((_, half)) => tr!(words, "test-cube", size = number::fixed(2.0 * half, 1)),
+        None => tr!(words, "box-of-poses"),
     };
-    Some(map.figure("poses", words.say("Poses of the test"), description))
+    Some(map.figure("poses", tr!(words, "poses-of-the-test"), description))
 }
 
 #[cfg(test)]

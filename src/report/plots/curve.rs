@@ -14,12 +14,12 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
     let index = Axis::over("", range(points.iter().map(|p| p.value))?, 0.1);
     let condition = Axis::from_zero("", range(points.iter().map(|p| p.condition))?.1);
     let axes = [Axis::over("", configurations, 0.03), index];
-    let mut chart = Chart::with_room(ROOM, axes, NARROW, [words.say("configurations"), plan.index.clone()]);
-    chart.second(&condition, &words.say("condition number"));
+    let mut chart = Chart::with_room(ROOM, axes, NARROW, [tr!(words, "configurations"), plan.index.clone()]);
+    chart.second(&condition, &tr!(words, "condition-number"));
     if let Some(knee) = plan.greedy.knee_configurations {
         chart.upright("knee", knee as f64);
         let at = (chart.at(knee as f64, 0.0).0, chart.frame.top - 4.0);
-        chart.svg.text("mid", at, &words.fill("knee: {0}", &[&knee]));
+        chart.svg.text("mid", at, &tr!(words, "knee-at", count = knee));
     }
     let x = |p: &CurvePoint| p.configurations as f64;
     let of_condition = |p: &CurvePoint| (chart.at(x(p), 0.0).0, chart.frame.level(&condition, p.condition));
@@ -30,16 +30,22 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
         chart.svg.lines(line, &places);
         for (p, at) in points.iter().zip(places) {
             let (value, condition) = (significant(p.value, 4), significant(p.condition, 3));
-            let values: [&dyn std::fmt::Display; 5] =
-                [&p.positions, &p.configurations, &plan.index, &value, &condition];
-            let tip = words.fill("{0} positions, {1} configurations: {2} {3}, condition {4}", &values);
+            let tip = tr!(
+                words,
+                "curve-tooltip",
+                positions = p.positions,
+                configurations = p.configurations,
+                index = plan.index,
+                value,
+                condition
+            );
             chart.svg.mark(look, at, 3.6, &tip);
         }
     }
     chart.svg.legend(CALIBRATION, &plan.index);
-    chart.svg.legend(VALIDATION, &words.say("condition number"));
-    let title = words.fill("{0} and condition number while positions are added", &[&plan.index]);
-    let description = words.say("Circles: index, left axis. Diamonds: condition number, right axis.");
+    chart.svg.legend(VALIDATION, &tr!(words, "condition-number"));
+    let title = tr!(words, "curve-title", index = plan.index);
+    let description = tr!(words, "curve-description");
     let row = |p: &&CurvePoint| {
         vec![
             p.positions.to_string(),
@@ -49,11 +55,14 @@ pub(crate) fn curve(plan: &PlanDocument, words: &Words) -> Option<Figure> {
         ]
     };
     Some(Figure {
-        caption: words.say("One after the other, the best position with all its configurations.")
-            + " "
-            + &words.say("The knee is where the index lies farthest above the line from its first to its last value."),
-        table_title: words.say("Numbers of the curve"),
-        header: vec![words.say("positions"), words.say("configurations"), plan.index.clone(), words.say("condition")],
+        caption: tr!(words, "curve-caption") + " " + &tr!(words, "knee-caption"),
+        table_title: tr!(words, "numbers-of-the-curve"),
+        header: vec![
+            tr!(words, "positions"),
+            tr!(words, "configurations"),
+            plan.index.clone(),
+            tr!(words, "condition"),
+        ],
         rows: points.iter().map(row).collect(),
         ..chart.figure("curve", title, description)
     })

@@ -48,7 +48,7 @@ impl Curves {
             chart.svg.lines("grid", &places);
             for ((x, y), at) in drawn.into_iter().zip(places) {
                 let values = [number::significant(y, 4), number::significant(x, 4)];
-                let tip = words.fill("{0}: {1} at {2}", &[&curve.name, &values[0], &values[1]]);
+                let tip = tr!(words, "curve-point-tooltip", curve = curve.name, value = values[0], at = values[1]);
                 chart.svg.mark(Look::group(i), at, 2.6, &tip);
             }
             if i < NAMED {
@@ -67,9 +67,9 @@ impl Curves {
             c.points.iter().map(|p| vec![c.name.clone(), number::significant(p.0, 5), number::significant(p.1, 4)])
         });
         Some(Figure {
-            table_title: words.say("Numbers of this picture"),
+            table_title: tr!(words, "numbers-of-this-picture"),
             rows: rows.take(ROWS).collect(),
-            header: vec![words.say("curve"), self.across, self.up],
+            header: vec![tr!(words, "curve"), self.across, self.up],
             ..chart.figure(&self.id, self.title, self.caption)
         })
     }

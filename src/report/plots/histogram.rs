@@ -3,7 +3,6 @@
 
 use super::axis::step;
 use super::layer::*;
-use std::fmt::Display;
 
 const BINS: usize = 12;
 
@@ -28,16 +27,16 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
     let width = step(largest, BINS);
     let bins = ((largest / width - 1e-9).ceil() as usize).clamp(1, BINS + 1);
     let bin = |p: &PointError| ((size(p) * shown.factor / width) as usize).min(bins - 1);
-    let counted = |(look, name): (Look<'static>, &str)| {
+    let counted = |(look, name): (Look<'static>, Phrase)| {
         let of_set: Vec<usize> = errors.iter().filter(|p| points::look(p) == look).map(|p| bin(p)).collect();
         let bins = (0..bins).map(|bin| of_set.iter().filter(|b| **b == bin).count()).collect();
-        Counts { class: look.class, name: words.say(name), bins, total: of_set.len() }
+        Counts { class: look.class, name: words.tr(&name), bins, total: of_set.len() }
     };
     let sets: Vec<Counts> = points::sets(errors).into_iter().map(counted).collect();
     let share = |set: &Counts, bin: usize| 100.0 * set.bins[bin] as f64 / set.total.max(1) as f64;
     let highest = sets.iter().flat_map(|set| (0..bins).map(|bin| share(set, bin))).fold(0.0, f64::max);
     let across = Axis::linear_in(shown, 0.0, bins as f64 * width);
-    let names = [words.fill("position error in {0}", &[&shown.unit]), words.say("share of the set in %")];
+    let names = [tr!(words, "position-error-in", unit = shown.unit), tr!(words, "share-of-set")];
     let mut chart = Chart::new(NARROW, [across, Axis::from_zero("", highest)], names);
     let decimals = number::decimals(width, 1).unwrap_or(0);
     let edge = |bin: usize| number::fixed(bin as f64 * width, decimals);
@@ -47,9 +46,16 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
         let look = Look::new(Shape::Square, set.class);
         for bin in (0..bins).filter(|bin| set.bins[*bin] > 0) {
             let percent = number::fixed(share(set, bin), 1);
-            let values: [&dyn Display; 6] =
-                [&edge(bin), &edge(bin + 1), &shown.unit, &set.bins[bin], &set.name, &percent];
-            let tip = words.fill("{0} to {1} {2}: {3} points of {4}, {5} %", &values);
+            let tip = tr!(
+                words,
+                "histogram-tooltip",
+                from = edge(bin),
+                to = edge(bin + 1),
+                unit = shown.unit,
+                points = set.bins[bin],
+                set = set.name,
+                percent
+            );
             let x = chart.frame.left + 1.5 + bin as f64 * bin_px + i as f64 * bar_px;
             chart.bar_up(look, (x, bar_px), share(set, bin), &tip);
         }
@@ -57,23 +63,23 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
     }
     chart.limits(limits, ErrorQuantity::Position, true);
     let title = match after {
-        true => words.say("Sizes of the position error after calibration"),
-        false => words.say("Sizes of the position error before calibration"),
+        true => tr!(words, "error-sizes-after"),
+        false => tr!(words, "error-sizes-before"),
     };
     let step_text = format!("{} {}", number::significant(width, 1), shown.unit);
-    let description = words.fill("Share of the points of each set in steps of {0}.", &[&step_text]);
-    let mut header = vec![words.fill("from, in {0}", &[&shown.unit]), words.say("to")];
-    header.extend(sets.iter().map(|set| words.fill("{0} points", &[&set.name])));
+    let description = tr!(words, "histogram-description", step = step_text);
+    let mut header = vec![tr!(words, "from-in-unit", unit = shown.unit), tr!(words, "to")];
+    header.extend(sets.iter().map(|set| tr!(words, "points-of", set = set.name)));
     let row = |bin: usize| {
         [edge(bin), edge(bin + 1)].into_iter().chain(sets.iter().map(move |set| set.bins[bin].to_string()))
     };
-    let totals: Vec<_> = sets.iter().map(|set| words.fill("{0} points of {1}", &[&set.total, &set.name])).collect();
+    let totals: Vec<_> = sets.iter().map(|set| tr!(words, "count-of-set", count = set.total, set = set.name)).collect();
     let side = points::side(after);
     Some(Figure {
         pair: "histogram".to_owned(),
         side,
-        caption: words.fill("Share of each set in steps of {0}: {1}.", &[&step_text, &totals.join(", ")]),
-        table_title: words.say("Numbers of this picture"),
+        caption: tr!(words, "histogram-shares", step = step_text, totals = totals.join(", ")),
+        table_title: tr!(words, "numbers-of-this-picture"),
         header,
         rows: (0..bins).map(|bin| row(bin).collect()).collect(),
         ..chart.figure(&format!("histogram-{side}"), title, description)

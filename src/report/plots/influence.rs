@@ -18,10 +18,10 @@ pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figur
     }
     let labels = all.iter().enumerate().map(|(i, (pose, _))| (i as f64, pose.chars().take(LETTERS).collect()));
     let axes = [Axis::from_zero("", largest), Axis::rows(all.len(), labels.collect(), 0.5)];
-    let names = [words.say("Cook's distance"), words.say("pose")];
+    let names = [tr!(words, "cooks-distance"), tr!(words, "pose")];
     let mut chart = Chart::with_room(ROOM, axes, NARROW, names);
     for (i, (pose, distance)) in all.iter().enumerate() {
-        let tip = words.fill("pose {0}: Cook's distance {1}", &[pose, &number::significant(*distance, 2)]);
+        let tip = tr!(words, "cooks-distance-tooltip", pose, distance = number::significant(*distance, 2));
         chart.bar_along(CALIBRATION, i, [0.0, *distance], &tip);
     }
     chart.upright("limit", found.influential);
@@ -30,9 +30,8 @@ pub(crate) fn picture(found: &ReliabilitySummary, words: &Words) -> Option<Figur
         let (x, y) = chart.at(*distance, i as f64);
         chart.svg.text("start over", (x + 5.0, y + 4.0), &words.number(&number::significant(*distance, 2)));
     }
-    let description =
-        words.say("One bar for each pose of the table; the line is the value beyond which a pose is influential.");
-    Some(chart.figure("influence", words.say("Cook's distance of the poses"), description))
+    let description = tr!(words, "cooks-distance-description");
+    Some(chart.figure("influence", tr!(words, "cooks-distance-of-poses"), description))
 }
 
 #[cfg(test)]

@@ -40,11 +40,8 @@ fn picture(
     let unit = if shown.unit.is_empty() { unit } else { shown.unit };
     // ratios are dimensionless
     let (title, along) = match unit {
-        "1" => (words.fill("{0}: change of the ratios, with ± 2u", &[&group]), words.say("identified minus nominal")),
-        _ => (
-            words.fill("{0}: change in {1}, with ± 2u", &[&group, &unit]),
-            words.fill("identified minus nominal in {0}", &[&unit]),
-        ),
+        "1" => (tr!(words, "intervals-of-ratios-title", group), tr!(words, "identified-minus-nominal")),
+        _ => (tr!(words, "intervals-title", group, unit), tr!(words, "identified-minus-nominal-in", unit)),
     };
     let labels = all.iter().enumerate().map(|(i, p)| (i as f64, shortened(&p.name))).collect();
     let axes = [Axis::both_ways(shown, reach), Axis::rows(all.len(), labels, 0.5)];
@@ -58,12 +55,19 @@ fn picture(
         chart.svg.line("interval", ends[0], ends[1]);
         let u = p.standard_uncertainty.map(|u| u * shown.factor);
         let value = number::with_uncertainty(change(p) * shown.factor, u);
-        let tip = words.fill("{0}: {1} ± {2} {3}", &[&p.name, &value, &half, &if unit == "1" { "" } else { unit }]);
+        let tip = tr!(
+            words,
+            "value-tooltip",
+            name = p.name,
+            value,
+            uncertainty = half,
+            unit = if unit == "1" { "" } else { unit }
+        );
         chart.svg.mark(CALIBRATION, middle, 3.4, &tip);
         chart.svg.text("end", (NARROW - 4.0, middle.1 + 4.0), &format!("± {half}"));
     }
-    let description = words.say("One mark for each identified parameter: identified minus nominal; the line is ± 2u.");
-    let caption = words.say("Identified minus nominal; the line through a mark is ± 2u, often narrower than the mark. Values are in the table above.");
+    let description = tr!(words, "intervals-description");
+    let caption = tr!(words, "intervals-caption");
     Some(Figure { caption, ..chart.figure(&format!("intervals-{key}-{index}"), title, description) })
 }
 

@@ -56,24 +56,26 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
     }
     scales(&mut map.svg, [common, &own]);
     for (look, name) in points::sets(errors) {
-        map.svg.legend(Look { class: "map", fill: "#ffffff", ..look }, &words.say(name));
+        map.svg.legend(Look { class: "map", fill: "#ffffff", ..look }, &words.tr(&name));
     }
     let name = match seen {
-        Seen::Plane(_) => words.fill("{0} plane", &[&seen.name()]),
-        Seen::Space => words.say("in space"),
+        Seen::Plane(_) => tr!(words, "plane-named", plane = seen.name()),
+        Seen::Space => tr!(words, "in-space"),
     };
     let title = match after {
-        false => words.fill("Position error before calibration, {0}", &[&name]),
-        true => words.fill("Position error after calibration, {0}", &[&name]),
+        false => tr!(words, "position-error-before", plane = name),
+        true => tr!(words, "position-error-after", plane = name),
     };
-    let description = words.fill(
-        "Marks at the measured positions: colour from 0 to {0}, one scale before and after; size from 0 to {1}, that of this picture; largest error {2}.",
-        &[&top(common), &top(&own), &length(largest(errors.iter().map(|p| size(p))))],
+    let description = tr!(
+        words,
+        "error-map-description",
+        colour = top(common),
+        size = top(&own),
+        largest = length(largest(errors.iter().map(|p| size(p))))
     );
     let hidden = match visible < errors.len() && drawn.len() == visible {
         true => {
-            let counts: [&dyn std::fmt::Display; 2] = [&errors.len(), &visible];
-            format!(" {}", words.fill("Of {0} errors the largest is drawn at each of {1} places.", &counts))
+            format!(" {}", tr!(words, "largest-errors-drawn", total = errors.len(), places = visible))
         }
         false => points::how_many(drawn.len(), errors.len(), words),
     };

@@ -38,7 +38,8 @@ mod layer {
     pub(super) use super::workspace::{Seen, Workspace, XY};
     pub(super) use crate::model::Figure;
     pub(super) use crate::number;
-    pub(super) use crate::words::Words;
+    pub(super) use crate::words::{Words, names, tr};
+    pub(super) use etalon_base::catalogue::Phrase;
     pub(super) use etalon_base::pose::{Vector, centroid, minus, norm};
     pub(super) use etalon_base::pose_name::PoseName;
     pub(super) use etalon_documents::{ErrorQuantity, LimitVerdict, PointError, PoseSet};

@@ -24,7 +24,7 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
     let named = if all.len() > NAMED { &[][..] } else { &all[..] };
     let labels = named.iter().enumerate().map(|(i, p)| (i as f64, p.name.clone())).collect();
     let (across, up) = (Axis::rows(all.len(), labels, 0.5), Axis::both_ways(shown, largest));
-    let mut chart = Chart::new(NARROW, [across, up], ["", &words.fill("identified minus true in {0}", &[&shown.unit])]);
+    let mut chart = Chart::new(NARROW, [across, up], ["", &tr!(words, "identified-minus-true-in", unit = shown.unit)]);
     let wide = (0.6 * (chart.frame.right - chart.frame.left) / all.len() as f64).min(28.0);
     for (i, p) in all.iter().enumerate() {
         let tip = format!("{}: {} {}", p.name, number::significant(off(p) * shown.factor, 3), shown.unit);
@@ -32,8 +32,8 @@ fn picture(study: &StudyDocument, unit: &str, words: &Words) -> Option<Figure> {
         chart.bar_up(CALIBRATION, (x - 0.5 * wide, wide), off(p), &tip);
     }
     chart.level("axis", 0.0);
-    let title = words.fill("Errors of identified parameters, {0}", &[&shown.unit]);
-    let description = words.say("One bar a parameter: identified minus true.");
-    let caption = words.fill("Mean of {0} identifications; values are in the table above.", &[&study.runs]);
+    let title = tr!(words, "parameter-errors-title", unit = shown.unit);
+    let description = tr!(words, "parameter-errors-description");
+    let caption = tr!(words, "mean-of-identifications", runs = study.runs);
     Some(Figure { caption, ..chart.figure(&format!("off-{unit}"), title, description) })
 }

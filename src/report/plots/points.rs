@@ -3,7 +3,6 @@
 use super::layer::*;
 use crate::words::isolated;
 use std::collections::BTreeMap;
-use std::fmt::Display;
 
 /// Largest position or error that is drawn (mm); larger ones are blunders.
 const DRAWABLE_MM: f64 = 1e7;
@@ -62,11 +61,7 @@ pub(crate) fn how_many(drawn: usize, all: usize, words: &Words) -> String {
     if drawn == all {
         return String::new();
     }
-    let counts: [&dyn Display; 2] = [&drawn, &all];
-    format!(
-        " {}",
-        words.fill("{0} of {1} errors are drawn: of each pose the largest after calibration; all validation poses as far as there is room, calibration poses evenly chosen.", &counts)
-    )
+    format!(" {}", tr!(words, "errors-of-poses-drawn", drawn, total = all))
 }
 
 /// Name of a figure before or after calibration.
@@ -107,14 +102,14 @@ fn look_of(set: PoseSet) -> Look<'static> {
 }
 
 /// Style and name of each set that occurs.
-pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, &'static str)> {
+pub(crate) fn sets(points: &[&PointError]) -> Vec<(Look<'static>, Phrase)> {
     let there = PoseSet::ALL.into_iter().filter(|set| points.iter().any(|p| p.set == *set));
-    there.map(|set| (look_of(set), set.name())).collect()
+    there.map(|set| (look_of(set), names::set(set))).collect()
 }
 
 /// Adds the sets that occur to the legend.
 pub(crate) fn legend(svg: &mut Svg, points: &[&PointError], words: &Words) {
-    sets(points).into_iter().for_each(|(look, name)| svg.legend(look, &words.say(name)));
+    sets(points).into_iter().for_each(|(look, name)| svg.legend(look, &words.tr(&name)));
 }
 
 /// Name of a point with its errors before and after calibration. All figures share this text, so
@@ -130,9 +125,8 @@ pub(crate) fn tooltip(p: &PointError, words: &Words) -> String {
     let [x, y, z] = p.after_mm.map(length);
     let [before, after] = [before, after].map(|mm| format!("{} {}", length(mm), shown.unit));
     let target = isolated(&p.target);
-    let set = words.say(p.set.name());
-    let values: [&dyn Display; 6] = [&p.pose, &p.cycle, &target, &set, &before, &after];
-    let text = words.fill("pose {0}, cycle {1}, {2} ({3}): {4} before, {5} after", &values);
+    let set = words.tr(&names::set(p.set));
+    let text = tr!(words, "error-tooltip", pose = p.pose, cycle = p.cycle, target, set, before, after);
     let angle = |deg: Option<f64>| deg.filter(|d| d.is_finite()).map(f64::abs);
     let turned = match (angle(p.before_deg), angle(p.after_deg)) {
         (Some(before), Some(after)) => {

@@ -55,19 +55,20 @@ fn picture(
     scales(&mut map.svg, [common, &own]);
     let name = seen.name();
     let title = match identified {
-        false => words.fill("Tool point: nominal minus identified model, {0} plane", &[&name]),
-        true => words.fill("Tool point: error to expect with the identified parameters, {0} plane", &[&name]),
+        false => tr!(words, "prediction-difference-title", plane = name),
+        true => tr!(words, "prediction-expected-title", plane = name),
     };
     let largest = length(super::axis::largest(nodes.iter().map(|n| size(n))));
-    let mut description = words.fill("A cell every {0} mm in the base frame, where the calibration poses reach; colour from 0 to {1}, one scale for both pictures; largest {2}.", &[&number::stated(spacing_mm), &top(common), &largest]);
+    let mut description =
+        tr!(words, "prediction-description", spacing = number::stated(spacing_mm), colour = top(common), largest);
     if seen != XY || nodes.iter().any(|n| n.at_mm[2] != nodes[0].at_mm[2]) {
-        description += &format!(" {}", words.say("Of cells behind one another the largest is drawn."));
+        description += &format!(" {}", tr!(words, "prediction-behind"));
     }
     let key = if identified { "identified" } else { "nominal" };
     Figure {
         pair: format!("prediction-{name}"),
         side: points::side(identified),
-        sides: Some(["nominal minus identified", "expected"]),
+        sides: Some([tr!(words, "nominal-minus-identified"), tr!(words, "expected")]),
         scaled: true,
         ..map.figure(&format!("prediction-{key}-{name}"), title, description)
     }
@@ -76,8 +77,7 @@ fn picture(
 fn tooltip(n: &MapNode, words: &Words) -> String {
     let [x, y, z] = n.at_mm.map(number::stated);
     let [difference, expected, p95] = [n.before_mm, n.standard_uncertainty_mm, n.p95_mm].map(length);
-    let values: [&dyn std::fmt::Display; 6] = [&x, &y, &z, &difference, &expected, &p95];
-    words.fill("x {0}, y {1}, z {2} mm: nominal minus identified {3}; expected {4} (k = 1), 95 % at most {5}", &values)
+    tr!(words, "prediction-tooltip", x, y, z, difference, expected, largest = p95)
 }
 
 #[cfg(test)]

@@ -24,8 +24,8 @@ pub(crate) fn pictures(errors: &[&PointError], planar: bool, words: &Words) -> V
 fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Figure {
     let drawn = points::readable(errors);
     let poses = by_pose::poses(&drawn);
-    let name = words.fill("measured minus predicted in {0}", &[&up.shown().unit]);
-    let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [words.say("pose"), name]);
+    let name = tr!(words, "measured-minus-predicted-in", unit = up.shown().unit);
+    let mut chart = Chart::new(WIDE, [by_pose::across(&poses), up.clone()], [tr!(words, "pose"), name]);
     chart.level("axis", 0.0);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(axes) {
         // side by side
@@ -36,9 +36,9 @@ fn by_poses(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> Fi
         }
         chart.svg.legend(Look::group(axis), name);
     }
-    let title = words.say("Residuals by pose after calibration");
-    let description = words.say("One mark for each pose, cycle, target and axis.");
-    let note = words.say("What follows a pattern is not noise: the model lacks something.");
+    let title = tr!(words, "residuals-by-pose");
+    let description = tr!(words, "residuals-by-pose-description");
+    let note = tr!(words, "residuals-pattern");
     let caption = note + &points::how_many(drawn.len(), errors.len(), words);
     Figure { caption, ..chart.figure("residuals", title, description) }
 }
@@ -59,10 +59,7 @@ fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> O
     let quantile = |i: usize| normal.inverse_cdf((i as f64 + 0.625) / (count as f64 + 0.25));
     let (across, shown) = (Axis::both_ways(number::shown("", 0.0), -quantile(0)), up.shown());
     let (widest, reach) = (across.ends().1, up.ends().1);
-    let names = [
-        words.say("quantile of the normal distribution"),
-        words.fill("measured minus predicted in {0}", &[&shown.unit]),
-    ];
+    let names = [tr!(words, "normal-quantile"), tr!(words, "measured-minus-predicted-in", unit = shown.unit)];
     let mut chart = Chart::new(NARROW, [across, up.clone()], names);
     // clipped at the edge of the figure
     let end = |q: f64| if deviation > 0.0 { q.signum() * q.abs().min((reach - mean.abs()) / deviation) } else { q };
@@ -73,16 +70,12 @@ fn quantiles(errors: &[&PointError], axes: usize, up: &Axis, words: &Words) -> O
         let at = chart.at(quantile(i), *value);
         chart.svg.mark(CALIBRATION, at, 2.4, &points::tooltip(p, words));
     }
-    let title = words.say("Residuals of the calibration poses against a normal distribution");
-    let description =
-        words.say("Sorted residuals over the quantiles of a normal distribution; the line is that of noise.");
+    let title = tr!(words, "residuals-against-normal");
+    let description = tr!(words, "quantiles-description");
     let decimals = number::decimals(deviation * shown.factor, 2).unwrap_or(0);
     let [mean, deviation] =
         [mean, deviation].map(|v| format!("{} {}", number::fixed(v * shown.factor, decimals), shown.unit));
-    let caption = words.fill(
-        "{0} residuals, mean {1}, standard deviation {2}; the line is that of noise alone.",
-        &[&count, &mean, &deviation],
-    );
+    let caption = tr!(words, "residuals-summary", count, mean, deviation);
     Some(Figure { caption, ..chart.figure("quantiles", title, description) })
 }
 

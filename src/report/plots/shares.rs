@@ -2,20 +2,16 @@
 
 use super::intervals::shortened;
 use super::layer::*;
-use etalon_documents::{ParameterEntry, ParametersDocument, UncertaintySource};
+use etalon_documents::{ParameterEntry, ParametersDocument};
 
 /// Maximum number of parameters; base and targets are first in the list, and many.
 const MOST: usize = 40;
 /// Smallest share whose number is shown.
 const WRITTEN: f64 = 0.08;
 
-/// One bar for each parameter, with sources by name; `None` with a single source.
-pub(crate) fn picture(
-    document: &ParametersDocument,
-    name_of: fn(UncertaintySource) -> &'static str,
-    words: &Words,
-) -> Option<Figure> {
-    let sources: Vec<_> = document.budget.iter().map(|s| (words.say(name_of(s.source)), s)).collect();
+/// One bar for each parameter, `None` with a single source.
+pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
+    let sources: Vec<_> = document.budget.iter().map(|s| (words.tr(&names::source(s.source)), s)).collect();
     let all: Vec<(usize, &ParameterEntry)> = document.identified().enumerate().collect();
     let all = &all[all.len().saturating_sub(MOST)..];
     if sources.len() < 2 || sources.len() > COLOURS.len() || all.is_empty() {
@@ -44,8 +40,8 @@ pub(crate) fn picture(
     for (j, (name, _)) in sources.iter().enumerate() {
         chart.svg.legend(Look::colour(COLOURS[j]), name);
     }
-    let title = words.say("Shares of the sources in the variance");
-    let description = words.say("One bar for each parameter, of the squares of the contributions in percent.");
-    let caption = words.say("In the order of the columns of the table above, from left to right.");
+    let title = tr!(words, "budget-shares-title");
+    let description = tr!(words, "budget-shares-description");
+    let caption = tr!(words, "budget-shares-order");
     Some(Figure { caption, ..chart.figure("shares", title, description) })
 }

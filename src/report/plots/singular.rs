@@ -26,12 +26,12 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
     let up = Axis::decades("", (smallest, largest), DECADES);
     let labels = (0..all.len()).step_by(all.len().div_ceil(LABELS)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(all.len(), labels.collect(), 0.7);
-    let names = [words.say("number of the singular value"), words.say("singular value")];
+    let names = [tr!(words, "singular-value-number"), tr!(words, "singular-value")];
     let mut chart = Chart::new(WIDE, [across, up], names);
     if is_cut_drawn {
         chart.level("knee", cut);
         let (x, y) = chart.at(-0.7, cut);
-        chart.svg.text("start", (x + 8.0, y - 6.0), &words.fill("rank cut {0}", &[&significant(cut, 2)]));
+        chart.svg.text("start", (x + 8.0, y - 6.0), &tr!(words, "rank-cut", value = significant(cut, 2)));
     }
     for (i, (s, held)) in all.iter().enumerate() {
         let at = chart.at(i as f64, s.value);
@@ -40,31 +40,30 @@ pub(crate) fn picture(o: &ObservabilitySummary, words: &Words) -> Option<Figure>
         chart.svg.mark(look, at, radius, tip.trim_end());
     }
     let row = |(i, (s, held)): (usize, &(&SingularValueEntry, bool))| {
-        let direction = if *held { words.say("held") } else { words.say("identified") };
+        let direction = if *held { tr!(words, "held") } else { tr!(words, "identified") };
         vec![(i + 1).to_string(), significant(s.value, 4), direction, s.parameters.join(", ")]
     };
-    let title = words.say("Singular values of the identification");
-    let description = words.say("One mark for each singular value in descending order, on a logarithmic axis: high is well observable, low is badly observable.");
+    let title = tr!(words, "singular-values-title");
+    let description = tr!(words, "singular-values-description");
     Some(Figure {
         caption: caption(o, words),
-        table_title: words.say("Numbers of this picture"),
-        header: vec![words.say("number"), words.say("singular value"), words.say("direction"), words.say("parameters")],
+        table_title: tr!(words, "numbers-of-this-picture"),
+        header: vec![
+            tr!(words, "number"),
+            tr!(words, "singular-value"),
+            tr!(words, "direction"),
+            tr!(words, "parameters"),
+        ],
         rows: all.iter().enumerate().map(row).collect(),
         ..chart.figure("singular-values", title, description)
     })
 }
 
 fn caption(o: &ObservabilitySummary, words: &Words) -> String {
-    let scaled = words.fill(
-        "Of the Jacobian at the solution, every column divided by its norm, as the identification scales it: rank {0}, condition number {1}, the largest over the smallest of the circles.",
-        &[&o.rank, &significant(o.condition, 3)],
-    );
+    let scaled = tr!(words, "singular-values-caption", rank = o.rank, condition = significant(o.condition, 3));
     let cut = match o.held_singular_values.len() {
-        0 => words.fill("None is held: no column lies within the rank cut of {0} of what the others span.", &[&significant(o.rank_cut, 2)]),
-        held => words.fill(
-            "Diamonds: the {0} smallest with all parameters; as many are held. About the line at {1} times the largest and below it the data do not determine a direction, above it hardly.",
-            &[&held, &significant(o.rank_cut, 2)],
-        ),
+        0 => tr!(words, "nothing-held", cut = significant(o.rank_cut, 2)),
+        held => tr!(words, "held-singular-values", count = held, cut = significant(o.rank_cut, 2)),
     };
     format!("{scaled} {cut}")
 }

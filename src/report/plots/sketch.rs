@@ -67,8 +67,8 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
         }
         svg.text(class, at, name);
     }
-    let title = words.say("The model and its parameters");
-    Some(svg.figure(&format!("sketch-{index}"), title, words.say(&sketch.title)))
+    let title = tr!(words, "sketch-title");
+    Some(svg.figure(&format!("sketch-{index}"), title, words.term(&sketch.title)))
 }
 
 /// Unit normal of the line between two positions; zero if they coincide.

@@ -23,12 +23,12 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
     let ends = |v: &CompareValue| [v.low, v.high].into_iter().flatten().filter(|e| drawable(*e));
     let up = Axis::over(&trend.unit, range(points.iter().flat_map(|(_, value, v)| ends(v).chain([*value])))?, 0.08);
     let name = match up.shown().unit {
-        "" => words.say("ratio"),
-        unit => words.fill("{0} in {1}", &[&words.say("value"), &unit]),
+        "" => tr!(words, "ratio"),
+        unit => tr!(words, "quantity-in-unit", quantity = tr!(words, "value"), unit),
     };
     let numbers = (0..labels.len()).step_by(labels.len().div_ceil(NUMBERED)).map(|i| (i as f64, (i + 1).to_string()));
     let across = Axis::rows(labels.len(), numbers.collect(), 0.5);
-    let mut chart = Chart::new(NARROW, [across, up], [words.say("campaign"), name]);
+    let mut chart = Chart::new(NARROW, [across, up], [tr!(words, "campaign"), name]);
     let places: Vec<_> = points.iter().map(|(i, value, _)| chart.at(*i as f64, *value)).collect();
     chart.svg.lines("grid", &places);
     for ((i, value, v), at) in points.iter().zip(places) {
@@ -36,7 +36,7 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
         chart.svg.interval("arrow-cal", at, ends);
         let (look, radius) = if changed(trend, *i) { (VALIDATION, 5.0) } else { (CALIBRATION, 4.0) };
         let shown = number::with_uncertainty(*value, comparison::half(v));
-        let tip = words.fill("campaign {0}: {1} {2}", &[&(i + 1), &shown, &comparison::unit(&trend.unit)]);
+        let tip = tr!(words, "campaign-value", campaign = (i + 1), value = shown, unit = comparison::unit(&trend.unit));
         chart.svg.mark(look, at, radius, &tip);
     }
     if labels.len() <= LABELLED {
@@ -45,9 +45,8 @@ pub(crate) fn picture(trend: &CompareTrend, index: usize, labels: &[Label], word
             chart.svg.text("mid", (chart.at(i as f64, 0.0).0, y), label);
         }
     }
-    let description =
-        words.say("One mark for each campaign with its interval of 95 %; diamonds changed significantly.");
-    let caption = format!("{} {}", words.say("Intervals of 95 %."), sentence(trend, words));
+    let description = tr!(words, "trend-description");
+    let caption = format!("{} {}", tr!(words, "intervals-of-95"), sentence(trend, words));
     Some(Figure { caption, ..chart.figure(&format!("trend-{index}"), quantity(trend, words), description) })
 }
 
@@ -62,9 +61,9 @@ fn sentence(trend: &CompareTrend, words: &Words) -> String {
     match changed.is_empty() {
         true if trend.changes.iter().all(|c| c.significant.is_none()) => {
             let known = trend.changes.iter().any(|c| c.low.is_some());
-            if known { words.say("not judged: the model misfits") } else { words.say("no uncertainty is known") }
+            if known { tr!(words, "not-judged-by-misfit") } else { tr!(words, "no-uncertainty-is-known") }
         }
-        true => words.say("No significant change."),
-        false => words.fill("Significant: {0}.", &[&changed.join(", ")]),
+        true => tr!(words, "no-significant-change-sentence"),
+        false => tr!(words, "significant-changes", campaigns = changed.join(", ")),
     }
 }

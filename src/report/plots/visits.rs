@@ -3,7 +3,6 @@
 use super::layer::*;
 use etalon_documents::{Iso9283Document, Iso9283Pose, Iso9283Visit};
 use std::collections::BTreeMap;
-use std::fmt::Display;
 
 /// Style of a visit without recorded approach.
 const UNKNOWN: Look<'static> = Look { shape: Shape::Circle, class: "map", fill: "#ffffff" };
@@ -13,7 +12,7 @@ const DRAWABLE_UM: f64 = 1e9;
 /// Name of an approach; the program's own texts are translated, names from a table are kept.
 pub(crate) fn approach(name: &str, words: &Words) -> String {
     match name.strip_prefix("from pose ") {
-        Some(pose) => words.fill("from pose {0}", &[&pose]),
+        Some(pose) => tr!(words, "from-pose-named", pose),
         None => name.to_owned(),
     }
 }
@@ -41,7 +40,7 @@ pub(crate) fn pictures(document: &Iso9283Document, words: &Words) -> Vec<Figure>
 
 /// Approach in words.
 fn approached(name: Option<&str>, words: &Words) -> String {
-    name.map_or_else(|| words.say("the first"), |name| approach(name, words))
+    name.map_or_else(|| tr!(words, "the-first"), |name| approach(name, words))
 }
 
 /// Draws the commanded point: a cross, or an arrow in its direction if it is outside the figure.
@@ -49,7 +48,7 @@ fn approached(name: Option<&str>, words: &Words) -> String {
 fn commanded(map: &mut Workspace, p: Vector, words: &Words) {
     let hollow = |shape| Look::new(shape, "before");
     let [dx, dy, dz] = p.map(|v| number::fixed(v, 1));
-    let tip = words.fill("commanded: x {0}, y {1}, z {2} µm from the mean", &[&dx, &dy, &dz]);
+    let tip = tr!(words, "commanded-tooltip", x = dx, y = dy, z = dz);
     match map.towards(p) {
         None => {
             let at = map.at(p).at;
@@ -63,7 +62,7 @@ fn commanded(map: &mut Workspace, p: Vector, words: &Words) {
     }
     let y = map.svg.row();
     map.svg.cross("commanded", (30.0, y), 4.5);
-    let name = words.fill("commanded, {0} µm away", &[&number::fixed(norm(p), 1)]);
+    let name = tr!(words, "commanded-away", distance = number::fixed(norm(p), 1));
     map.svg.text("start", (40.0, y + 4.0), &name);
 }
 
@@ -86,15 +85,14 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words
     let xyz = |place: Vector| place.map(|v| number::fixed(v, 1));
     for (visit, place) in visits.iter().zip(&places) {
         let (from, [x, y, z]) = (approached(visit.approach.as_deref(), words), xyz(*place));
-        let values: [&dyn Display; 6] = [&pose, &visit.cycle, &from, &x, &y, &z];
-        let tip = words.fill("pose {0}, cycle {1}, {2}: x {3}, y {4}, z {5} µm from the mean", &values);
+        let tip = tr!(words, "visit-tooltip", pose, cycle = visit.cycle, approach = from, x, y, z);
         map.svg.mark(look(visit.approach.as_deref()), map.at(*place), 3.0, &tip);
     }
     for (name, places) in &groups {
         if let Some(from) = name {
             let mean = centroid(places)?;
             let [x, y, z] = xyz(mean);
-            let tip = words.fill("mean {0}: x {1}, y {2}, z {3} µm", &[&approach(from, words), &x, &y, &z]);
+            let tip = tr!(words, "mean-tooltip", approach = approach(from, words), x, y, z);
             map.svg.mark(Look { class: "mean", ..look(*name) }, map.at(mean), 6.5, &tip);
         }
         map.svg.legend(look(*name), &format!("{} ({})", approached(*name, words), places.len()));
@@ -107,22 +105,18 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, words: &Words
         first.into_iter().chain(xyz(*place)).collect()
     };
     let name = seen.name();
-    let title = words.fill("Pose {0}, {1} plane", &[&pose, &name]);
-    let description =
-        words.fill("{0} visits about their mean, by approach; large marks are the means.", &[&visits.len()]);
+    let title = tr!(words, "visits-of-pose-title", pose, plane = name);
+    let description = tr!(words, "visits-by-approach", visits = visits.len());
     let caption = match known.len() > 1 {
-        true => words.fill(
-            "{0} visits about their mean; colour and form show from which pose it was approached, large marks are the means.",
-            &[&visits.len()],
-        ),
+        true => tr!(words, "visits-by-approach-in-space", visits = visits.len()),
         false => {
-            words.fill("{0} visits about their mean, all from one pose; the large mark is their mean.", &[&visits.len()])
+            tr!(words, "visits-from-one-pose", visits = visits.len())
         }
     };
     Some(Figure {
         caption,
-        table_title: words.say("Numbers of this picture"),
-        header: [words.say("cycle"), words.say("approached")]
+        table_title: tr!(words, "numbers-of-this-picture"),
+        header: [tr!(words, "cycle"), tr!(words, "approached")]
             .into_iter()
             .chain(["x", "y", "z"].map(|axis| format!("{axis}, µm")))
             .collect(),

@@ -6,7 +6,7 @@ use super::svg::{NARROW, Place, Spot, Svg};
 use super::view::{ASLANT, Paper};
 use crate::model::Figure;
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, tr};
 use etalon_base::pose::{Vector, minus, norm};
 
 const RIGHT: f64 = NARROW - 12.0;
@@ -94,7 +94,7 @@ impl Workspace {
         let (_, first) = fitted(52.0);
         let (scale, frame) = fitted(left_of(&first.up, AXES[axes[1]]));
         let mut svg = Svg::new(NARROW, frame.bottom + UNDER);
-        let [along, upwards] = axes.map(|axis| words.fill("{0} in {1}", &[&AXES[axis], &unit]));
+        let [along, upwards] = axes.map(|axis| tr!(words, "quantity-in-unit", quantity = AXES[axis], unit));
         frame.draw(&mut svg, [&along, &upwards], true);
         Self { svg, scale, projection: Projection::Plane(axes, frame) }
     }

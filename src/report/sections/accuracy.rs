@@ -4,7 +4,8 @@
 use super::repeatability::{Named, angles, columns, conformity, interval, named};
 use crate::model::{Block, Columns, Section, Table, fixed};
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_documents::{Characteristics, Iso9283Distance, Iso9283Document, Iso9283Pose};
 
 /// Maximum number of distances on a page; the workbook contains all.
@@ -12,20 +13,19 @@ const DISTANCES: usize = 60;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let poses = named(tested.poses.as_ref()?, words);
-    let mut section = Section::new("accuracy", words.say("Accuracy"));
-    let note =
-        words.say("AP: distance of the mean from the commanded position, and its coordinates (ISO 9283:1998, 7.2.1).");
-    section.table(words.say("Accuracy of position"), note, positions(&poses, words));
-    let note = words.say("AP: mean minus commanded angle; RP: three standard deviations; each angle alone (ISO 9283:1998, 7.2.1 and 7.2.2).");
-    section.table(words.say("Orientation"), note, orientation(&poses, words));
+    let mut section = Section::new("accuracy", tr!(words, "accuracy"));
+    let note = tr!(words, "definition-ap");
+    section.table(tr!(words, "accuracy-of-position"), note, positions(&poses, words));
+    let note = tr!(words, "definition-ap-rp-of-angles");
+    section.table(tr!(words, "orientation-title"), note, orientation(&poses, words));
     section.on_terminal().whole()
 }
 
 /// Distances between poses (7.3).
 pub(super) fn distances(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;
-    let mut section = Section::new("distances", words.say("Distances between poses"));
-    let note = words.say("AD: mean attained minus commanded distance; RD: three standard deviations of the attained one (ISO 9283:1998, 7.3).");
+    let mut section = Section::new("distances", tr!(words, "distances-between-poses"));
+    let note = tr!(words, "definition-ad-rd");
     section.table("", note, between_poses(document, words));
     section.table("", "", turned(document, words).detail());
     section.on_terminal().whole()
@@ -34,11 +34,8 @@ pub(super) fn distances(tested: &Characteristics, words: &Words) -> Option<Secti
 /// Differences between robots of one type (7.7).
 pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option<Section> {
     let um = number::fixed(1e3 * tested.poses.as_ref()?.exchangeability_mm?, 1);
-    let mut section = Section::new("exchangeability", words.say("Exchangeability"));
-    section.push(Block::text(words.fill(
-        "E = {0} µm: the largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).",
-        &[&um],
-    )));
+    let mut section = Section::new("exchangeability", tr!(words, "exchangeability"));
+    section.push(Block::text(tr!(words, "exchangeability-between-robots", distance = um)));
     section.on_terminal().whole()
 }
 
@@ -48,7 +45,7 @@ fn positions(poses: &[Named], words: &Words) -> Table {
         .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
         .page_of(columns(), &["AP x", "AP y", "AP z"])
         .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
-        .page("verdict", "", |n| conformity(n.pose.ap_conformity, words));
+        .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words));
     let commanded = poses.iter().filter(|n| n.pose.ap_mm.is_some());
     Table::of(words, commanded, columns).without_empty_columns()
 }
@@ -62,10 +59,10 @@ fn orientation(poses: &[Named], words: &Words) -> Table {
 
 fn between_poses(document: &Iso9283Document, words: &Words) -> Table {
     let columns = Columns::<Iso9283Distance>::new()
-        .page("between poses", "", between)
+        .page(phrase!("between-poses"), "", between)
         .sheet("pose", "", |d| d.poses[0])
         .sheet("other pose", "", |d| d.poses[1])
-        .both("cycles", "", |d| d.cycles)
+        .both(phrase!("cycles"), "", |d| d.cycles)
         .micrometres("AD", |d| d.ad_mm)
         .micrometres("AD x", |d| d.ad_axes_mm.first().copied())
         .micrometres("AD y", |d| d.ad_axes_mm.get(1).copied())
@@ -96,7 +93,11 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
     }
     let title = |of: &str| names.iter().map(|a| format!("{of} {a}")).collect::<Vec<_>>();
     let (ad, rd) = (title("AD"), title("RD"));
-    let first = Columns::<Iso9283Distance>::new().page("between poses", "", between).page("cycles", "", |d| d.cycles);
+    let first = Columns::<Iso9283Distance>::new().page(phrase!("between-poses"), "", between).page(
+        phrase!("cycles"),
+        "",
+        |d| d.cycles,
+    );
     let columns = first.page_angles(&ad, |d| &d.ad_angles_deg).page_angles(&rd, |d| &d.rd_angles_deg);
     Table::of(words, &document.distances, columns).showing(DISTANCES)
 }

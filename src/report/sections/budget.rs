@@ -5,7 +5,9 @@ use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, term};
 use crate::number;
 use crate::plots::shares;
-use crate::words::Words;
+use crate::words::{Words, names, tr};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_documents::{
     AccuracyDocument, BudgetSource, Figure, FigureBudget, ParameterEntry, ParametersDocument,
     UncertaintySource as Source,
@@ -16,78 +18,64 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     if parameters.budget.is_empty() {
         return None;
     }
-    let mut section = Section::new("budget", words.say("Uncertainty budget"));
-    section.push(Block::note(words.say("Contributions to the standard uncertainties (k = 1) in the unit of each line; their squares add up to that of the last column. What several readings have in common stays common.")));
+    let mut section = Section::new("budget", tr!(words, "uncertainty-budget"));
+    section.push(Block::note(tr!(words, "budget-note")));
     section.push(Block::Table(table(parameters, words)));
     let figures = figures(accuracy, words);
     if !figures.is_empty() {
-        section.push(Block::note(words.say("Errors of the validation poses: what they would scatter by if calibration and validation were made again. Limits are judged by the uncertainty of the measurement alone, because the identified parameters are what is judged.")));
+        section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
     section.push(Block::facts(sources(parameters, words)));
-    section.figures(shares::picture(parameters, name, words));
+    section.figures(shares::picture(parameters, words));
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
 }
 
-/// Name of a source.
-fn name(source: Source) -> &'static str {
-    match source {
-        Source::Instrument => "instrument",
-        Source::Contact => "contact",
-        Source::RigidParts => "rigid parts",
-        Source::KnownPoints => "known points",
-        Source::NominalValues => "nominal values",
-        Source::Repeatability => "repeatability",
-        Source::Model => "model",
-        Source::Residuals => "residuals",
-        Source::Frame => "world frame",
-        Source::FrameOfPoses => "frames of poses",
-        Source::Scale => "scale",
-        Source::Temperature => "temperature",
-        Source::Homing => "homing",
-    }
-}
-
 /// Explanation of a source.
-fn meaning(source: Source) -> &'static str {
+fn meaning(source: Source) -> Phrase {
     match source {
-        Source::Instrument => "the stated uncertainty of each reading",
-        Source::Contact => "how well the robot finds a measured point again, as stated",
-        Source::RigidParts => "stated shapes of parts that carry targets",
-        Source::KnownPoints => "stated places and lengths of fixed points",
-        Source::NominalValues => "nominal values of the parameters, by their tolerances",
-        Source::Repeatability => "what repeats of a pose scatter beyond the instrument",
-        Source::Model => "what residuals exceed all of this by: errors of the robot that the model does not describe",
-        Source::Residuals => "scatter of the residuals; no uncertainty is stated",
-        Source::Frame => "points that define the world frame, in common to all poses",
-        Source::FrameOfPoses => "points of the frame that was measured again at each pose",
-        Source::Scale => "scale of the measuring system, in common to all lengths",
-        Source::Temperature => "temperature, by the expansion of robot and part, in common to all lengths",
-        Source::Homing => "joint values after homing, in common to all poses",
+        Source::Instrument => phrase!("source-instrument-meaning"),
+        Source::Contact => phrase!("source-contact-meaning"),
+        Source::RigidParts => phrase!("source-rigid-parts-meaning"),
+        Source::KnownPoints => phrase!("source-known-points-meaning"),
+        Source::NominalValues => phrase!("source-nominal-values-meaning"),
+        Source::Repeatability => phrase!("source-repeatability-meaning"),
+        Source::Model => phrase!("source-model-meaning"),
+        Source::Residuals => phrase!("source-residuals-meaning"),
+        Source::Frame => phrase!("source-frame-meaning"),
+        Source::FrameOfPoses => phrase!("source-frame-of-poses-meaning"),
+        Source::Scale => phrase!("source-scale-meaning"),
+        Source::Temperature => phrase!("source-temperature-meaning"),
+        Source::Homing => phrase!("source-homing-meaning"),
     }
 }
 
 fn sources(parameters: &ParametersDocument, words: &Words) -> Vec<(String, Cell)> {
-    parameters.budget.iter().map(|b| (words.say(name(b.source)), words.say(meaning(b.source)).into())).collect()
+    parameters
+        .budget
+        .iter()
+        .map(|b| (words.tr(&names::source(b.source)), words.tr(&meaning(b.source)).into()))
+        .collect()
 }
 
 fn table(document: &ParametersDocument, words: &Words) -> Table {
     let identified: Vec<(usize, &ParameterEntry)> = document.identified().enumerate().collect();
-    let start = Columns::<(usize, &ParameterEntry)>::new().both("name", "", |(_, p)| p.name.as_str()).both(
-        "unit",
+    let start = Columns::<(usize, &ParameterEntry)>::new().both(phrase!("name"), "", |(_, p)| p.name.as_str()).both(
+        phrase!("unit"),
         "",
         |(_, p)| p.unit.as_str(),
     );
     let columns = document.budget.iter().fold(start, |columns, source| {
-        columns.both(name(source.source), "", |(k, p)| {
+        columns.both(names::source(source.source), "", |(k, p)| {
             part(source.standard_uncertainties.get(*k).copied(), p.standard_uncertainty, 1.0)
         })
     });
-    let columns =
-        columns.both("u (k = 1)", "", |(_, p)| significant(p.standard_uncertainty, 2)).both("largest", "", |(k, _)| {
-            largest(&document.budget, *k).map_or(Cell::Missing, |s| term(words, name(s)))
-        });
+    let columns = columns.both("u (k = 1)", "", |(_, p)| significant(p.standard_uncertainty, 2)).both(
+        phrase!("largest"),
+        "",
+        |(k, _)| largest(&document.budget, *k).map_or(Cell::Missing, |s| term(words, names::source(s))),
+    );
     Table::of(words, &identified, columns).on("Uncertainty budget")
 }
 
@@ -108,32 +96,36 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     let mut sources: Vec<Source> = document.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
-    let start = Columns::<FigureBudget>::new().both("figure", "", |f| term(words, figure(f)));
+    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, figure(f)));
     let columns = sources.into_iter().fold(start, |columns, source| {
         let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)
         };
         let cell = move |f: &FigureBudget| part(of(f), Some(f.standard_uncertainty_mm), 1e3);
-        columns.both(name(source), "mm", cell).shown_in("µm")
+        columns.both(names::source(source), "mm", cell).shown_in("µm")
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
     let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
     Table::of(words, &document.budget, columns).on("Budget of errors")
 }
 
-fn figure(f: &FigureBudget) -> &'static str {
+fn figure(f: &FigureBudget) -> Phrase {
     match f.figure {
-        Figure::Mean => "mean position error, validation",
-        Figure::Rms => "root mean square position error, validation",
-        Figure::Max => "largest position error, validation",
+        Figure::Mean => phrase!("mean-error-of-validation"),
+        Figure::Rms => phrase!("rms-error-of-validation"),
+        Figure::Max => phrase!("largest-error-of-validation"),
     }
 }
 
 /// Sentence on repeats of poses.
 fn repeats(document: &ParametersDocument, words: &Words) -> String {
     let Some(found) = document.residuals.repeats else { return String::new() };
-    words.fill(
-        "Repeats of a pose scatter by {0} µm a coordinate ({1} degrees of freedom); beside that the model leaves {2} µm at a pose (F test of lack of fit: {3}).",
-        &[&number::fixed(1e3 * found.repeats_mm, 1), &found.degrees_of_freedom, &number::fixed(1e3 * found.lack_of_fit_mm, 1), &number::p_value(found.p_value)],
+    tr!(
+        words,
+        "lack-of-fit",
+        repeats = number::fixed(1e3 * found.repeats_mm, 1),
+        degrees_of_freedom = found.degrees_of_freedom,
+        model = number::fixed(1e3 * found.lack_of_fit_mm, 1),
+        probability = number::p_value(found.p_value)
     )
 }

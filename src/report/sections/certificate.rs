@@ -4,16 +4,16 @@
 use super::{conditions, errors, limits};
 use crate::Report;
 use crate::model::{Block, Contents, Section, Verdict};
-use crate::words::Words;
+use crate::words::{Words, tr};
 use etalon_documents::AccuracyDocument;
 
 /// Contents of the page, from the contents of the report.
 pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
     let title = match report.identified {
-        Some(_) => words.say("Calibration certificate"),
-        None => words.say("Test certificate"),
+        Some(_) => tr!(words, "calibration-certificate"),
+        None => tr!(words, "test-certificate"),
     };
-    let mut facts = Section::new("conditions", words.say("Item, customer, traceability"));
+    let mut facts = Section::new("conditions", tr!(words, "item-customer-traceability"));
     facts.push(Block::facts(conditions::of_certificate(report, words)));
     let of_set = report.identified.and_then(|i| {
         // from the decisive poses
@@ -28,14 +28,14 @@ pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Conte
             ..i.accuracy.clone()
         };
         let mut section = errors::of(&accuracy, &[], words);
-        section.title = words.say("Results: errors before and after");
+        section.title = tr!(words, "results-before-and-after");
         Some(section)
     });
     Contents {
         subtitle: format!("{}. {}", whole.title, whole.subtitle),
         title,
         sections: [Some(facts), of_set, limits::section(report, words)].into_iter().flatten().collect(),
-        statement: format!("{} {}", whole.statement, words.say("This certificate may be reproduced only as a whole.")),
+        statement: format!("{} {}", whole.statement, tr!(words, "certificate-reproduction")),
         // the table contains them
         verdict: Verdict { about: String::new(), headlines: Vec::new(), ..whole.verdict },
         compact: true,

@@ -6,13 +6,13 @@ use crate::model::{
 use crate::number::{self, stated};
 use crate::plots::trend;
 use crate::words::comparison::{Change, change, family, quantity, unit, value};
-use crate::words::{Words, isolated};
+use crate::words::{Words, isolated, tr};
 use etalon_base::message::one_line;
+use etalon_base::phrase;
 use etalon_documents::{
     CompareBetween, CompareChange, CompareDocument, CompareFamily, CompareTogether, CompareTrend, CompareValue,
     ComparedCampaign,
 };
-use std::fmt::Display;
 
 /// Maximum number of figures.
 const PICTURES: usize = 60;
@@ -36,13 +36,13 @@ pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section>
         let trends: Vec<&CompareTrend> = of_family.into_iter().map(|(_, t)| t).collect();
         let id = format!("family-{}", all.len() - 2);
         let mut section = Section::new(id, family(first.family, words));
-        section.table(words.say("Changes"), "", changes(&trends, words));
+        section.table(tr!(words, "changes"), "", changes(&trends, words));
         section.figures(figures);
         if undrawn > 0 {
-            let note = words.fill("{0} more quantities have no picture: the tables have them all.", &[&undrawn]);
+            let note = tr!(words, "more-without-picture", count = undrawn);
             section.push(Block::note(note));
         }
-        let title = words.say("Values of every campaign");
+        let title = tr!(words, "values-of-every-campaign");
         section.push(Block::Aside { title, blocks: vec![Block::Table(values(compare, &trends, words))] });
         section.push(Block::Table(all_values(&trends, words)));
         all.push(section.on_terminal());
@@ -62,9 +62,9 @@ pub(crate) fn lead(compare: &CompareDocument, words: &Words) -> String {
     let count = compare.campaigns.len();
     match compare.campaigns.iter().find_map(|c| c.robot.as_ref()) {
         Some(robot) => {
-            words.fill("{0} campaigns of robot {1}, in the order named", &[&count, &isolated(&one_line(robot))])
+            tr!(words, "campaigns-of-robot", count, robot = isolated(&one_line(robot)))
         }
-        None => words.fill("{0} campaigns, in the order named", &[&count]),
+        None => tr!(words, "campaigns-in-order", count),
     }
 }
 
@@ -89,47 +89,46 @@ fn differences(compare: &CompareDocument, words: &Words) -> Vec<String> {
         (all.len() > 1).then_some(all)
     };
     let listed = |all: Vec<String>| all.iter().map(|v| isolated(v)).collect::<Vec<_>>().join("; ");
-    let instruments = differing(&|c| Some(instrument(c)).filter(|text| !text.is_empty())).map(|all| {
-        words.fill("Different instruments: {0}. What they measure differently counts as a change.", &[&listed(all)])
-    });
+    let instruments = differing(&|c| Some(instrument(c)).filter(|text| !text.is_empty()))
+        .map(|all| tr!(words, "different-instruments", instruments = listed(all)));
     type Stated = fn(&ComparedCampaign) -> Option<String>;
     let kinds: [(String, Stated); 4] = [
-        (words.say("mounting"), |c| c.conditions.mounting.clone()),
-        (words.say("measurement point"), |c| c.conditions.measurement_point.clone()),
-        (words.say("load"), |c| c.conditions.load_kg.map(|kg| format!("{kg} kg"))),
-        (words.say("controller"), |c| c.conditions.controller.clone()),
+        (tr!(words, "mounting"), |c| c.conditions.mounting.clone()),
+        (tr!(words, "measurement-point"), |c| c.conditions.measurement_point.clone()),
+        (tr!(words, "load"), |c| c.conditions.load_kg.map(|kg| format!("{kg} kg"))),
+        (tr!(words, "controller"), |c| c.conditions.controller.clone()),
     ];
     let set_ups: Vec<String> =
         kinds.iter().filter_map(|(what, of)| Some(format!("{what}: {}", listed(differing(of)?)))).collect();
-    let set_ups = (!set_ups.is_empty()).then(|| words.fill("Different set-ups: {0}.", &[&set_ups.join("; ")]));
+    let set_ups = (!set_ups.is_empty()).then(|| tr!(words, "different-set-ups", differences = set_ups.join("; ")));
     let identified = |c: &ComparedCampaign| (!c.identified.is_empty()).then(|| c.identified.join(", "));
     let counts =
         || compare.campaigns.iter().filter(|c| !c.identified.is_empty()).map(|c| c.identified.len().to_string());
     let models = differing(&identified).map(|_| {
         let counts = counts().collect::<Vec<_>>().join(", ");
-        words.fill("Different models: {0} parameters were identified; what one holds acts on the others.", &[&counts])
+        tr!(words, "different-models", counts)
     });
     instruments.into_iter().chain(set_ups).chain(models).collect()
 }
 
 fn campaigns(compare: &CompareDocument, words: &Words) -> Section {
     let rows: Vec<(usize, &ComparedCampaign)> = (1..).zip(&compare.campaigns).collect();
-    let date = |c: &ComparedCampaign| c.date.as_deref().map_or_else(|| term(words, "not stated"), Cell::from);
+    let date = |c: &ComparedCampaign| c.date.as_deref().map_or_else(|| term(words, phrase!("not-stated")), Cell::from);
     let columns = Columns::<(usize, &ComparedCampaign)>::new()
-        .both("number", "", |(i, _)| *i)
-        .both("campaign", "", |(_, c)| c.name.as_str())
-        .page("date", "", move |(_, c)| date(c))
+        .both(phrase!("number"), "", |(i, _)| *i)
+        .both(phrase!("campaign"), "", |(_, c)| c.name.as_str())
+        .page(phrase!("date"), "", move |(_, c)| date(c))
         .sheet("date", "", |(_, c)| c.date.as_deref())
-        .page("instrument", "", move |(_, c)| instrument(c))
+        .page(phrase!("instrument"), "", move |(_, c)| instrument(c))
         .sheet("instrument", "", |(_, c)| c.instrument.as_deref())
         .sheet("expanded uncertainty", "µm", |(_, c)| c.expanded_uncertainty_um)
         .sheet("coverage factor", "", |(_, c)| c.coverage_factor)
         .sheet("synthetic data", "", |(_, c)| c.synthetic.as_deref())
         .sheet("degrees of freedom", "", |(_, c)| c.degrees_of_freedom)
-        .both("folder", "", |(_, c)| c.folder.as_str());
-    let mut section = Section::new("campaigns", words.say("Campaigns"));
-    section.summarise(words.say("model of the robot"), compare.robot.as_deref(), "");
-    section.summarise(words.say("conventions"), compare.conventions.join("; "), "");
+        .both(phrase!("folder"), "", |(_, c)| c.folder.as_str());
+    let mut section = Section::new("campaigns", tr!(words, "campaigns"));
+    section.summarise(tr!(words, "model-of-the-robot"), compare.robot.as_deref(), "");
+    section.summarise(tr!(words, "conventions"), compare.conventions.join("; "), "");
     section.push(Block::Table(Table::of(words, &rows, columns).on("Campaigns")));
     section.on_terminal()
 }
@@ -143,20 +142,20 @@ fn rules(compare: &CompareDocument, words: &Words) -> Section {
         .sheet("degrees of freedom", "", |t| t.degrees_of_freedom)
         .sheet("p", "", |t| t.p)
         .sheet("changed", "", |t| if t.significant { "yes" } else { "no" });
-    let mut section = Section::new("rules", words.say("How changes are judged"));
+    let mut section = Section::new("rules", tr!(words, "how-changes-are-judged"));
     compare.together.iter().for_each(|t| section.push(Block::text(together(t, words))));
     compare.conventions.iter().for_each(|c| section.push(Block::text(Text::document(c, words))));
     section.push(Block::Table(Table::of(words, &compare.together, columns).on("All together")));
     let columns = Columns::<CompareBetween>::new()
-        .page("campaign", "", |b| format!("{} – {}", b.from, b.to))
+        .page(phrase!("campaign"), "", |b| format!("{} – {}", b.from, b.to))
         .sheet("campaign", "", |b| b.to)
         .sheet("against", "", |b| b.from)
-        .both("parameters", "", |b| b.parameters)
-        .page("Birge ratio", "", |b| significant(Some(b.birge_ratio), 3))
+        .both(phrase!("parameters"), "", |b| b.parameters)
+        .page(phrase!("birge-ratio"), "", |b| significant(Some(b.birge_ratio), 3))
         .sheet("Birge ratio", "", |b| b.birge_ratio);
     let between = Table::of(words, &compare.between_series, columns).on("Between series");
     if !compare.between_series.is_empty() {
-        section.table(words.say("What differs between series"), "", between);
+        section.table(tr!(words, "what-differs-between-series"), "", between);
     }
     section.on_terminal()
 }
@@ -166,43 +165,45 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
     let rows: Vec<Row> =
         trends.iter().flat_map(|t| t.changes.iter().map(move |c| (*t, c, change(t, c, words)))).collect();
     let judged = |c: &CompareChange| match c.significant {
-        Some(true) => strong_term(words, "changed"),
-        Some(false) => term(words, "no significant change"),
-        None if c.low.is_some() => term(words, "not judged: the model misfits"),
-        None => term(words, "no uncertainty is known"),
+        Some(true) => strong_term(words, phrase!("changed")),
+        Some(false) => term(words, phrase!("no-significant-change")),
+        None if c.low.is_some() => term(words, phrase!("not-judged-by-misfit")),
+        None => term(words, phrase!("no-uncertainty-is-known")),
     };
     let columns = Columns::<Row>::new()
         .sheet("family", "", |(t, ..)| family(t.family, &Words::default()))
-        .page("quantity", "", |(t, ..)| quantity(t, words))
+        .page(phrase!("quantity"), "", |(t, ..)| quantity(t, words))
         .sheet("quantity", "", |(t, ..)| t.name.as_str())
         .sheet("unit", "", |(t, ..)| t.unit.as_str())
-        .page("campaign", "", |(.., w)| Text::from(w.pair.clone()))
+        .page(phrase!("campaign"), "", |(.., w)| Text::from(w.pair.clone()))
         .sheet("campaign", "", |(_, c, _)| c.to)
         .sheet("against", "", |(_, c, _)| c.from)
-        .page("change", "", |(.., w)| numbers(w.change.clone()))
+        .page(phrase!("change"), "", |(.., w)| numbers(w.change.clone()))
         .sheet("change", "", |(_, c, _)| c.change)
         .sheet("ratio", "", |(_, c, _)| c.ratio)
-        .page("95 % interval", "", |(.., w)| numbers(w.interval.clone()))
+        .page(phrase!("interval-95"), "", |(.., w)| numbers(w.interval.clone()))
         .sheet("95 % from", "", |(_, c, _)| c.low)
         .sheet("95 % to", "", |(_, c, _)| c.high)
         .sheet("interval of", "", |(_, c, _)| if c.ratio.is_some() { "ratio" } else { "change" })
         .page("p", "", |(.., w)| numbers(w.p.clone()))
         .sheet("p", "", |(_, c, _)| c.p)
-        .page("p of the family", "", |(.., w)| numbers(w.p_family.clone()))
+        .page(phrase!("p-of-family"), "", |(.., w)| numbers(w.p_family.clone()))
         .sheet("p of the family", "", |(_, c, _)| c.p_family)
         .sheet("changed", "", |(_, c, _)| c.significant.map(|yes| if yes { "yes" } else { "no" }))
-        .page("verdict", "", move |(_, c, _)| judged(c));
+        .page(phrase!("verdict"), "", move |(_, c, _)| judged(c));
     Table::of(words, &rows, columns).on("Changes")
 }
 
 /// One column for each campaign.
 fn values(compare: &CompareDocument, trends: &[&CompareTrend], words: &Words) -> Table {
     let titles: Vec<String> = (1..=compare.campaigns.len()).map(|i| format!("{i} [95 %]")).collect();
-    let first = Columns::<&CompareTrend>::new()
-        .page("quantity", "", |t| quantity(t, words))
-        .page("unit", "", |t| unit(&t.unit));
+    let first = Columns::<&CompareTrend>::new().page(phrase!("quantity"), "", |t| quantity(t, words)).page(
+        phrase!("unit"),
+        "",
+        |t| unit(&t.unit),
+    );
     let columns = titles.iter().enumerate().fold(first, |columns, (i, title)| {
-        columns.page(title, "", move |t| numbers(t.values.get(i).map(|v| value(v, words))))
+        columns.page(title.as_str(), "", move |t| numbers(t.values.get(i).map(|v| value(v, words))))
     });
     Table::of(words, trends, columns).repeating(2)
 }
@@ -235,28 +236,22 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     let judged = |t: &&CompareTrend| t.changes.iter().any(|c| c.significant.is_some());
     let all = compare.trends.iter().filter(robot).filter(judged).count();
     let (class, found) = match (changed.is_empty(), compare.together.iter().any(|t| t.significant)) {
-        (true, false) => {
-            (Grade::Good, words.fill("None of {0} quantities of the robot changed significantly.", &[&all]))
-        }
-        (true, true) => (
-            Grade::Open,
-            words.say("The robot's parameters changed significantly, all together; no single quantity did."),
-        ),
+        (true, false) => (Grade::Good, tr!(words, "no-quantity-changed", total = all)),
+        (true, true) => (Grade::Open, tr!(words, "robot-changed-as-a-whole")),
         (false, _) => {
             let first = changed.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
             let more = if changed.len() > NAMED { ", ..." } else { "" };
             let named = format!("{first}{more}");
-            let values: [&dyn Display; 3] = [&changed.len(), &all, &named];
-            (Grade::Open, words.fill("{0} of {1} quantities of the robot changed significantly: {2}.", &values))
+            (Grade::Open, tr!(words, "quantities-changed", changed = changed.len(), total = all, names = named))
         }
     };
     let known = |t: &&CompareTrend| t.changes.iter().any(|c| c.low.is_some());
     let unjudged = || compare.trends.iter().filter(robot).filter(|t| !judged(t));
     let (misfits, unjudged) = (unjudged().filter(known).count(), unjudged().filter(|t| !known(t)).count());
-    let unknown = words.fill("{0} could not be judged: no uncertainty is known.", &[&unjudged]);
-    let misfit = words.fill("{0} could not be judged: the model misfits.", &[&misfits]);
+    let unknown = tr!(words, "unjudged-without-uncertainty", count = unjudged);
+    let misfit = tr!(words, "unjudged-by-misfit", count = misfits);
     let moved = compare.trends.iter().any(|t| t.family == CompareFamily::MeanPosition && of(t));
-    let elsewhere = words.say("Mean positions changed: the robot, or how its frame was found.");
+    let elsewhere = tr!(words, "mean-positions-changed");
     let more: Vec<String> = [(unjudged > 0, unknown), (misfits > 0, misfit), (moved, elsewhere)]
         .into_iter()
         .filter(|m| m.0)
@@ -266,13 +261,8 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
     let sentence = std::iter::once(found).chain(more).collect::<Vec<_>>().join(" ");
     let frames = || compare.trends.iter().filter(|t| t.family == CompareFamily::SetUp).filter(judged);
     let frames_changed = frames().filter(|t| of(t)).count();
-    let frames = (frames_changed > 0).then(|| {
-        let values: [&dyn Display; 2] = [&frames_changed, &frames().count()];
-        words.fill(
-            "Apart from the robot: {0} of {1} quantities of base and targets changed, as they do with every set-up.",
-            &values,
-        )
-    });
+    let frames =
+        (frames_changed > 0).then(|| tr!(words, "set-up-changes", changed = frames_changed, total = frames().count()));
     let mut sentences = differences(compare, words);
     sentences.push(sentence);
     sentences.extend(frames);
@@ -282,9 +272,26 @@ pub(crate) fn verdict(compare: &CompareDocument, words: &Words) -> Verdict {
 fn together(t: &CompareTogether, words: &Words) -> String {
     let degrees = t.degrees_of_freedom.map_or_else(|| "∞".to_owned(), |d| number::significant(d, 3));
     let (f, p) = (number::significant(t.f, 3), number::p_value(t.p));
-    let values: [&dyn Display; 6] = [&t.to, &t.from, &t.parameters, &f, &degrees, &p];
     match t.significant {
-        true => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, changed significantly (F = {3} with {2} and {4} degrees of freedom, {5}).", &values),
-        false => words.fill("Campaign {0} against {1}: the {2} parameters of the robot, all together, did not change significantly (F = {3} with {2} and {4} degrees of freedom, {5}).", &values),
+        true => tr!(
+            words,
+            "robot-changed-together",
+            to = t.to,
+            from = t.from,
+            parameters = t.parameters,
+            f,
+            degrees_of_freedom = degrees,
+            probability = p
+        ),
+        false => tr!(
+            words,
+            "robot-unchanged-together",
+            to = t.to,
+            from = t.from,
+            parameters = t.parameters,
+            f,
+            degrees_of_freedom = degrees,
+            probability = p
+        ),
     }
 }

@@ -2,28 +2,27 @@
 
 use crate::model::{Block, Columns, Section, Table, Text, shown};
 use crate::number::significant;
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_documents::{Characteristics, Iso9283Compliance};
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.compliance.as_ref()?;
     let per_newton = |mm: Option<f64>| shown(mm, |mm| significant(1e3 * mm, 3));
     let columns = Columns::<Iso9283Compliance>::new()
-        .both("direction", "", |d| d.direction.as_str())
-        .both("compliance", "mm/N", move |d| per_newton(Some(d.compliance_mm_n)))
+        .both(phrase!("direction"), "", |d| d.direction.as_str())
+        .both(phrase!("compliance"), "mm/N", move |d| per_newton(Some(d.compliance_mm_n)))
         .shown_in("µm/N")
         .both("u (k = 1)", "mm/N", move |d| per_newton(d.standard_uncertainty_mm_n))
         .shown_in("µm/N")
-        .both("force up to", "N", |d| shown(d.force_n, |v| v.to_string()))
-        .micrometres("displacement up to", |d| d.largest_mm)
-        .micrometres("off the line", |d| d.off_line_mm)
-        .both("readings", "", |d| d.readings)
-        .both("cycles", "", |d| d.cycles);
-    let note = words.say(
-        "Displacement along the force by force, as a line through the unloaded position fits it (ISO 9283:1998, 10).",
-    );
+        .both(phrase!("force-up-to"), "N", |d| shown(d.force_n, |v| v.to_string()))
+        .micrometres(phrase!("displacement-up-to"), |d| d.largest_mm)
+        .micrometres(phrase!("off-the-line"), |d| d.off_line_mm)
+        .both(phrase!("readings"), "", |d| d.readings)
+        .both(phrase!("cycles"), "", |d| d.cycles);
+    let note = tr!(words, "definition-compliance");
     let table = Table::of(words, &document.directions, columns).on("ISO 9283 compliance").without_empty_columns();
-    let mut section = Section::new("compliance", words.say("Static compliance"));
+    let mut section = Section::new("compliance", tr!(words, "static-compliance"));
     section.table("", note, table);
     section.push(Block::note(Text::conventions(&document.conventions, words)));
     section.on_terminal().whole()

@@ -5,28 +5,28 @@ use super::limits::name;
 use crate::Report;
 use crate::model::{Block, Cell, Section};
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{CampaignSummary, Characteristics, DecisionRule, Iso9283Document};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let campaign = report.campaign;
-    let mut section = Section::new("conditions", words.say("Robot, instrument, conditions"));
+    let mut section = Section::new("conditions", tr!(words, "robot-instrument-conditions"));
     let (identity, conditions) = (identity(report, words), facts(campaign, report.tested, words));
     for (what, said) in identity.iter().chain(&conditions) {
         section.summarise(what, said.clone(), "");
     }
-    section.summarise(words.say("instrument's expanded uncertainty"), campaign.expanded_uncertainty_um, "µm");
-    section.summarise(words.say("coverage factor"), campaign.coverage_factor, "");
-    section.summarise(words.say("temperature"), campaign.temperature_c, "°C");
-    for (heading, facts) in [(None, identity), (Some(words.say("Conditions")), conditions)] {
+    section.summarise(tr!(words, "instrument-expanded-uncertainty"), campaign.expanded_uncertainty_um, "µm");
+    section.summarise(tr!(words, "coverage-factor"), campaign.coverage_factor, "");
+    section.summarise(tr!(words, "temperature"), campaign.temperature_c, "°C");
+    for (heading, facts) in [(None, identity), (Some(tr!(words, "conditions")), conditions)] {
         section.blocks.extend(heading.map(Block::heading));
-        let not_stated = words.say("not stated");
+        let not_stated = tr!(words, "not-stated");
         let (missing, given): (Vec<_>, Vec<_>) = facts.into_iter().partition(|(_, said)| said.plain() == not_stated);
         section.push(Block::facts(given));
         if !missing.is_empty() {
             let names: Vec<String> = missing.into_iter().map(|(what, _)| what).collect();
-            section.push(Block::text(words.fill("Not stated: {0}.", &[&names.join(", ")])));
+            section.push(Block::text(tr!(words, "not-stated-items", items = names.join(", "))));
         }
     }
     section.whole()
@@ -34,32 +34,32 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 /// Names with the statements of the campaign, or "not stated".
 fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cell)> {
-    all.into_iter().map(|(what, text)| (what, text.or_else(|| Some(words.say("not stated"))).into())).collect()
+    all.into_iter().map(|(what, text)| (what, text.or_else(|| Some(tr!(words, "not-stated"))).into())).collect()
 }
 
 /// Identification of report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
 fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, issue) = (report.campaign, &report.campaign.conditions, &report.campaign.issue);
     let rule = c.decision_rule.map(|rule| name(rule, words));
-    let default = || words.fill("{0}; the campaign states none", &[&name(DecisionRule::default(), words)]);
+    let default = || tr!(words, "rule-not-stated", rule = name(DecisionRule::default(), words));
     let all = vec![
-        (words.say("report number"), issue.number.clone()),
-        (words.say("amends report"), Some(issue.amends.clone().unwrap_or_else(|| words.say("none")))),
-        (words.say("laboratory"), given.laboratory.clone()),
-        (words.say("place of the measurements"), given.place.clone()),
-        (words.say("customer"), issue.customer.clone()),
-        (words.say("robot"), robot_name(report)),
-        (words.say("manufacturer"), given.robot_maker.clone()),
-        (words.say("type"), given.robot_type.clone()),
-        (words.say("serial number"), given.robot_serial_number.clone()),
-        (words.say("state of the robot"), given.robot_state.clone()),
-        (words.say("date of receipt"), given.robot_received.clone()),
-        (words.say("date of the measurements"), c.date.clone()),
-        (words.say("date of issue"), issue.issued.clone()),
-        (words.say("method"), Some(method(report, words))),
-        (words.say("decision rule"), rule.or_else(|| Some(default()))),
-        (words.say("results of external providers"), issue.external_results.clone()),
-        (words.say("authorised by"), issue.authorised_by.clone()),
+        (tr!(words, "report-number"), issue.number.clone()),
+        (tr!(words, "amends-report"), Some(issue.amends.clone().unwrap_or_else(|| tr!(words, "none")))),
+        (tr!(words, "laboratory"), given.laboratory.clone()),
+        (tr!(words, "measurement-place"), given.place.clone()),
+        (tr!(words, "customer"), issue.customer.clone()),
+        (tr!(words, "robot"), robot_name(report)),
+        (tr!(words, "manufacturer"), given.robot_maker.clone()),
+        (tr!(words, "type"), given.robot_type.clone()),
+        (tr!(words, "serial-number"), given.robot_serial_number.clone()),
+        (tr!(words, "state-of-the-robot"), given.robot_state.clone()),
+        (tr!(words, "date-of-receipt"), given.robot_received.clone()),
+        (tr!(words, "measurement-dates"), c.date.clone()),
+        (tr!(words, "date-of-issue"), issue.issued.clone()),
+        (tr!(words, "method"), Some(method(report, words))),
+        (tr!(words, "decision-rule"), rule.or_else(|| Some(default()))),
+        (tr!(words, "results-of-external-providers"), issue.external_results.clone()),
+        (tr!(words, "authorised-by"), issue.authorised_by.clone()),
     ];
     stated(all, words)
 }
@@ -69,11 +69,11 @@ fn identity(report: &Report, words: &Words) -> Vec<(String, Cell)> {
 pub(super) fn of_certificate(report: &Report, words: &Words) -> Vec<(String, Cell)> {
     let conditions = facts(report.campaign, report.tested, words);
     let traced = [
-        words.say("instrument"),
-        words.say("instrument's uncertainty"),
-        words.say("instrument's calibration"),
-        words.say("traceability"),
-        words.say("temperature"),
+        tr!(words, "instrument"),
+        tr!(words, "instrument-uncertainty"),
+        tr!(words, "instrument-calibration"),
+        tr!(words, "traceability"),
+        tr!(words, "temperature"),
     ];
     identity(report, words)
         .into_iter()
@@ -89,10 +89,8 @@ pub(crate) fn robot_name(report: &Report) -> Option<String> {
 /// Method by which the results were obtained.
 fn method(report: &Report, words: &Words) -> String {
     let model = report.identified.map(|i| one_line(&i.parameters.robot));
-    let identified = model.map(|model| {
-        words.fill("identification of the parameters of the kinematic model {0} by least squares", &[&model])
-    });
-    let tested = (!report.tested.is_empty()).then(|| words.say("performance test by ISO 9283:1998"));
+    let identified = model.map(|model| tr!(words, "method-identification", model));
+    let tested = (!report.tested.is_empty()).then(|| tr!(words, "method-iso9283"));
     let program = format!("etalon {}", report.provenance().version);
     identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
 }
@@ -104,70 +102,70 @@ fn facts(campaign: &CampaignSummary, tested: &Characteristics, words: &Words) ->
     let in_unit = |value: Option<f64>, unit: &str| value.map(|v| words.number(&format!("{v} {unit}")));
     let centre = given.load_centre_mm.map(|[x, y, z]| words.number(&format!("x {x}, y {y}, z {z} mm")));
     let list = |values: &Vec<f64>| values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
-    let shares = given.velocities_percent.as_ref().map(|v| words.fill("{0} % of the rated one", &[&list(v)]));
+    let shares = given.velocities_percent.as_ref().map(|v| tr!(words, "percent-of-rated", percent = list(v)));
     let speeds = given.velocities_mm_s.as_ref().map(|v| words.number(&format!("{} mm/s", list(v))));
     let velocities: Vec<String> = shares.into_iter().chain(speeds).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
     let mut all = vec![
-        (words.say("operator"), text(&c.operator)),
-        (words.say("controller"), text(&given.controller)),
-        (words.say("mounting"), text(&given.mounting)),
-        (words.say("measurement point"), text(&given.measurement_point)),
-        (words.say("load"), in_unit(given.load_kg, "kg")),
-        (words.say("centre of the load from the mechanical interface"), centre),
-        (words.say("velocities"), velocities),
-        (words.say("temperature"), in_unit(c.temperature_c, "°C")),
-        (words.say("relative humidity"), in_unit(given.humidity_percent, "%")),
-        (words.say("environment"), text(&given.environment)),
-        (words.say("warm-up before the test"), in_unit(given.warm_up_minutes, "min")),
-        (words.say("instrument"), text(&c.instrument)),
-        (words.say("instrument's uncertainty"), uncertainty(c, words)),
-        (words.say("instrument's calibration"), text(&given.instrument_calibration)),
-        (words.say("traceability"), text(&given.traceability)),
+        (tr!(words, "operator"), text(&c.operator)),
+        (tr!(words, "controller"), text(&given.controller)),
+        (tr!(words, "mounting"), text(&given.mounting)),
+        (tr!(words, "measurement-point"), text(&given.measurement_point)),
+        (tr!(words, "load"), in_unit(given.load_kg, "kg")),
+        (tr!(words, "load-centre"), centre),
+        (tr!(words, "velocities"), velocities),
+        (tr!(words, "temperature"), in_unit(c.temperature_c, "°C")),
+        (tr!(words, "relative-humidity"), in_unit(given.humidity_percent, "%")),
+        (tr!(words, "environment"), text(&given.environment)),
+        (tr!(words, "warm-up-before-the-test"), in_unit(given.warm_up_minutes, "min")),
+        (tr!(words, "instrument"), text(&c.instrument)),
+        (tr!(words, "instrument-uncertainty"), uncertainty(c, words)),
+        (tr!(words, "instrument-calibration"), text(&given.instrument_calibration)),
+        (tr!(words, "traceability"), text(&given.traceability)),
     ];
     if let Some(test) = &tested.poses {
-        all.push((words.say("poses and cycles"), Some(cycles(test, words))));
+        all.push((tr!(words, "poses-and-cycles"), Some(cycles(test, words))));
     }
-    all.push((words.say("deviations from the method"), given.deviations.as_ref().map(|d| deviations(d, words))));
+    all.push((tr!(words, "deviations-from-the-method"), given.deviations.as_ref().map(|d| deviations(d, words))));
     // without a load there is no centre
     if given.load_kg == Some(0.0) && given.load_centre_mm.is_none() {
-        all.retain(|(what, _)| *what != words.say("centre of the load from the mechanical interface"));
+        all.retain(|(what, _)| *what != tr!(words, "load-centre"));
     }
     let mut facts = stated(all, words);
-    facts.push((words.say("contact"), contact(c, words).into()));
-    facts.push((words.say("notes"), text(&c.notes).into()));
+    facts.push((tr!(words, "contact"), contact(c, words).into()));
+    facts.push((tr!(words, "notes"), text(&c.notes).into()));
     facts
 }
 
 fn uncertainty(c: &CampaignSummary, words: &Words) -> Option<String> {
     let u = c.expanded_uncertainty_um.map(number::stated)?;
     let of_coordinate = match c.coverage_factor.map(number::stated) {
-        Some(k) => words.fill("U = {0} µm for one coordinate (k = {1})", &[&u, &k]),
-        None => words.fill("U = {0} µm for one coordinate (coverage factor not stated)", &[&u]),
+        Some(k) => tr!(words, "instrument-uncertainty-with-k", uncertainty = u, k),
+        None => tr!(words, "instrument-uncertainty-without-k", uncertainty = u),
     };
     let of_position = c.expanded_position_uncertainty_um.map(number::stated);
-    let of_position = of_position.map(|u| format!("; {}", words.fill("U = {0} µm for a position", &[&u])));
+    let of_position =
+        of_position.map(|u| format!("; {}", tr!(words, "instrument-uncertainty-of-position", uncertainty = u)));
     Some(of_coordinate + &of_position.unwrap_or_default())
 }
 
 fn contact(c: &CampaignSummary, words: &Words) -> Option<String> {
     let contact = c.contact.as_ref()?;
     let (width, factor) = (number::stated(contact.repeatability_um), number::stated(contact.coverage_factor));
-    let own = words
-        .fill("± {0} µm for one coordinate ({1} standard deviations), of each observation its own", &[&width, &factor]);
-    Some(format!("{own}; {}", words.say("the instrument's error of a point is common to all its observations")))
+    let own = tr!(words, "uncertainty-for-outliers", uncertainty = width, factor);
+    Some(format!("{own}; {}", tr!(words, "point-error-in-common")))
 }
 
 fn deviations(stated: &[String], words: &Words) -> String {
-    if stated.is_empty() { words.say("none") } else { stated.join("; ") }
+    if stated.is_empty() { tr!(words, "none") } else { stated.join("; ") }
 }
 
 /// Number of poses and visits.
 fn cycles(test: &Iso9283Document, words: &Words) -> String {
     let cycles = || test.poses.iter().map(|p| p.cycles);
     let (least, most) = (cycles().min().unwrap_or(0), cycles().max().unwrap_or(0));
-    let visits = if least == most { most.to_string() } else { words.fill("{0} to {1}", &[&least, &most]) };
-    words.fill("{0} poses, {1} visits of each", &[&test.poses.len(), &visits])
+    let visits = if least == most { most.to_string() } else { tr!(words, "range", from = least, to = most) };
+    tr!(words, "poses-and-visits", poses = test.poses.len(), visits)
 }
 
 #[cfg(test)]

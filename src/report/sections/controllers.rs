@@ -3,26 +3,27 @@
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, significant};
-use crate::words::Words;
+use crate::words::{Words, names, tr};
+use etalon_base::phrase;
 use etalon_documents::{ControllerErrors, ControllerFiles, WrittenParameter};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let document = report.controllers.filter(|document| !document.files.is_empty())?;
-    let mut section = Section::new("controllers", words.say("Controller files"));
-    section.push(Block::note(words.say("These formats do not hold all identified parameters. Their files hold what was identified again with the parameters left out at nominal. Position errors are root mean squares and maxima.")));
+    let mut section = Section::new("controllers", tr!(words, "controller-files"));
+    section.push(Block::note(tr!(words, "formats-without-all-parameters")));
     let rows: Vec<(&ControllerFiles, &ControllerErrors)> =
         document.files.iter().flat_map(|files| files.errors.iter().map(move |errors| (files, errors))).collect();
     let columns = Columns::<(&ControllerFiles, &ControllerErrors)>::new()
-        .both("formats", "", |(f, _)| Text::name(&f.formats.join(", ")))
-        .both("parameters left out", "", |(f, _)| Text::name(&f.left_out.join(", ")))
-        .page("poses", "", |(_, e)| Text::name(&words.say(e.set.name())))
+        .both(phrase!("formats"), "", |(f, _)| Text::name(&f.formats.join(", ")))
+        .both(phrase!("parameters-left-out"), "", |(f, _)| Text::name(&f.left_out.join(", ")))
+        .page(phrase!("report-poses"), "", |(_, e)| Text::name(&words.tr(&names::set(e.set))))
         .sheet("poses", "", |(_, e)| e.set.name())
-        .both("nominal, RMS", "mm", |(_, e)| significant(e.nominal.rms_mm, 3))
-        .both("nominal, max", "mm", |(_, e)| significant(e.nominal.max_mm, 3))
-        .both("identified, RMS", "mm", |(_, e)| significant(e.identified.rms_mm, 3))
-        .both("identified, max", "mm", |(_, e)| significant(e.identified.max_mm, 3))
-        .both("this file, RMS", "mm", |(_, e)| significant(e.written.rms_mm, 3))
-        .both("this file, max", "mm", |(_, e)| significant(e.written.max_mm, 3));
+        .both(phrase!("nominal-rms"), "mm", |(_, e)| significant(e.nominal.rms_mm, 3))
+        .both(phrase!("nominal-max"), "mm", |(_, e)| significant(e.nominal.max_mm, 3))
+        .both(phrase!("identified-rms"), "mm", |(_, e)| significant(e.identified.rms_mm, 3))
+        .both(phrase!("identified-max"), "mm", |(_, e)| significant(e.identified.max_mm, 3))
+        .both(phrase!("this-file-rms"), "mm", |(_, e)| significant(e.written.rms_mm, 3))
+        .both(phrase!("this-file-max"), "mm", |(_, e)| significant(e.written.max_mm, 3));
     section.push(Block::Table(Table::of(words, &rows, columns).on("Controller files")));
     let values: Vec<(&ControllerFiles, &WrittenParameter)> =
         document.files.iter().flat_map(|files| files.values.iter().map(move |value| (files, value))).collect();

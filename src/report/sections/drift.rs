@@ -1,26 +1,27 @@
 //! Changes in the course of a test: characteristics by set of cycles, and targets that should be
 //! stationary.
 
-use crate::model::{Columns, Figure, Section, Table, term, um};
+use crate::model::{Cell, Columns, Figure, Section, Table, Text, um};
 use crate::plots::curves::{Curve, Curves};
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_documents::{Characteristics, Iso9283Document, Iso9283Drift, Iso9283Epoch};
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;
-    let mut section = Section::new("drift", words.say("Drift"));
-    let note = words.say("dAP and dRP: the last set against the first (ISO 9283:1998, 7.6).");
-    section.table(words.say("Drift of accuracy and repeatability"), note, drifts(&document.drifts, words));
+    let mut section = Section::new("drift", tr!(words, "drift"));
+    let note = tr!(words, "definition-drift");
+    section.table(tr!(words, "drift-title"), note, drifts(&document.drifts, words));
     section.table("", "", sets(document, words));
-    let (title, caption) = (words.say("AP by set"), words.say("Accuracy of each pose in the course of the test."));
+    let (title, caption) = (tr!(words, "ap-by-set"), tr!(words, "accuracy-over-cycles"));
     let accuracy = by_set("AP", &document.drifts, |d| &d.ap_mm, words);
     section.figures(Curves { title, caption, ..accuracy }.picture(words));
-    let (title, caption) = (words.say("RP by set"), words.say("Repeatability of each pose in the course of the test."));
+    let (title, caption) = (tr!(words, "rp-by-set"), tr!(words, "repeatability-over-cycles"));
     let repeatability = by_set("RP", &document.drifts, |d| &d.rp_mm, words);
     section.figures(Curves { title, caption, ..repeatability }.picture(words));
     if !document.reference.is_empty() {
-        let note = words.say("Displacement of the fixed targets since their first measurement, and what remains of it in positions that are corrected by them (not part of the standard).");
-        section.table(words.say("Movement of the set-up"), note, reference(&document.reference, words));
+        let note = tr!(words, "definition-target-displacement");
+        section.table(tr!(words, "movement-of-the-set-up"), note, reference(&document.reference, words));
         section.figures(moved(&document.reference, words));
     }
     section.on_terminal().whole()
@@ -28,11 +29,13 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
 
 fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
     let columns = Columns::<Iso9283Drift>::new()
-        .page("pose", "", |d| d.pose)
-        .page("sets", "", |d| d.ap_mm.len())
+        .page(phrase!("pose"), "", |d| d.pose)
+        .page(phrase!("sets"), "", |d| d.ap_mm.len())
         .page("dAP", "µm", |d| um(d.dap_mm))
         .page("dRP", "µm", |d| um(d.drp_mm))
-        .page("settled after set", "", |d| d.settled_after.map_or_else(|| term(words, "–"), Into::into));
+        .page(phrase!("settled-after-set"), "", |d| {
+            d.settled_after.map_or_else(|| Cell::from(Text::from("–")), Into::into)
+        });
     Table::of(words, drifts, columns)
 }
 
@@ -59,10 +62,10 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
 /// Curves of a characteristic by set of cycles for each pose, without title and caption.
 fn by_set(quantity: &str, drifts: &[Iso9283Drift], values: fn(&Iso9283Drift) -> &[f64], words: &Words) -> Curves {
     let curve = |d: &Iso9283Drift| Curve {
-        name: words.fill("pose {0}", &[&d.pose]),
+        name: tr!(words, "pose-named", pose = d.pose),
         points: values(d).iter().enumerate().map(|(i, v)| (i as f64 + 1.0, 1e3 * v)).collect(),
     };
-    let (across, up) = (words.say("set of cycles"), words.fill("{0} in {1}", &[&quantity, &"µm"]));
+    let (across, up) = (tr!(words, "set-of-cycles"), tr!(words, "quantity-in-unit", quantity, unit = "µm"));
     let curves = drifts.iter().map(curve).collect();
     let id = format!("drift-{}", quantity.to_lowercase());
     Curves { id, title: String::new(), caption: String::new(), across, up, curves, marks: vec![] }
@@ -70,9 +73,9 @@ fn by_set(quantity: &str, drifts: &[Iso9283Drift], values: fn(&Iso9283Drift) -> 
 
 fn reference(epochs: &[Iso9283Epoch], words: &Words) -> Table {
     let columns = Columns::<Iso9283Epoch>::new()
-        .both("from cycle on", "", |e| e.cycle)
-        .micrometres("moved", |e| e.moved_mm)
-        .micrometres("left, RMS", |e| e.rms_mm);
+        .both(phrase!("from-cycle-on"), "", |e| e.cycle)
+        .micrometres(phrase!("moved"), |e| e.moved_mm)
+        .micrometres(phrase!("left-rms"), |e| e.rms_mm);
     Table::of(words, epochs, columns).on("ISO 9283 reference targets")
 }
 
@@ -83,12 +86,11 @@ fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {
     };
     Curves {
         id: "reference".to_owned(),
-        title: words.say("Reference targets"),
-        caption: words
-            .say("Largest movement of a target since the first time, and the root mean square of what is left."),
-        across: words.say("cycle"),
-        up: words.fill("{0} in {1}", &[&words.say("movement"), &"µm"]),
-        curves: vec![curve(words.say("moved"), |e| e.moved_mm), curve(words.say("left"), |e| e.rms_mm)],
+        title: tr!(words, "reference-targets"),
+        caption: tr!(words, "target-movement-caption"),
+        across: tr!(words, "cycle"),
+        up: tr!(words, "quantity-in-unit", quantity = tr!(words, "movement"), unit = "µm"),
+        curves: vec![curve(tr!(words, "moved"), |e| e.moved_mm), curve(tr!(words, "left"), |e| e.rms_mm)],
         marks: vec![],
     }
     .picture(words)

@@ -4,8 +4,10 @@ use crate::model::{Block, Columns, ROWS, Section, Table, Text, fixed, shown, ter
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
-use crate::words::Words;
+use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
@@ -21,50 +23,73 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 /// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
-    let mut section = Section::new("errors", words.say("Errors before and after"));
-    section.summarise(words.say("definition of errors"), Text::document(&accuracy.definition, words), "");
+    let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
+    section.summarise(tr!(words, "definition-of-errors"), Text::document(&accuracy.definition, words), "");
     section.push(Block::detail(Text::document(&accuracy.definition, words)));
     if accuracy.sets.is_empty() {
-        section.push(Block::text(words.say("No errors are given.")));
+        section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
     for set in &accuracy.sets {
-        let name = words.say(set.name.name());
+        let name = words.tr(&names::set(set.name));
         let title = match accuracy.point.as_str() {
-            "" => words.fill("{0}: {1} poses, {2} errors", &[&name, &set.poses, &set.count]),
+            "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
             point => {
-                words.fill("{0}: {1} poses, {2} errors of {3}", &[&name, &set.poses, &set.count, &words.say(point)])
+                tr!(
+                    words,
+                    "set-summary-of",
+                    set = name,
+                    poses = set.poses,
+                    errors = set.count,
+                    point = words.named(point)
+                )
             }
         };
         section.push(Block::heading(title));
-        section.push(Block::Table(statistics(accuracy, set, set.name.name(), ["before", "after"], words).on("Errors")));
+        section.push(Block::Table(
+            statistics(accuracy, set, set.name.name(), [phrase!("before"), phrase!("after")], words).on("Errors"),
+        ));
     }
     if !accuracy.placed_apart.is_empty() {
-        let of = |p: &PlacedApart| {
-            let numbers: [&dyn std::fmt::Display; 3] = [&p.name, &p.readings, &number::fixed(p.redundancy, 2)];
-            match p.is_assessed {
-                true => words.fill("{0} ({1} readings, redundancy {2})", &numbers),
-                false => words.fill("{0} ({1} readings, redundancy {2}: not judged)", &numbers),
-            }
+        let of = |p: &PlacedApart| match p.is_assessed {
+            true => tr!(
+                words,
+                "readings-redundancy",
+                target = p.name,
+                readings = p.readings,
+                redundancy = number::fixed(p.redundancy, 2)
+            ),
+            false => tr!(
+                words,
+                "readings-not-judged",
+                target = p.name,
+                readings = p.readings,
+                redundancy = number::fixed(p.redundancy, 2)
+            ),
         };
         let all: Vec<String> = accuracy.placed_apart.iter().map(of).collect();
-        section.push(Block::text(words.fill("No calibration pose shows {0}: placed by their own readings at validation poses, with the identified robot held. Each of these errors counts over √r, r its redundancy.", &[&all.join(", ")])));
+        section.push(Block::text(tr!(words, "targets-placed-by-validation", targets = all.join(", "))));
     }
     if !accuracy.effects.is_empty() {
-        section.push(Block::heading(words.say("Effects proven by poses that are left out")));
+        section.push(Block::heading(tr!(words, "proven-effects")));
         section.push(Block::Table(effects(&accuracy.effects, words)));
     }
     if let Some(p) = accuracy.given.as_ref().and_then(|given| given.p_value) {
         let p = number::p_value(p);
-        section.push(Block::text(
-            words.fill("Probability of such errors by the uncertainty of parameters and measurement: {0}.", &[&p]),
-        ));
+        section.push(Block::text(tr!(words, "probability-of-errors", probability = p)));
     }
     if let Some(d) = &accuracy.validation_distance {
         let number = |v: f64| number::fixed(v, 2);
-        section.push(Block::text(words.fill("The errors hold among poses like these: from a validation pose to the nearest calibration pose it is {0} times the spacing of the calibration poses (median; at most {1} times), and {2} of {3} have a joint outside of its range in the calibration.", &[&number(d.median), &number(d.largest), &d.outside, &d.poses])));
+        section.push(Block::text(tr!(
+            words,
+            "errors-hold-among",
+            ratio = number(d.median),
+            largest = number(d.largest),
+            outside = d.outside,
+            total = d.poses
+        )));
     }
     if let Some(tool) = &accuracy.tool {
-        section.push(Block::heading(words.fill("At the tool point: {0} poses", &[&tool.poses])));
+        section.push(Block::heading(tr!(words, "at-tool-point", count = tool.poses)));
         let of_tool = ErrorStatistics {
             quantity: ErrorQuantity::Position,
             unit: "mm".to_owned(),
@@ -75,24 +100,25 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
         let set = AccuracySet { name: tool.set, poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
         // the base has no effect here: these errors differ from the errors of the sets before and
         // after calibration
-        let names = ["nominal minus identified", "expected"];
+        let names = [phrase!("nominal-minus-identified"), phrase!("expected")];
         section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on("Tool point")));
         let um = |mm: f64| number::significant(1e3 * mm, 3);
-        let shares = [
-            &um(tool.parameters_mm),
-            &um(tool.model_mm),
-            &um(tool.place_mm),
-            &um(tool.expanded_max_mm),
-            &um(tool.held_mm),
-        ];
-        section.push(Block::text(words.fill("Expected, root mean square (k = 1): {0} µm from the parameters, {4} µm from those that the data do not determine (their tolerance), {1} µm from what the model leaves out, {2} µm from the place of the point on the tool; expanded uncertainty of the worst pose (k = 2) {3} µm.", &shares.map(|s| s as &dyn std::fmt::Display))));
+        section.push(Block::text(tr!(
+            words,
+            "tool-point-expected",
+            parameters = um(tool.parameters_mm),
+            model = um(tool.model_mm),
+            point = um(tool.place_mm),
+            largest = um(tool.expanded_max_mm),
+            undetermined = um(tool.held_mm),
+        )));
         section.push(Block::detail(Text::document(&tool.definition, words)));
     }
     let table = poses(errors, words);
     if !table.is_empty() {
         let title = match table.rows.len() > ROWS {
-            true => words.say("Errors of each pose, the largest first"),
-            false => words.say("Errors of each pose"),
+            true => tr!(words, "largest-errors-of-poses"),
+            false => tr!(words, "errors-of-each-pose"),
         };
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
@@ -105,17 +131,17 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
 pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
     let identified = report.identified?;
     let errors = identified.errors;
-    let mut section = Section::new("pictures", words.say("Pictures"));
+    let mut section = Section::new("pictures", tr!(words, "pictures"));
     let drawable = points::drawable(errors);
     let planar = points::planar(&drawable, report.frames.world.planar);
     if drawable.is_empty() {
-        section.push(Block::text(words.say("There is no error that could be drawn.")));
+        section.push(Block::text(tr!(words, "no-error-to-draw")));
         return section.whole();
     }
-    section.push(Block::note(words.say("Circles are calibration poses, diamonds validation poses. On a screen, point at a mark to read its pose, cycle, target and error; the numbers are in the table of each pose and under the pictures.")));
+    section.push(Block::note(tr!(words, "picture-marks")));
     let undrawn = errors.len() - drawable.len();
     if undrawn > 0 {
-        let note = words.fill("{0} errors have no finite position or size and are not drawn.", &[&undrawn]);
+        let note = tr!(words, "errors-not-drawn", count = undrawn);
         section.push(Block::note(note));
     }
     let mut figures = map::maps(&drawable, planar, words);
@@ -140,7 +166,13 @@ fn base_mm(parameters: &ParametersDocument) -> Option<Vector> {
 
 /// Table of mean, RMS, 95 % and maximum of all quantities of a set. `called` is the name of the set
 /// in the workbook, `names` are those of the two errors.
-fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, called: &str, names: [&str; 2], words: &Words) -> Table {
+fn statistics(
+    accuracy: &AccuracyDocument,
+    set: &AccuracySet,
+    called: &str,
+    [before, after]: [Phrase; 2],
+    words: &Words,
+) -> Table {
     // a common unit for all lengths makes rows and sets comparable
     let lengths = accuracy.sets.iter().flat_map(|s| &s.errors).filter(|e| e.unit == "mm");
     let largest_mm = lengths.map(|e| e.before.max.max(e.after.max)).fold(0.0, f64::max);
@@ -162,33 +194,33 @@ fn statistics(accuracy: &AccuracyDocument, set: &AccuracySet, called: &str, name
         .sheet("errors", "", |_| set.count)
         .sheet("quantity", "", |e| e.quantity.as_ref())
         .sheet("unit", "", |e| e.unit.as_str())
-        .page("error", "", |e| Text::name(&words.say(e.quantity.as_ref())))
-        .page("unit", "", unit)
-        .both("mean", "", move |e| cell(e, e.before.mean))
-        .both("RMS", "", move |e| cell(e, e.before.rms))
+        .page(phrase!("error"), "", |e| Text::name(&words.tr(&names::quantity(e.quantity))))
+        .page(phrase!("unit"), "", unit)
+        .both(phrase!("mean"), "", move |e| cell(e, e.before.mean))
+        .both(phrase!("rms"), "", move |e| cell(e, e.before.rms))
         .both("95 %", "", move |e| cell(e, e.before.p95))
-        .both("max", "", move |e| cell(e, e.before.max))
-        .below(4, names[0])
-        .both("mean", "", move |e| cell(e, e.after.mean))
-        .both("RMS", "", move |e| cell(e, e.after.rms))
+        .both(phrase!("max"), "", move |e| cell(e, e.before.max))
+        .below(4, before)
+        .both(phrase!("mean"), "", move |e| cell(e, e.after.mean))
+        .both(phrase!("rms"), "", move |e| cell(e, e.after.rms))
         .both("95 %", "", move |e| cell(e, e.after.p95))
-        .both("max", "", move |e| cell(e, e.after.max))
-        .below(4, names[1])
-        .both("RMS ratio", "", ratio);
+        .both(phrase!("max"), "", move |e| cell(e, e.after.max))
+        .below(4, after)
+        .both(phrase!("rms-ratio"), "", ratio);
     Table::of(words, &set.errors, columns)
 }
 
 /// Benefit of each effect at poses that are left out.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
-    let yes_no = |yes: bool| term(words, if yes { "yes" } else { "no" });
+    let yes_no = |yes: bool| term(words, if yes { phrase!("yes") } else { phrase!("no") });
     let columns = Columns::<EffectProof>::new()
-        .page("effect", "", |e| words.say(&format!("{:?}", e.effect).to_lowercase()))
+        .page(phrase!("effect"), "", |e| words.tr(&names::effect(e.effect)))
         .sheet("effect", "", |e| format!("{:?}", e.effect).to_lowercase())
-        .both("joints", "", |e| Text::name(&e.joints.join(", ")))
-        .both("RMS without it", "mm", |e| fixed(e.without_mm, 4))
-        .both("RMS with it", "mm", |e| fixed(e.with_mm, 4))
-        .both("gain over u", "", |e| fixed(e.gain_over_u, 1))
-        .page("identified", "", move |e| yes_no(e.is_identified))
+        .both(phrase!("joints"), "", |e| Text::name(&e.joints.join(", ")))
+        .both(phrase!("rms-without-it"), "mm", |e| fixed(e.without_mm, 4))
+        .both(phrase!("rms-with-it"), "mm", |e| fixed(e.with_mm, 4))
+        .both(phrase!("gain-over-u"), "", |e| fixed(e.gain_over_u, 1))
+        .page(phrase!("identified"), "", move |e| yes_no(e.is_identified))
         .sheet("identified", "", |e| if e.is_identified { "yes" } else { "no" });
     Table::of(words, all, columns).on("Proven effects")
 }
@@ -244,17 +276,17 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
     let angle = |v: Option<f64>| shown(v, |v| number::significant(v, 3));
     let columns = Columns::<OfPose>::new()
         .sheet("set", "", |r| r.set.name())
-        .both("pose", "", |r| r.pose)
-        .page("set", "", |r| Text::name(&words.say(r.set.name())))
-        .both("errors", "", |r| r.errors.len())
+        .both(phrase!("pose"), "", |r| r.pose)
+        .page(phrase!("set"), "", |r| Text::name(&words.tr(&names::set(r.set))))
+        .both(phrase!("errors"), "", |r| r.errors.len())
         .sheet("position before, mean", "mm", |r| r.mean(before_mm))
-        .both("position before, max", "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
+        .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
         .shown_in(unit)
         .sheet("position after, mean", "mm", |r| r.mean(after_mm))
-        .both("position after, max", "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
+        .both(phrase!("position-after-max"), "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
         .shown_in(unit)
-        .both("orientation before, max", "deg", move |r| angle(r.largest(|p| p.before_deg)))
-        .both("orientation after, max", "deg", move |r| angle(r.largest(|p| p.after_deg)));
+        .both(phrase!("orientation-before-max"), "deg", move |r| angle(r.largest(|p| p.before_deg)))
+        .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)));
     let most = ROWS.max(validation);
     Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns().showing(most)
 }
@@ -318,7 +350,7 @@ mod tests {
             tool: None,
             map: None,
         };
-        page_of(&statistics(&document, &set, "validation", ["before", "after"], &Words::default()))
+        page_of(&statistics(&document, &set, "validation", [phrase!("before"), phrase!("after")], &Words::default()))
     }
 
     fn page_of(table: &Table) -> Vec<Vec<String>> {

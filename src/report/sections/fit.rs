@@ -4,7 +4,8 @@ use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
 use crate::number::{derived, significant};
 use crate::plots::{points, residuals as plots, singular};
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_documents::{
     ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, SingularValueEntry, UncertaintyFrom,
 };
@@ -18,32 +19,32 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 /// Section of a fit, with figures of its residuals.
 pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &Words) -> Section {
-    let mut section = Section::new("fit", words.say("Fit and observability"));
-    section.push(Block::heading(words.say("Residuals")));
+    let mut section = Section::new("fit", tr!(words, "fit-and-observability"));
+    section.push(Block::heading(tr!(words, "residuals-title")));
     section.push(Block::facts(residuals(&document.residuals, words)));
     section.figures(pictures);
     if let Some(o) = &document.observability {
-        section.push(Block::heading(words.say("Observability")));
+        section.push(Block::heading(tr!(words, "observability")));
         section.push(Block::Table(indices(o, words)));
-        section.push(Block::note(Text::from(words.say("Scaling:") + " ").and(Text::document(&o.scaling, words))));
+        section.push(Block::note(Text::from(tr!(words, "scaling-label") + " ").and(Text::document(&o.scaling, words))));
         section.push(Block::Table(singular_values(o, words)));
         section.figures(singular::picture(o, words));
     }
     let solver = &document.solver;
-    let steps = words.fill("{0}, {1} iterations;", &[&solver.method, &solver.iterations]) + " ";
+    let steps = tr!(words, "method-iterations", method = solver.method, iterations = solver.iterations) + " ";
     let ended = Text::from(steps).and(Text::document(&solver.meaning, words));
-    section.push(Block::heading(words.say("Solver")));
+    section.push(Block::heading(tr!(words, "solver")));
     section.push(Block::text(ended.clone()));
     let r = &document.residuals;
-    section.summarise(words.say("model of the robot"), document.robot.as_str(), "");
-    section.summarise(words.say("residuals"), r.count, "");
-    section.summarise(words.say("residuals, RMS"), r.rms, "");
-    section.summarise(words.say("residuals, max"), r.max, "");
-    section.summarise(words.say("degrees of freedom"), r.degrees_of_freedom, "");
-    section.summarise(words.say("chi-square"), r.chi_square, "");
-    section.summarise(words.say("uncertainties enlarged by"), r.uncertainties_enlarged_by, "");
-    section.summarise(words.say("condition"), document.observability.as_ref().map(|o| o.condition), "");
-    section.summarise(words.say("Solver"), ended, "");
+    section.summarise(tr!(words, "model-of-the-robot"), document.robot.as_str(), "");
+    section.summarise(tr!(words, "residuals"), r.count, "");
+    section.summarise(tr!(words, "residuals-rms"), r.rms, "");
+    section.summarise(tr!(words, "residuals-max"), r.max, "");
+    section.summarise(tr!(words, "degrees-of-freedom"), r.degrees_of_freedom, "");
+    section.summarise(tr!(words, "chi-square"), r.chi_square, "");
+    section.summarise(tr!(words, "uncertainties-enlarged-by"), r.uncertainties_enlarged_by, "");
+    section.summarise(tr!(words, "condition"), document.observability.as_ref().map(|o| o.condition), "");
+    section.summarise(tr!(words, "solver"), ended, "");
     section
 }
 
@@ -54,8 +55,8 @@ fn indices(o: &ObservabilitySummary, words: &Words) -> Table {
         .page("O3", "", |o| digits(o.o3, 4))
         .page("O4", "", |o| digits(o.o4, 4))
         .page("O5", "", |o| digits(o.o5, 4))
-        .page("condition", "", |o| digits(o.condition, 4))
-        .page("rank", "", |o| o.rank);
+        .page(phrase!("condition"), "", |o| digits(o.condition, 4))
+        .page(phrase!("rank"), "", |o| o.rank);
     Table::of(words, [o], columns)
 }
 
@@ -76,34 +77,34 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let three = |v: f64| significant(v, 3);
     let count = match r.kind {
-        ResidualKind::Pose => words.fill("{0} of the pose (mm and rad)", &[&r.count]),
-        ResidualKind::Targets => words.fill("{0} coordinates of targets (mm)", &[&r.count]),
+        ResidualKind::Pose => tr!(words, "pose-coordinates", count = r.count),
+        ResidualKind::Targets => tr!(words, "target-coordinates", count = r.count),
     };
     let from = match r.uncertainties_from {
-        UncertaintyFrom::Instrument => words.say("from the instrument"),
-        UncertaintyFrom::Residuals => words.say("from the residuals, each taken as independent"),
-        UncertaintyFrom::ResidualsByPose => words.say("from the residuals, those of one pose taken together"),
+        UncertaintyFrom::Instrument => tr!(words, "from-the-instrument"),
+        UncertaintyFrom::Residuals => tr!(words, "from-residuals"),
+        UncertaintyFrom::ResidualsByPose => tr!(words, "from-residuals-by-pose"),
         UncertaintyFrom::ResidualsByRegion => {
-            words.say("from the residuals, those of one region of the workspace taken together")
+            tr!(words, "from-residuals-by-region")
         }
-        UncertaintyFrom::Nothing => words.say("unknown: as many equations as parameters"),
+        UncertaintyFrom::Nothing => tr!(words, "unknown-without-redundancy"),
     };
     let enlarged = match r.uncertainties_enlarged_by {
         1.0 => String::new(),
-        by => format!(", {}", words.fill("{0} times what the instrument alone makes them (median)", &[&three(by)])),
+        by => format!(", {}", tr!(words, "uncertainty-inflation", factor = three(by))),
     };
     let own = match (r.stated_standard_uncertainty_mm.map(derived), r.common_standard_uncertainty_mm.map(derived)) {
-        (Some(own), Some(common)) => Some(words.fill("{0} mm (k = 1) for one coordinate, of each observation its own, and {1} mm common to all observations of one measured point", &[&own, &common])),
-        (own, _) => own.map(|own| words.fill("{0} mm (k = 1) for one coordinate", &[&own])),
+        (Some(own), Some(common)) => Some(tr!(words, "coordinate-uncertainty-in-common", uncertainty = own, common)),
+        (own, _) => own.map(|own| tr!(words, "coordinate-uncertainty", uncertainty = own)),
     };
     let chi_square =
-        r.chi_square.map(|c| words.fill("{0} against {1} expected", &[&significant(c, 4), &r.degrees_of_freedom]));
+        r.chi_square.map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     vec![
-        (words.say("residuals"), count.into()),
-        (words.say("RMS and max"), words.fill("{0} and {1}", &[&three(r.rms), &three(r.max)]).into()),
-        (words.say("degrees of freedom"), r.degrees_of_freedom.into()),
-        (words.say("stated uncertainty"), own.into()),
-        (words.say("chi-square"), chi_square.into()),
-        (words.say("uncertainties"), format!("{from}{enlarged}").into()),
+        (tr!(words, "residuals"), count.into()),
+        (tr!(words, "rms-and-max"), tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max)).into()),
+        (tr!(words, "degrees-of-freedom"), r.degrees_of_freedom.into()),
+        (tr!(words, "stated-uncertainty"), own.into()),
+        (tr!(words, "chi-square"), chi_square.into()),
+        (tr!(words, "uncertainties"), format!("{from}{enlarged}").into()),
     ]
 }

@@ -3,44 +3,45 @@
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, shown, term};
 use crate::number::fixed as number;
-use crate::words::Words;
+use crate::words::{Words, names, tr};
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_documents::{Feature, FramePose, Uncontrolled, WorldFrame};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let (features, world) = (&report.features.features, &report.frames.world);
-    let mut section = Section::new("frames", words.say("Frames and features"));
-    section.push(Block::heading(words.say("World frame")));
+    let mut section = Section::new("frames", tr!(words, "frames-and-features"));
+    section.push(Block::heading(tr!(words, "world-frame-title")));
     section.push(Block::facts(frame(world, words)));
     section.push(Block::Table(poses(world, words)));
-    section.push(Block::heading(words.say("Features")));
+    section.push(Block::heading(tr!(words, "features")));
     if features.is_empty() {
-        section.push(Block::text(words.say("The campaign fits no features.")));
+        section.push(Block::text(tr!(words, "the-campaign-fits-no-features")));
     }
     section.push(Block::Table(elements(features, words)));
     let open = &report.frames.not_controlled;
     if !open.is_empty() {
-        section.push(Block::heading(words.say("Not controlled by the data")));
+        section.push(Block::heading(tr!(words, "not-controlled-by-the-data")));
         section.push(Block::Table(uncontrolled(open, words)));
     }
     section.whole()
 }
 
 fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
-    let seen = if world.planar { words.say("projected into the xy plane") } else { words.say("in space") };
+    let seen = if world.planar { tr!(words, "projected-into-xy") } else { tr!(words, "in-space") };
     let um = |v: f64| words.number(&format!("{} µm", number(1e3 * v, 2)));
     let (what, said) = match &world.poses[..] {
         [only] => (
-            words.say("origin in the exports"),
+            tr!(words, "origin-in-the-exports"),
             words.number(&format!("{} mm", triple(only.export_T_world.translation_mm, 4))),
         ),
-        poses => (words.say("measured"), words.fill("{0} times, once for each pose and cycle", &[&poses.len()])),
+        poses => (tr!(words, "measured"), tr!(words, "times-for-each-cycle", count = poses.len())),
     };
     vec![
-        (words.say("definition"), Text::document(&world.definition, words).into()),
-        (words.say("observations"), seen.into()),
-        (words.say("targets from their places"), world.rms_mm.map(|v| format!("RMS {}", um(v))).into()),
-        (words.say("largest distance"), world.max_mm.map(um).into()),
+        (tr!(words, "definition"), Text::document(&world.definition, words).into()),
+        (tr!(words, "observations"), seen.into()),
+        (tr!(words, "targets-from-their-places"), world.rms_mm.map(|v| format!("RMS {}", um(v))).into()),
+        (tr!(words, "largest-distance"), world.max_mm.map(um).into()),
         (what, said.into()),
     ]
 }
@@ -48,17 +49,19 @@ fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
 fn elements(features: &[Feature], words: &Words) -> Table {
     let um = |mm: f64| number(1e3 * mm, 2);
     let columns = Columns::<Feature>::new()
-        .both("name", "", |f| f.name.as_str())
-        .both("element", "", |f| term(words, &f.element))
-        .both("points", "", |f| f.points)
-        .page("point", "mm", |f| numbers(triple(f.point_mm, 4)))
-        .page("direction", "", |f| numbers(triple(f.direction, 6)))
+        .both(phrase!("name"), "", |f| f.name.as_str())
+        .both(phrase!("report-element"), "", |f| {
+            names::of_document(&f.element).map_or_else(|| Cell::from(&f.element), |element| term(words, element))
+        })
+        .both(phrase!("points"), "", |f| f.points)
+        .page(phrase!("point"), "mm", |f| numbers(triple(f.point_mm, 4)))
+        .page(phrase!("direction"), "", |f| numbers(triple(f.direction, 6)))
         .sheet_xyz(["point x", "point y", "point z"], "mm", |f| &f.point_mm)
         .sheet_xyz(["direction x", "direction y", "direction z"], "", |f| &f.direction)
-        .both("radius", "mm", |f| fixed(f.radius_mm, 4))
-        .both("distances, RMS", "mm", |f| shown(f.rms_mm, um))
+        .both(phrase!("radius"), "mm", |f| fixed(f.radius_mm, 4))
+        .both(phrase!("distances-rms"), "mm", |f| shown(f.rms_mm, um))
         .shown_in("µm")
-        .both("distances, max", "mm", |f| shown(f.max_mm, um))
+        .both(phrase!("distances-max"), "mm", |f| shown(f.max_mm, um))
         .shown_in("µm")
         .both("u (k = 1)", "mm", |f| shown(f.standard_uncertainty_mm, um))
         .shown_in("µm")
@@ -87,10 +90,10 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
 /// Errors that no reading would show.
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
-        .page("what no reading shows", "", |u| Text::document(&u.what, words))
+        .page(phrase!("what-no-reading-shows"), "", |u| Text::document(&u.what, words))
         .sheet("what no reading shows", "", |u| u.what.as_str())
-        .both("points", "", |u| Text::name(&u.points.join(", ")))
-        .both("controlled by", "", |u| Text::name(&u.keys.join(", ")));
+        .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
+        .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));
     Table::of(words, all, columns).on("Not controlled")
 }
 

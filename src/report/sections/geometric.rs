@@ -4,7 +4,9 @@ use crate::Report;
 use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
 use crate::number;
 use crate::plots::workspace::{Workspace, XY};
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_documents::{
     BarVerdict, GeometricDocument, GeometricQuantity, LeadResult, Linearity, MeanError, PoseRow, PoseTable,
 };
@@ -12,8 +14,8 @@ use etalon_documents::{
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let document = report.geometric?;
     let title = match report.identified {
-        Some(_) => words.say("Geometry alone, beside the identification"),
-        None => words.say("Geometry alone"),
+        Some(_) => tr!(words, "geometry-beside-identification"),
+        None => tr!(words, "geometry-alone"),
     };
     let mut section = Section::new("geometric", title);
     if report.identified.is_some() {
@@ -21,58 +23,58 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     }
     section.push(Block::note(Text::document(&document.definition, words)));
     section.push(Block::Table(quantities(document, words)));
-    section.push(Block::note(words.say("u (k = 1) holds the base frame's uncertainty, which all repeats share and their standard deviation does not show.")));
+    section.push(Block::note(tr!(words, "geometric-u-note")));
     for table in &document.tables {
         section.push(Block::heading(&table.title));
         section.push(Block::Table(poses(table, words)));
     }
     let columns = Columns::<etalon_documents::MethodErrors>::new()
-        .page("method", "", |m| Text::name(&words.say(&m.name)))
+        .page(phrase!("method"), "", |m| Text::name(&words.named(&m.name)))
         .sheet("method", "", |m| m.name.as_str())
-        .both("position, max", "mm", |m| fixed(m.position_max_mm, 3))
-        .both("position, RMS", "mm", |m| fixed(m.position_rms_mm, 3))
-        .both("orientation, max", "deg", |m| fixed(m.orientation_max_deg, 3));
-    section.table(words.say("All tables"), "", Table::of(words, &document.methods, columns).on("Geometry, methods"));
-    section.table(words.say("Leads"), "", leads(document, words));
+        .both(phrase!("position-max"), "mm", |m| fixed(m.position_max_mm, 3))
+        .both(phrase!("position-rms"), "mm", |m| fixed(m.position_rms_mm, 3))
+        .both(phrase!("orientation-max"), "deg", |m| fixed(m.orientation_max_deg, 3));
+    section.table(tr!(words, "all-tables"), "", Table::of(words, &document.methods, columns).on("Geometry, methods"));
+    section.table(tr!(words, "leads"), "", leads(document, words));
     section.push(Block::Table(linearity(document, words)));
     let columns = Columns::<etalon_documents::ScaleBarResult>::new()
-        .both("position", "", |b| b.name.as_str())
-        .both("length", "mm", |b| fixed(b.length_mm, 4))
-        .both("distances", "", |b| b.count)
-        .both("mean error", "mm", |b| fixed(b.mean_error_mm, 4))
-        .both("standard deviation", "mm", |b| fixed(b.standard_deviation_mm, 4))
-        .both("largest error", "mm", |b| fixed(b.largest_error_mm, 4))
-        .both("permissible", "mm", |b| fixed(b.permissible_error_mm, 4))
-        .both("permissible over certificate", "", |b| significant(b.uncertainty_ratio, 2))
-        .page("verdict", "", |b| Text::name(&bar_verdict(b.verdict, words)))
+        .both(phrase!("position"), "", |b| b.name.as_str())
+        .both(phrase!("length"), "mm", |b| fixed(b.length_mm, 4))
+        .both(phrase!("distances"), "", |b| b.count)
+        .both(phrase!("mean-error"), "mm", |b| fixed(b.mean_error_mm, 4))
+        .both(phrase!("standard-deviation"), "mm", |b| fixed(b.standard_deviation_mm, 4))
+        .both(phrase!("largest-error"), "mm", |b| fixed(b.largest_error_mm, 4))
+        .both(phrase!("permissible"), "mm", |b| fixed(b.permissible_error_mm, 4))
+        .both(phrase!("permissible-over-certificate"), "", |b| significant(b.uncertainty_ratio, 2))
+        .page(phrase!("verdict"), "", |b| Text::name(&bar_verdict(b.verdict, words)))
         .sheet("verdict", "", |b| bar_verdict(b.verdict, words));
     let bars = Table::of(words, &document.scale_bars, columns).on("Geometry, scale bars");
-    section.table(words.say("Scale bars"), "", bars);
+    section.table(tr!(words, "scale-bars"), "", bars);
     let columns = Columns::<etalon_documents::BallResult>::new()
-        .both("ball", "", |b| b.name.as_str())
-        .both("readings", "", |b| b.count)
-        .both("mean distance from their mean", "mm", |b| fixed(b.mean_mm, 4))
-        .both("standard deviation", "mm", |b| fixed(b.standard_deviation_mm, 4))
-        .both("mean + 3 s", "mm", |b| fixed(b.repeatability_mm, 4));
+        .both(phrase!("ball"), "", |b| b.name.as_str())
+        .both(phrase!("readings"), "", |b| b.count)
+        .both(phrase!("mean-distance-from-mean"), "mm", |b| fixed(b.mean_mm, 4))
+        .both(phrase!("standard-deviation"), "mm", |b| fixed(b.standard_deviation_mm, 4))
+        .both(phrase!("mean-plus-3s"), "mm", |b| fixed(b.repeatability_mm, 4));
     let balls = Table::of(words, &document.balls, columns).on("Geometry, balls");
-    section.table(words.say("Single balls, measured repeatedly"), "", balls);
-    section.table(words.say("Fits"), "", fits(document, words));
+    section.table(tr!(words, "single-balls"), "", balls);
+    section.table(tr!(words, "fits"), "", fits(document, words));
     let columns = Columns::<etalon_documents::Region>::new()
-        .both("region of C, in the base frame", "", |r| Text::document(&r.name, words))
-        .both("area", "mm²", |r| fixed(r.area_mm2, 0))
-        .both("corners", "", |r| r.corners_mm.len());
+        .both(phrase!("region-of-c"), "", |r| Text::document(&r.name, words))
+        .both(phrase!("area"), "mm²", |r| fixed(r.area_mm2, 0))
+        .both(phrase!("corners"), "", |r| r.corners_mm.len());
     let regions = Table::of(words, &document.workspace, columns).on("Geometry, workspace");
-    section.table(words.say("Workspace"), "", regions);
+    section.table(tr!(words, "workspace"), "", regions);
     section.figures(drawing(document, words));
     section.whole()
 }
 
 fn bar_verdict(verdict: BarVerdict, words: &Words) -> String {
     match verdict {
-        BarVerdict::Conforming => words.say("conforming"),
-        BarVerdict::NotConforming => words.say("not conforming"),
-        BarVerdict::BarTooUncertain => words.say("the bar is too uncertain (4:1)"),
-        BarVerdict::NoCertificate => words.say("no certificate is stated"),
+        BarVerdict::Conforming => tr!(words, "conforming"),
+        BarVerdict::NotConforming => tr!(words, "not-conforming"),
+        BarVerdict::BarTooUncertain => tr!(words, "bar-too-uncertain"),
+        BarVerdict::NoCertificate => tr!(words, "no-certificate-stated"),
     }
 }
 
@@ -86,15 +88,18 @@ fn sentence(document: &GeometricDocument, words: &Words) -> String {
     };
     let mm = |v: f64| number::significant(v, 3);
     let times = |a: f64, b: f64| number::significant(a / b, 2);
-    let values: [&dyn std::fmt::Display; 5] =
-        [&mm(nominal), &mm(geometric), &times(nominal, geometric), &mm(identified), &times(geometric, identified)];
-    let alone = words.fill(
-        "The largest mean position error falls from {0} mm to {1} mm by geometry alone, {2} times less.",
-        &values,
+    let alone = tr!(
+        words,
+        "geometry-improvement",
+        nominal = mm(nominal),
+        geometric = mm(geometric),
+        improvement = times(nominal, geometric)
     );
-    let beside = words.fill(
-        "Identification of all parameters from the same campaign brings it to {3} mm: the technician's way leaves {4} times as much.",
-        &values,
+    let beside = tr!(
+        words,
+        "identification-against-geometry",
+        identified = mm(identified),
+        ratio = times(geometric, identified)
     );
     format!("{alone} {beside}")
 }
@@ -102,17 +107,23 @@ fn sentence(document: &GeometricDocument, words: &Words) -> String {
 fn quantities(document: &GeometricDocument, words: &Words) -> Table {
     let u = |q: &GeometricQuantity| Some(q.standard_uncertainty);
     let columns = Columns::<GeometricQuantity>::new()
-        .both("name", "", |q| q.name.as_str())
-        .both("unit", "", |q| q.unit.as_str())
-        .both("nominal", "", move |q| with_uncertainty(q.nominal, u(q)))
-        .both("geometric", "", move |q| with_uncertainty(q.value, u(q)))
+        .both(phrase!("name"), "", |q| q.name.as_str())
+        .both(phrase!("unit"), "", |q| q.unit.as_str())
+        .both(phrase!("nominal"), "", move |q| with_uncertainty(q.nominal, u(q)))
+        .both(phrase!("geometric"), "", move |q| with_uncertainty(q.value, u(q)))
         .both("u (k = 1)", "", |q| significant(q.standard_uncertainty, 2))
-        .both("repeats", "", |q| q.repeats.as_ref().map(|r| r.count))
-        .both("their standard deviation", "", |q| significant(q.repeats.as_ref().map(|r| r.standard_deviation), 2))
-        .both("expected from the points", "", |q| significant(q.repeats.as_ref().map(|r| r.expected), 2))
-        .both("identified", "", |q| q.identified.map(|v| with_uncertainty(v, q.identified_standard_uncertainty)))
+        .both(phrase!("repeats"), "", |q| q.repeats.as_ref().map(|r| r.count))
+        .both(phrase!("their-standard-deviation"), "", |q| {
+            significant(q.repeats.as_ref().map(|r| r.standard_deviation), 2)
+        })
+        .both(phrase!("expected-from-the-points"), "", |q| significant(q.repeats.as_ref().map(|r| r.expected), 2))
+        .both(phrase!("identified"), "", |q| {
+            q.identified.map(|v| with_uncertainty(v, q.identified_standard_uncertainty))
+        })
         .sheet("u of identified", "", |q| q.identified_standard_uncertainty)
-        .page("identified − geometric", "", move |q| q.identified.map(|v| with_uncertainty(v - q.value, u(q))));
+        .page(phrase!("identified-minus-geometric"), "", move |q| {
+            q.identified.map(|v| with_uncertainty(v - q.value, u(q)))
+        });
     Table::of(words, &document.quantities, columns).on("Geometry, quantities")
 }
 
@@ -125,15 +136,18 @@ fn poses(table: &PoseTable, words: &Words) -> Table {
     };
     let first = Columns::<PoseRow>::new()
         .sheet("table", "", |_| table.title.as_str())
-        .both("pose", "", |r| r.pose)
-        .page("command", "", move |r| numbers(command(r)))
+        .both(phrase!("pose"), "", |r| r.pose)
+        .page(phrase!("command"), "", move |r| numbers(command(r)))
         .sheet("command x", "mm", |r| r.command_mm[0])
         .sheet("command y", "mm", |r| r.command_mm[1])
         .sheet("command θ", "deg", |r| r.command_deg)
         .sheet("visits", "", |r| r.count);
-    type Method = (&'static str, fn(&PoseRow) -> &MeanError);
-    let methods: [Method; 3] =
-        [("nominal", |r| &r.nominal), ("geometric", |r| &r.geometric), ("identified", |r| &r.identified)];
+    type Method = (Phrase, fn(&PoseRow) -> &MeanError);
+    let methods: [Method; 3] = [
+        (phrase!("nominal"), |r| &r.nominal),
+        (phrase!("geometric"), |r| &r.geometric),
+        (phrase!("identified"), |r| &r.identified),
+    ];
     let columns = methods.into_iter().fold(first, |columns, (name, of)| {
         columns
             .both("x", "mm", move |r| fixed(of(r).x_mm, 3))
@@ -142,21 +156,21 @@ fn poses(table: &PoseTable, words: &Words) -> Table {
             .both("θ", "deg", move |r| fixed(of(r).orientation_deg, 3))
             .below(4, name)
     });
-    let columns = columns.both("standard deviation", "mm", |r| fixed(r.standard_deviation_mm, 3));
+    let columns = columns.both(phrase!("standard-deviation"), "mm", |r| fixed(r.standard_deviation_mm, 3));
     Table::of(words, &table.rows, columns).on("Geometry, poses")
 }
 
 fn leads(document: &GeometricDocument, words: &Words) -> Table {
     let off = |l: &LeadResult| l.linearity.iter().fold(0.0f64, |m, p| m.max(p.deviation_mm.abs()));
     let columns = Columns::<LeadResult>::new()
-        .page("actuator", "", |l| l.actuator)
-        .page("nominal lead", "mm", |l| fixed(l.nominal_lead_mm, 3))
-        .page("actual lead", "mm", |l| {
+        .page(phrase!("actuator"), "", |l| l.actuator)
+        .page(phrase!("nominal-lead"), "mm", |l| fixed(l.nominal_lead_mm, 3))
+        .page(phrase!("actual-lead"), "mm", |l| {
             with_uncertainty(l.actual_lead_mm, Some(l.standard_uncertainty * l.nominal_lead_mm))
         })
-        .page("error", "µm per mm", |l| significant(1e3 * l.error, 3))
+        .page(phrase!("error"), "µm per mm", |l| significant(1e3 * l.error, 3))
         .page("u (k = 1)", "µm per mm", |l| significant(1e3 * l.standard_uncertainty, 2))
-        .page("largest mean deviation from linear", "µm", move |l| significant(1e3 * off(l), 2));
+        .page(phrase!("largest-mean-deviation-from-linear"), "µm", move |l| significant(1e3 * off(l), 2));
     Table::of(words, &document.leads, columns)
 }
 
@@ -178,14 +192,14 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
 /// Quality of each fit.
 fn fits(document: &GeometricDocument, words: &Words) -> Table {
     let columns = Columns::<etalon_documents::GeometricStep>::new()
-        .both("fit", "", |s| Text::document(&s.name, words))
-        .both("residuals", "", |s| s.count)
-        .both("standard deviation", "mm", |s| fixed(s.standard_deviation_mm, 4))
-        .both("expected", "mm", |s| fixed(s.expected_mm, 4))
-        .both("max", "mm", |s| fixed(s.max_mm, 4))
-        .both("norm", "mm", |s| fixed(s.norm_mm, 4))
-        .both("arc", "deg", |s| fixed(s.coverage_deg, 1))
-        .both("uncertainties enlarged by", "", |s| significant(s.enlarged_by, 3));
+        .both(phrase!("fit"), "", |s| Text::document(&s.name, words))
+        .both(phrase!("residuals"), "", |s| s.count)
+        .both(phrase!("standard-deviation"), "mm", |s| fixed(s.standard_deviation_mm, 4))
+        .both(phrase!("expected"), "mm", |s| fixed(s.expected_mm, 4))
+        .both(phrase!("max"), "mm", |s| fixed(s.max_mm, 4))
+        .both(phrase!("norm"), "mm", |s| fixed(s.norm_mm, 4))
+        .both(phrase!("arc"), "deg", |s| fixed(s.coverage_deg, 1))
+        .both(phrase!("uncertainties-enlarged-by"), "", |s| significant(s.enlarged_by, 3));
     Table::of(words, &document.steps, columns).on("Geometry, fits")
 }
 
@@ -197,7 +211,7 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
         return None;
     }
     let mut map = Workspace::new(XY, &corners, words);
-    let title = words.fill("Workspace of the platform's centre C, {0} plane", &[&"xy"]);
+    let title = tr!(words, "workspace-plane", plane = "xy");
     let names = regions
         .iter()
         .map(|r| format!("{}: {} mm²", Text::document(&r.name, words).plain(), number::fixed(r.area_mm2, 0)));
@@ -207,7 +221,7 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
             map.svg.line(if last { "arrow-scale" } else { "arrow-cal" }, map.at(*a), map.at(*b));
         }
     }
-    let caption = words.say("Outlines of these regions; the heavier one is reached with every orientation.");
+    let caption = tr!(words, "workspace-outlines");
     let drawn = map.figure("workspace", title, names.collect::<Vec<_>>().join("; "));
-    Some(Figure { title: words.say("Workspace"), caption, ..drawn })
+    Some(Figure { title: tr!(words, "workspace"), caption, ..drawn })
 }

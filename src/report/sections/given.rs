@@ -2,7 +2,8 @@
 
 use crate::model::{Block, Columns, Grade, Section, Table, Text, Verdict, fixed, numbers, shown, significant, term};
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, names, tr};
+use etalon_base::phrase;
 use etalon_documents::{
     EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
     VerificationPlanDocument, VerificationVerdict,
@@ -20,15 +21,15 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
 
 /// Sections on the probability of the verdict, and on the detectable changes.
 pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Vec<Section> {
-    let mut judged = Section::new("judged", words.say("How changes are judged")).on_terminal();
+    let mut judged = Section::new("judged", tr!(words, "how-changes-are-judged")).on_terminal();
     let p = words.number(&number::p_value(document.p_value));
-    let limit = words.fill("called changed below {0}", &[&number::stated(document.significance)]);
+    let limit = tr!(words, "changed-below", significance = number::stated(document.significance));
     let (rms, expected) = (number::fixed(document.rms_mm, 4), number::fixed(document.expected_rms_mm, 4));
     let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
     judged.push(Block::facts(vec![
-        (words.say("probability by chance"), format!("{p}; {limit}").into()),
-        (words.say("residuals, RMS"), words.fill("{0} mm, expected {1} mm", &[&rms, &expected]).into()),
-        (words.say("coordinates"), words.fill("{0} at {1} poses", &[&count, &document.poses]).into()),
+        (tr!(words, "probability-by-chance"), format!("{p}; {limit}").into()),
+        (tr!(words, "residuals-rms"), tr!(words, "rms-expected", value = rms, expected).into()),
+        (tr!(words, "coordinates"), tr!(words, "count-at-poses", count, poses = document.poses).into()),
     ]));
     vec![judged, detected(&document.power.least, document.power.probability, document.power.naming, words)]
 }
@@ -36,25 +37,25 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
 /// Smallest detectable movements.
 fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Words) -> Section {
     let percent = |p: f64| number::fixed(100.0 * p, 0);
-    let title = words.fill("Detected with a probability of {0} %", &[&percent(probability)]);
+    let title = tr!(words, "detected-with-probability", percent = percent(probability));
     let mut power = Section::new("power", title).on_terminal();
     let least =
-        |v: Option<f64>| numbers(v.map_or_else(|| words.say("not by these poses"), |v| number::significant(v, 3)));
+        |v: Option<f64>| numbers(v.map_or_else(|| tr!(words, "not-by-these-poses"), |v| number::significant(v, 3)));
     let joint = |l: &LeastDetectable| !l.name.starts_with("base ");
     let columns = Columns::<LeastDetectable>::new()
-        .both("motion", "", |l| Text::name(&words.say(&l.name)))
-        .both("detected from", "", |l| least(l.value))
-        .both("named from", "", |l| joint(l).then(|| least(l.named)))
-        .both("unit", "", |l| l.unit.as_str());
+        .both(phrase!("motion"), "", |l| Text::name(&words.named(&l.name)))
+        .both(phrase!("detected-from"), "", |l| least(l.value))
+        .both(phrase!("named-from"), "", |l| joint(l).then(|| least(l.named)))
+        .both(phrase!("unit"), "", |l| l.unit.as_str());
     power.push(Block::Table(Table::of(words, all, columns)));
-    power.push(Block::note(words.fill("A joint is named with a probability of {0} %.", &[&percent(naming)])));
+    power.push(Block::note(tr!(words, "naming-probability", percent = percent(naming))));
     power
 }
 
 /// Verdict on the chosen poses.
 pub(crate) fn chosen(document: &VerificationPlanDocument, words: &Words) -> Verdict {
     let names: Vec<String> = document.steps.iter().map(|step| step.pose.to_string()).collect();
-    let sentences = vec![words.fill("Poses to measure: {0}.", &[&names.join(", ")])];
+    let sentences = vec![tr!(words, "poses-to-measure-named", poses = names.join(", "))];
     Verdict { met: true, sentences, ..Verdict::default() }
 }
 
@@ -74,43 +75,50 @@ pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> V
 /// Sections on effects in the order of trial, and on the evidence for each parameter.
 pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -> Vec<Section> {
     let p = |p: Option<f64>| numbers(p.map(number::probability));
-    let values: [&dyn std::fmt::Display; 3] = [&document.poses, &document.folds, &document.repeats];
-    let mut effects =
-        Section::new("effects", words.fill("Effects: {1}-fold cross-validation of {0} poses, repeats: {2}", &values))
-            .on_terminal();
+    let mut effects = Section::new(
+        "effects",
+        tr!(
+            words,
+            "effects-cross-validated",
+            poses = document.poses,
+            folds = document.folds,
+            repeats = document.repeats
+        ),
+    )
+    .on_terminal();
     let name = |s: &EffectStep| match s.effect {
-        Some(effect) => format!("+ {}", words.say(&format!("{effect:?}").to_lowercase())),
-        None => words.say("base and targets"),
+        Some(effect) => format!("+ {}", words.tr(&names::effect(effect))),
+        None => tr!(words, "base-and-targets"),
     };
     let columns = Columns::<EffectStep>::new()
-        .both("effect", "", name)
-        .both("identified", "", |s| s.identified)
-        .both("RMS", "mm", |s| fixed(s.rms_mm, 4))
-        .both("left out, RMS", "mm", |s| fixed(s.held_out_rms_mm, 4))
-        .both("gain over u", "", |s| fixed(s.gain_over_u, 1))
+        .both(phrase!("effect"), "", name)
+        .both(phrase!("identified"), "", |s| s.identified)
+        .both(phrase!("rms"), "mm", |s| fixed(s.rms_mm, 4))
+        .both(phrase!("left-out-rms"), "mm", |s| fixed(s.held_out_rms_mm, 4))
+        .both(phrase!("gain-over-u"), "", |s| fixed(s.gain_over_u, 1))
         .both("p", "", move |s| p(s.p_value))
-        .both("verdict", "", |s| match s.accepted {
-            true => term(words, "accepted"),
-            false => term(words, "not accepted"),
+        .both(phrase!("verdict"), "", |s| match s.accepted {
+            true => term(words, phrase!("accepted")),
+            false => term(words, phrase!("not-accepted")),
         });
     effects.push(Block::Table(Table::of(words, &document.steps, columns)));
-    let mut parameters = Section::new("parameters", words.say("Parameters")).on_terminal();
+    let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
     let change = |p: &ParameterVerdict| {
         let u = (p.change / p.change_over_u).abs();
         shown(p.change, |v| (if v > 0.0 { "+" } else { "" }).to_owned() + &number::with_uncertainty(v, Some(u)))
     };
     let columns = Columns::<ParameterVerdict>::new()
-        .both("name", "", |p| p.name.as_str())
-        .both("change", "", change)
-        .both("unit", "", |p| p.unit.as_str())
-        .both("change over u", "", |p| fixed(p.change_over_u, 1))
+        .both(phrase!("name"), "", |p| p.name.as_str())
+        .both(phrase!("change"), "", change)
+        .both(phrase!("unit"), "", |p| p.unit.as_str())
+        .both(phrase!("change-over-u"), "", |p| fixed(p.change_over_u, 1))
         .both("p", "", move |v| p(Some(v.p_value)))
-        .both("folds over u", "", |p| significant(p.fold_sd_over_u, 2))
-        .both("stability", "", |p| fixed(p.part_change_over_sd, 1))
-        .both("limit", "", |p| fixed(p.part_change_limit, 1))
-        .both("verdict", "", |p| match p.verdict {
-            LoadVerdict::Load => term(words, "to load"),
-            LoadVerdict::Hold => term(words, "to hold"),
+        .both(phrase!("folds-over-u"), "", |p| significant(p.fold_sd_over_u, 2))
+        .both(phrase!("stability"), "", |p| fixed(p.part_change_over_sd, 1))
+        .both(phrase!("limit"), "", |p| fixed(p.part_change_limit, 1))
+        .both(phrase!("verdict"), "", |p| match p.verdict {
+            LoadVerdict::Load => term(words, phrase!("to-load")),
+            LoadVerdict::Hold => term(words, phrase!("to-hold")),
         });
     parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
     vec![effects, parameters]

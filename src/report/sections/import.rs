@@ -2,21 +2,22 @@
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text, term};
-use crate::words::{Words, isolated};
+use crate::words::{Words, isolated, names, tr};
 use etalon_base::message::one_line;
+use etalon_base::phrase;
 use etalon_documents::{Refused, Source, Unmatched};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let mut section = Section::new("import", words.say("Import"));
+    let mut section = Section::new("import", tr!(words, "import"));
     section.push(Block::Table(sources(&report.import.sources, words)));
     for source in report.import.sources.iter().filter(|s| !s.refused.is_empty()) {
         let file = isolated(&one_line(&source.file));
-        let title = words.fill("{0} refused rows of {1}", &[&source.refused.len(), &file]);
+        let title = tr!(words, "refused-rows", refused = source.refused.len(), total = file);
         let columns = Columns::<Refused>::new()
             .sheet("file", "", |_| source.file.as_str())
-            .both("line", "", |r| r.line)
-            .both("reason", "", |r| Text::document(&r.reason, words))
-            .both("text", "", |r| Text::code(&r.text));
+            .both(phrase!("line"), "", |r| r.line)
+            .both(phrase!("reason"), "", |r| Text::document(&r.reason, words))
+            .both(phrase!("text"), "", |r| Text::code(&r.text));
         let table = Table::of(words, &source.refused, columns).on("Refused rows");
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
     }
@@ -32,11 +33,11 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 fn sources(sources: &[Source], words: &Words) -> Table {
     let columns = Columns::<Source>::new()
-        .page("file", "", |s| s.file.as_str())
-        .page("kind", "", |s| term(words, s.kind.name()))
-        .page("bytes", "", |s| s.bytes)
-        .page("read as", "", |s| Text::document(&s.dialect, words))
-        .page("rows", "", |s| s.rows_read)
-        .page("refused", "", |s| s.refused.len());
+        .page(phrase!("file"), "", |s| s.file.as_str())
+        .page(phrase!("kind"), "", |s| term(words, names::kind(s.kind)))
+        .page(phrase!("bytes"), "", |s| s.bytes)
+        .page(phrase!("read-as"), "", |s| Text::document(&s.dialect, words))
+        .page(phrase!("rows"), "", |s| s.rows_read)
+        .page(phrase!("refused"), "", |s| s.refused.len());
     Table::of(words, sources, columns)
 }

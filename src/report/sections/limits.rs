@@ -2,8 +2,9 @@
 
 use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
 use crate::number;
-use crate::words::Words;
+use crate::words::{Words, tr};
 use crate::{Identified, Report};
+use etalon_base::phrase;
 use etalon_documents::{Characteristics, Conformity, DecisionRule, LimitVerdict};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -13,14 +14,14 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// Section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
-        .both("limit", "", |l| l.name.to_string())
-        .both("allowed", "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
-        .both("reached", "", |l| Cell::Number { value: l.value, shown: reached(l) })
+        .both(phrase!("limit"), "", |l| l.name.to_string())
+        .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
+        .both(phrase!("reached"), "", |l| Cell::Number { value: l.value, shown: reached(l) })
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
-        .both("unit", "", |l| l.unit.as_str())
-        .both("verdict", "", |l| judged(l.conformity, words))
+        .both(phrase!("unit"), "", |l| l.unit.as_str())
+        .both(phrase!("verdict"), "", |l| judged(l.conformity, words))
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
-    let mut section = Section::new("limits", words.say("Limits"));
+    let mut section = Section::new("limits", tr!(words, "limits"));
     section.table("", "", Table::of(words, all, columns).on("Limits"));
     if let Some(limit) = all.first() {
         section.push(Block::detail(rule(limit.decision_rule, default, words)));
@@ -31,18 +32,18 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
 /// Decision on a limit.
 pub(super) fn judged(conformity: Conformity, words: &Words) -> Cell {
     match conformity {
-        Conformity::Conforming => term(words, "met"),
-        Conformity::NotConforming => strong_term(words, "not met"),
-        Conformity::Neither => strong_term(words, "undecided"),
+        Conformity::Conforming => term(words, phrase!("met")),
+        Conformity::NotConforming => strong_term(words, phrase!("not-met")),
+        Conformity::Neither => strong_term(words, phrase!("undecided")),
     }
 }
 
 /// Name of a decision rule.
 pub(super) fn name(rule: DecisionRule, words: &Words) -> String {
     match rule {
-        DecisionRule::SimpleAcceptance => words.say("simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
-        DecisionRule::Guarded => words.say("guarded acceptance (ISO 14253-1)"),
-        DecisionRule::SharedRisk => words.say("shared risk (JCGM 106:2012, 8.2.1)"),
+        DecisionRule::SimpleAcceptance => tr!(words, "simple-acceptance"),
+        DecisionRule::Guarded => tr!(words, "guarded-acceptance"),
+        DecisionRule::SharedRisk => tr!(words, "shared-risk"),
     }
 }
 
@@ -50,15 +51,15 @@ pub(super) fn name(rule: DecisionRule, words: &Words) -> String {
 fn rule(rule: DecisionRule, default: bool, words: &Words) -> String {
     let means = match rule {
         DecisionRule::SimpleAcceptance => {
-            words.say("a limit is met where the value is within it, whatever its uncertainty U")
+            tr!(words, "simple-acceptance-explained")
         }
-        DecisionRule::Guarded => words.say("a limit is met where the value is within it by its expanded uncertainty U, not met where it is beyond it by U, and undecided between"),
+        DecisionRule::Guarded => tr!(words, "guarded-acceptance-explained"),
         DecisionRule::SharedRisk => {
-            words.say("a limit is met where the value is within it, and undecided where U exceeds a quarter of the limit")
+            tr!(words, "shared-risk-explained")
         }
     };
-    let named = words.fill("Decision rule: {0}: {1}.", &[&name(rule, words), &means]);
-    let none = words.say("The campaign states no rule; this one then applies.");
+    let named = tr!(words, "decision-rule-explained", rule = name(rule, words), explanation = means);
+    let none = tr!(words, "decision-rule-by-default");
     if default { format!("{named} {none}") } else { named }
 }
 

@@ -2,8 +2,10 @@
 
 use crate::Report;
 use crate::model::{Block, Columns, Section, Table, Text};
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Rank, Severity, one_line};
+use etalon_base::phrase;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let elsewhere = |m: &&Message| {
@@ -23,12 +25,12 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 /// Section of these messages: those that need action first, with similar rows merged.
 pub(crate) fn of(messages: &[&Message], words: &Words) -> Section {
-    let mut section = Section::new("messages", words.say("Warnings and remarks"));
+    let mut section = Section::new("messages", tr!(words, "warnings-and-remarks"));
     if messages.is_empty() {
-        section.push(Block::text(words.say("None.")));
+        section.push(Block::text(tr!(words, "no-messages")));
     }
     let grouped = Problems(messages.iter().map(|m| (*m).clone()).collect()).grouped();
-    for (rank, title) in [(Rank::Decide, words.say("Decide now")), (Rank::Know, words.say("Should know"))] {
+    for (rank, title) in [(Rank::Decide, tr!(words, "decide-now")), (Rank::Know, tr!(words, "should-know"))] {
         let mut of_rank = grouped.0.iter().filter(|m| m.rank == rank).peekable();
         if of_rank.peek().is_some() {
             section.push(Block::heading(title));
@@ -43,7 +45,7 @@ pub(crate) fn of(messages: &[&Message], words: &Words) -> Section {
 /// Routine messages, folded.
 pub(super) fn routine(messages: &[Message], words: &Words) -> Block {
     let blocks = messages.iter().filter(|m| m.rank == Rank::Routine).map(|m| notice(m, words)).collect();
-    Block::Aside { title: words.say("Routine remarks"), blocks }
+    Block::Aside { title: tr!(words, "routine-remarks"), blocks }
 }
 
 /// Messages for the workbook.
@@ -66,8 +68,12 @@ fn class(message: &Message) -> &'static str {
     if message.severity == Severity::Error { "error" } else { "warning" }
 }
 
+fn severity_name(message: &Message) -> Phrase {
+    if message.severity == Severity::Error { phrase!("severity-error") } else { phrase!("severity-warning") }
+}
+
 fn notice(m: &Message, words: &Words) -> Block {
-    let severity = words.fill("{0}:", &[&words.say(class(m))]);
+    let severity = tr!(words, "with-colon", label = words.tr(&severity_name(m)));
     let texts = m.texts(words.code());
     let english = m.texts("en");
     let text = |text: &str| match [Some(&english.what), english.expected.as_ref(), english.hint.as_ref()]
@@ -81,12 +87,12 @@ fn notice(m: &Message, words: &Words) -> Block {
         lines[0] = std::mem::take(&mut lines[0]).and(" ").and(Text::code(&m.id));
     }
     lines.extend(m.place.as_ref().map(|p| {
-        let line = p.line.map(|line| format!(", {}", words.fill("line {0}", &[&line]))).unwrap_or_default();
+        let line = p.line.map(|line| format!(", {}", tr!(words, "line-number", line))).unwrap_or_default();
         let text = p.text.as_ref().map(|text| Text::from(": ").and(Text::code(&one_line(text))));
         Text::name(&p.file).and(line).and(text.unwrap_or_default())
     }));
     let remark = |label: String, said: &String| Text::from(label + " ").and(text(said));
-    lines.extend(texts.expected.as_ref().map(|text| remark(words.say("expected:"), text)));
-    lines.extend(texts.hint.as_ref().map(|text| remark(words.say("hint:"), text)));
+    lines.extend(texts.expected.as_ref().map(|text| remark(tr!(words, "expected-label"), text)));
+    lines.extend(texts.hint.as_ref().map(|text| remark(tr!(words, "hint-label"), text)));
     Block::Notice { class: class(m), lines }
 }

@@ -28,7 +28,7 @@ pub(super) mod verdict;
 
 use super::Report;
 use super::model::{Block, Section};
-use super::words::Words;
+use super::words::{Words, tr};
 use etalon_documents::Characteristics;
 
 /// Creates a section from the documents; `None` if they contain nothing for it.
@@ -76,16 +76,16 @@ pub(super) fn all(report: &Report, words: &Words) -> Vec<Section> {
 /// A section of characteristics, with the name of the measured point (ISO 9283:1998, 12).
 fn of_point(mut section: Section, report: &Report, words: &Words) -> Section {
     let stated = &report.campaign.conditions.measurement_point;
-    let point = stated.clone().unwrap_or_else(|| words.say("not stated"));
+    let point = stated.clone().unwrap_or_else(|| tr!(words, "not-stated"));
     let conditions = &report.campaign.conditions;
     let listed = |all: &Vec<f64>, unit: &str| {
         format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
     };
-    let load = conditions.load_kg.map(|kg| words.fill("Load: {0} kg.", &[&kg]));
+    let load = conditions.load_kg.map(|kg| tr!(words, "load-sentence", load = kg));
     let percent = conditions.velocities_percent.as_ref().map(|all| listed(all, "%"));
     let velocity = conditions.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
-    let velocity = velocity.map(|velocity| words.fill("Velocity: {0}.", &[&velocity]));
-    let point = words.fill("Figures are those of the measurement point: {0}.", &[&point]);
+    let velocity = velocity.map(|velocity| tr!(words, "velocity-sentence", velocity));
+    let point = tr!(words, "figures-of-measurement-point", point);
     let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();
     section.begin(Block::note(sentences.join(" ")));
     section

@@ -4,7 +4,8 @@ use crate::Report;
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, shown, significant, term, with_uncertainty};
 use crate::number;
 use crate::plots::{correlation, intervals, sketch};
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Role};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -13,8 +14,8 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 /// Section of these parameters.
 pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
-    let mut section = Section::new("parameters", words.say("Parameters"));
-    let note = words.say("u is the standard uncertainty (k = 1), U = 2u the expanded one; numbers are shown to the second digit of u. “Before” is with only base and targets fitted. The change is from nominal to identified.");
+    let mut section = Section::new("parameters", tr!(words, "parameters-title"));
+    let note = tr!(words, "parameters-note");
     section.push(Block::note(note));
     let groups = groups(&document.parameters, words);
     for (title, of) in &groups {
@@ -22,7 +23,7 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     }
     section.push(Block::text(effective_values(document, words)));
     section.push(Block::Table(sheet(&document.parameters)));
-    section.table(words.say("What the parameters mean"), "", meanings(&document.parameters, words).detail());
+    section.table(tr!(words, "meanings-title"), "", meanings(&document.parameters, words).detail());
     section.figures(sketch::pictures(&document.sketches, words));
     section.push(Block::Table(matrix("Covariance", document, words, |c, i, j| c[i][j])));
     let correlated = |c: &[Vec<f64>], i: usize, j: usize| c[i][j] / (c[i][i] * c[j][j]).sqrt();
@@ -41,19 +42,16 @@ fn effective_values(document: &ParametersDocument, words: &Words) -> String {
     if effective.is_empty() {
         return String::new();
     }
-    words.fill(
-        "Effective rather than physical: {0}. Residuals exceed the uncertainty of the instrument, and most of the uncertainty of these values is of what the model leaves out: they fit the measured poses, and need not be dimensions of the robot.",
-        &[&effective.join(", ")],
-    )
+    tr!(words, "effective-parameters", names = effective.join(", "))
 }
 
 /// Groups of parameters by owner (robot, base, targets, fixtures), because their magnitudes differ.
 pub(crate) fn groups<'a>(parameters: &'a [ParameterEntry], words: &Words) -> Vec<(String, Vec<&'a ParameterEntry>)> {
     let all = [
-        (Role::Robot, words.say("Parameters of the robot")),
-        (Role::Base, words.say("Place of the base")),
-        (Role::Target, words.say("Places of the targets")),
-        (Role::Fixture, words.say("What is fixed in the world")),
+        (Role::Robot, tr!(words, "parameters-of-robot")),
+        (Role::Base, tr!(words, "place-of-the-base")),
+        (Role::Target, tr!(words, "places-of-the-targets")),
+        (Role::Fixture, tr!(words, "fixed-in-the-world")),
     ];
     let of = |role: Role| parameters.iter().filter(|p| p.role == role).collect::<Vec<_>>();
     all.into_iter().map(|(role, title)| (title, of(role))).filter(|(_, of)| !of.is_empty()).collect()
@@ -72,18 +70,18 @@ fn change_over_u(p: &ParameterEntry) -> Option<f64> {
 fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
     let moved = parameters.iter().any(|p| p.before != p.nominal);
     let columns = Columns::<&ParameterEntry>::new()
-        .page("name", "", |p| p.name.as_str())
-        .page("unit", "", |p| p.unit.as_str())
-        .page("nominal", "", |p| with_uncertainty(p.nominal, p.standard_uncertainty))
-        .page("before", "", move |p| moved.then(|| with_uncertainty(p.before, p.standard_uncertainty)))
-        .page("identified", "", |p| with_uncertainty(p.value, p.standard_uncertainty))
-        .page("change", "", |p| change(p))
+        .page(phrase!("name"), "", |p| p.name.as_str())
+        .page(phrase!("unit"), "", |p| p.unit.as_str())
+        .page(phrase!("nominal"), "", |p| with_uncertainty(p.nominal, p.standard_uncertainty))
+        .page(phrase!("before"), "", move |p| moved.then(|| with_uncertainty(p.before, p.standard_uncertainty)))
+        .page(phrase!("identified"), "", |p| with_uncertainty(p.value, p.standard_uncertainty))
+        .page(phrase!("change"), "", |p| change(p))
         .page("u (k = 1)", "", |p| significant(p.standard_uncertainty, 2))
         .page("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
-        .page("change/u", "", |p| shown(change_over_u(p), number::ratio))
-        .page("tolerance", "", |p| significant(p.tolerance, 3))
-        .page("status", "", |p| status(p.status, words))
-        .page("confounded with", "", |p| confounded(p, words));
+        .page(phrase!("change-by-u"), "", |p| shown(change_over_u(p), number::ratio))
+        .page(phrase!("tolerance"), "", |p| significant(p.tolerance, 3))
+        .page(phrase!("status"), "", |p| status(p.status, words))
+        .page(phrase!("confounded-with"), "", |p| confounded(p, words));
     Table::of(words, parameters, columns).without_empty_columns()
 }
 
@@ -94,7 +92,7 @@ fn confounded(p: &ParameterEntry, words: &Words) -> Text {
     let names = &p.confounded_with;
     match names.len() > NAMES + 1 {
         true => {
-            let more = words.fill("and {0} more", &[&(names.len() - NAMES)]);
+            let more = tr!(words, "and-more", count = (names.len() - NAMES));
             Text::name(&names[..NAMES].join(", ")).and(format!(" {more}"))
         }
         false => Text::name(&names.join(", ")),
@@ -131,18 +129,18 @@ fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
         }
     }
     let columns = Columns::<(&str, Vec<&str>)>::new()
-        .page("parameters", "", |(_, names)| Text::name(&names.join(", ")))
-        .page("meaning and sign", "", |(meaning, _)| Text::from(words.say(meaning)));
+        .page(phrase!("parameters"), "", |(_, names)| Text::name(&names.join(", ")))
+        .page(phrase!("meaning-and-sign"), "", |(meaning, _)| Text::from(words.term(meaning)));
     Table::of(words, &rows, columns)
 }
 
 /// Origin of a parameter's value in words.
 fn status(status: ParameterStatus, words: &Words) -> Cell {
     match status {
-        ParameterStatus::Identified => term(words, "identified"),
-        ParameterStatus::Fixed => term(words, "held by the campaign"),
-        ParameterStatus::NotIdentifiable => term(words, "held: not separately identifiable"),
-        ParameterStatus::PlacedByValidation => term(words, "placed by validation poses"),
+        ParameterStatus::Identified => term(words, phrase!("identified")),
+        ParameterStatus::Fixed => term(words, phrase!("held-by-the-campaign")),
+        ParameterStatus::NotIdentifiable => term(words, phrase!("held-not-identifiable")),
+        ParameterStatus::PlacedByValidation => term(words, phrase!("placed-by-validation-poses")),
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::Report;
 use crate::model::{Block, Cell, Columns, Section, Table, Text};
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_documents::{Provenance, Source};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -11,17 +12,17 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 
 /// Section of the provenance; `sources` adds information about inputs that this campaign read.
 pub(crate) fn of(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
-    let mut section = Section::new("provenance", words.say("Provenance"));
+    let mut section = Section::new("provenance", tr!(words, "provenance"));
     section.push(Block::facts(vec![
-        (words.say("written by"), format!("etalon {}", provenance.version).into()),
-        (words.say("Sources of the formulas"), words.say("frames and identification: weighted least squares (A. Joubair, thesis, ÉTS Montréal 2012, chapters 1 to 4); characteristics: ISO 9283:1998; uncertainties: JCGM 100:2008, JCGM 101:2008").into()),
-        (words.say("seed"), provenance.seed.map(|seed| seed.to_string()).into()),
+        (tr!(words, "written-by"), format!("etalon {}", provenance.version).into()),
+        (tr!(words, "sources-of-the-formulas"), tr!(words, "formula-sources").into()),
+        (tr!(words, "seed"), provenance.seed.map(|seed| seed.to_string()).into()),
     ]));
     let source = |name: &str| sources.iter().find(|s| s.file == name);
     let rows: Vec<(&String, &String, Option<&Source>)> =
         provenance.inputs.iter().map(|(name, sha256)| (name, sha256, source(name))).collect();
     let columns = Columns::<(&String, &String, Option<&Source>)>::new()
-        .both("file", "", |(name, ..)| Cell::from(*name))
+        .both(phrase!("file"), "", |(name, ..)| Cell::from(*name))
         .both("SHA-256", "", |(_, sha256, _)| Text::code(sha256))
         .sheet("kind", "", |r| r.2.map(|s| s.kind.name()))
         .sheet("bytes", "", |r| r.2.map(|s| s.bytes))

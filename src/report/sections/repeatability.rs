@@ -4,7 +4,8 @@
 use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, strong_term, term, um};
 use crate::number;
 use crate::plots::visits::{self, approach, of_pose};
-use crate::words::{Words, isolated};
+use crate::words::{Words, isolated, tr};
+use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid, minus};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
@@ -15,29 +16,29 @@ use etalon_documents::{
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref()?;
     let poses = named(document, words);
-    let mut section = Section::new("repeatability", words.say("Repeatability"));
-    section.summarise(words.say("conventions"), document.conventions.join("; "), "");
+    let mut section = Section::new("repeatability", tr!(words, "repeatability-title"));
+    section.summarise(tr!(words, "conventions"), document.conventions.join("; "), "");
     section.push(Block::Table(spheres(&poses, words).detail()));
     section.push(Block::note(Text::conventions(&document.conventions, words)));
-    let note = words.say("RP: ISO 9283:1998, 7.2.2. Not of the standard: RP without the instrument's noise, where visits were read several times, and the ellipsoid that holds the next position with 95 % probability.");
-    section.table(words.say("Uncertainty of RP"), note, intervals(&poses, words));
+    let note = tr!(words, "definition-rp");
+    section.table(tr!(words, "uncertainty-of-rp"), note, intervals(&poses, words));
     let rule = quarter_rule(&poses, words);
     if !rule.is_empty() {
-        section.push(Block::heading(words.say("Is the instrument good enough?")));
+        section.push(Block::heading(tr!(words, "instrument-good-enough")));
         section.push(Block::strong(quarter_sentence(document, words)));
-        let note = words.say("ISO 9283: its expanded uncertainty may be at most a quarter of what it verifies.");
+        let note = tr!(words, "definition-quarter-rule");
         section.table("", note, rule);
     }
     let all = Table::of(words, &poses, columns().in_workbook()).on("ISO 9283 poses");
     section.push(Block::Table(all.without_empty_columns()));
     by_approach(document, &mut section, words);
     section.figures(visits::pictures(document, words));
-    let columns = Columns::<Iso9283OutOfPlane>::new().page("pose", "", |p| p.pose).page(
-        "mean position from the plane of the other three",
+    let columns = Columns::<Iso9283OutOfPlane>::new().page(phrase!("pose"), "", |p| p.pose).page(
+        phrase!("coplanarity-of-pose"),
         "µm",
         |p| um(p.distance_mm),
     );
-    section.table(words.say("Coplanarity"), "", Table::of(words, &document.coplanarity_of_four, columns));
+    section.table(tr!(words, "coplanarity"), "", Table::of(words, &document.coplanarity_of_four, columns));
     section.push(Block::Table(of_robot(document, words)));
     section.push(Block::Table(attained(document, words)));
     section.on_terminal().whole()
@@ -56,15 +57,15 @@ pub(super) fn angles(document: &Iso9283Document) -> Vec<&'static str> {
 /// Interval (µm).
 pub(super) fn interval(of: Option<Iso9283Interval>, words: &Words) -> Cell {
     let um = |mm: f64| number::fixed(1e3 * mm, 1);
-    numbers(of.map(|i| words.fill("{0} to {1}", &[&um(i.low_mm), &um(i.high_mm)])))
+    numbers(of.map(|i| tr!(words, "range", from = um(i.low_mm), to = um(i.high_mm))))
 }
 
 /// Conformity with a stated limit, by the interval.
 pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     of.map_or(Cell::Missing, |c| match c {
-        Conformity::Conforming => term(words, "conforming"),
-        Conformity::NotConforming => strong_term(words, "not conforming"),
-        Conformity::Neither => term(words, "undecided"),
+        Conformity::Conforming => term(words, phrase!("conforming")),
+        Conformity::NotConforming => strong_term(words, phrase!("not-conforming")),
+        Conformity::Neither => term(words, phrase!("undecided")),
     })
 }
 
@@ -77,24 +78,24 @@ pub(super) struct Named<'a> {
 /// Poses of a document, and homing.
 pub(super) fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
     let poses = document.poses.iter().map(|pose| Named { name: pose.pose.into(), pose });
-    let homing = document.homing.iter().map(|pose| Named { name: term(words, "homing"), pose });
+    let homing = document.homing.iter().map(|pose| Named { name: term(words, phrase!("report-homing")), pose });
     poses.chain(homing).collect()
 }
 
 /// Table 2.1 of the thesis.
 fn spheres(poses: &[Named], words: &Words) -> Table {
     let columns = Columns::<Named>::new()
-        .page("pose", "", |n| n.name.clone())
-        .page("visits", "", |n| n.pose.cycles)
-        .page("sphere x, y, z", "", |n| um(n.pose.enclosing_radius_mm))
-        .page("circle x, y", "", |n| um(n.pose.enclosing_circle_radius_mm))
-        .below(2, "smallest enclosing sphere and circle, radius in µm")
-        .page("x, y, z (RP)", "", |n| um(n.pose.rp_mm))
+        .page(phrase!("pose"), "", |n| n.name.clone())
+        .page(phrase!("visits"), "", |n| n.pose.cycles)
+        .page(phrase!("sphere-x-y-z"), "", |n| um(n.pose.enclosing_radius_mm))
+        .page(phrase!("circle-x-y"), "", |n| um(n.pose.enclosing_circle_radius_mm))
+        .below(2, phrase!("smallest-sphere-and-circle"))
+        .page(phrase!("x-y-z-rp"), "", |n| um(n.pose.rp_mm))
         .page("x, y", "", |n| um(n.pose.rp_xy_mm))
         .page("x", "", |n| um(n.pose.rp_along_x_mm))
         .page("y", "", |n| um(n.pose.rp_along_y_mm))
         .page("z", "", |n| um(n.pose.rp_along_z_mm))
-        .below(5, "mean + 3 s of the distance from the mean, µm");
+        .below(5, phrase!("mean-plus-3s-of-distance"));
     Table::of(words, poses, columns)
 }
 
@@ -108,20 +109,22 @@ fn intervals(poses: &[Named], words: &Words) -> Table {
         .page_of(columns(), &["pose", "RP"])
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
         .page_of(columns(), &["RP without noise"])
-        .page("ellipsoid, semi-axes", "µm", axes)
-        .page("verdict", "", |n| conformity(n.pose.rp_conformity, words));
+        .page(phrase!("ellipsoid-semi-axes"), "µm", axes)
+        .page(phrase!("verdict"), "", |n| conformity(n.pose.rp_conformity, words));
     let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
     Table::of(words, known, columns).without_empty_columns()
 }
 
 /// Table of the 25 % rule by pose.
 fn quarter_rule(poses: &[Named], words: &Words) -> Table {
-    let over = |of: Option<f64>| of.map_or_else(|| term(words, "nothing to verify"), |r| fixed(r, 2));
+    let over = |of: Option<f64>| of.map_or_else(|| term(words, phrase!("nothing-to-verify")), |r| fixed(r, 2));
     let columns = Columns::<Named>::new()
-        .page("pose", "", |n| n.name.clone())
-        .page("U over AP", "", |n| n.pose.ap_mm.map(|_| over(n.pose.uncertainty_over_ap)))
-        .page("U over RP", "", |n| over(n.pose.uncertainty_over_rp))
-        .page("25 % rule", "", |n| n.pose.quarter_rule_met.map(|met| term(words, if met { "met" } else { "not met" })));
+        .page(phrase!("pose"), "", |n| n.name.clone())
+        .page(phrase!("u-over-ap"), "", |n| n.pose.ap_mm.map(|_| over(n.pose.uncertainty_over_ap)))
+        .page(phrase!("u-over-rp"), "", |n| over(n.pose.uncertainty_over_rp))
+        .page(phrase!("quarter-rule"), "", |n| {
+            n.pose.quarter_rule_met.map(|met| term(words, if met { phrase!("met") } else { phrase!("not-met") }))
+        });
     let judged = poses.iter().filter(|n| n.pose.quarter_rule_met.is_some());
     Table::of(words, judged, columns).without_empty_columns()
 }
@@ -133,14 +136,11 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
     let (met, missed): (Vec<String>, Vec<String>) = (of(true).collect(), of(false).collect());
     match (met.is_empty(), missed.is_empty()) {
         (true, true) => String::new(),
-        (_, true) => words.say("The instrument is good enough for every pose."),
+        (_, true) => tr!(words, "instrument-good-for-all"),
         (true, _) => {
-            words.say("The instrument is good enough for no pose: the values are upper bounds of the robot's.")
+            tr!(words, "instrument-good-for-none")
         }
-        _ => words.fill(
-            "The instrument is good enough for pose {0}, and not for pose {1}: there the values are upper bounds of the robot's.",
-            &[&met.join(", "), &missed.join(", ")],
-        ),
+        _ => tr!(words, "instrument-good-for-some", good = met.join(", "), poor = missed.join(", ")),
     }
 }
 
@@ -154,8 +154,8 @@ pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
         })
     };
     Columns::<Named>::new()
-        .both("pose", "", |n| n.name.clone())
-        .both("visits", "", |n| n.pose.cycles)
+        .both(phrase!("pose"), "", |n| n.name.clone())
+        .both(phrase!("visits"), "", |n| n.pose.cycles)
         .micrometres("AP", |n| n.pose.ap_mm)
         .micrometres("AP x", |n| n.pose.ap_x_mm)
         .micrometres("AP y", |n| n.pose.ap_y_mm)
@@ -163,7 +163,7 @@ pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
         .micrometres("RP", |n| n.pose.rp_mm)
         .sheet("RP, 95 % from", "mm", |n| n.pose.rp_interval.map(|i| i.low_mm))
         .sheet("RP, 95 % to", "mm", |n| n.pose.rp_interval.map(|i| i.high_mm))
-        .micrometres("RP without noise", |n| n.pose.rp_without_noise_mm)
+        .micrometres(phrase!("rp-without-noise"), |n| n.pose.rp_without_noise_mm)
         .sheet("RP in x, y", "mm", |n| n.pose.rp_xy_mm)
         .sheet("RP along x", "mm", |n| n.pose.rp_along_x_mm)
         .sheet("RP along y", "mm", |n| n.pose.rp_along_y_mm)
@@ -208,17 +208,12 @@ fn by_approach(document: &Iso9283Document, section: &mut Section, words: &Words)
     if document.approaches.is_empty() {
         return;
     }
-    section.push(Block::heading(words.say("By approach")));
-    section.push(Block::note(
-        words.say("vAP: largest distance between the means of two approaches (ISO 9283:1998, 7.2.3)."),
-    ));
+    section.push(Block::heading(tr!(words, "by-approach")));
+    section.push(Block::note(tr!(words, "definition-vap")));
     for v in &document.approaches {
         let [a, b] = v.between.each_ref().map(|name| isolated(&approach(name, words)));
         let um = number::fixed(1e3 * v.vap_mm, 1);
-        section.push(Block::text(words.fill(
-            "Pose {0}: the means {1} and {2} lie {3} µm apart, the farthest of all approaches.",
-            &[&v.pose, &a, &b, &um],
-        )));
+        section.push(Block::text(tr!(words, "vap-farthest", pose = v.pose, first = a, second = b, distance = um)));
     }
     section.push(Block::Table(approaches(document, words).detail()));
     section.push(Block::Table(turned(document, words)));
@@ -244,17 +239,17 @@ fn approaches(document: &Iso9283Document, words: &Words) -> Table {
     }
     let off = |r: &OfApproach, axis: usize| um(minus(r.approach.mean_mm, r.middle)[axis]);
     let columns = Columns::<OfApproach>::new()
-        .both("pose", "", |r| r.pose)
-        .page("approached", "", |r| Text::name(&approach(&r.approach.name, words)))
+        .both(phrase!("pose"), "", |r| r.pose)
+        .page(phrase!("approached"), "", |r| Text::name(&approach(&r.approach.name, words)))
         .sheet("approached", "", |r| r.approach.name.as_str())
-        .both("visits", "", |r| r.approach.cycles)
+        .both(phrase!("visits"), "", |r| r.approach.cycles)
         .page("x", "", move |r| off(r, 0))
         .page("y", "", move |r| off(r, 1))
         .page("z", "", move |r| r.spatial.then(|| off(r, 2)))
-        .below(3, "its mean from that of all, µm")
+        .below(3, phrase!("mean-from-overall-mean"))
         .sheet_xyz(["mean x", "mean y", "mean z"], "mm", |r| &r.approach.mean_mm)
         .micrometres("RP", |r| r.approach.rp_mm)
-        .micrometres("enclosing sphere, radius", |r| r.approach.enclosing_radius_mm);
+        .micrometres(phrase!("enclosing-sphere-radius"), |r| r.approach.enclosing_radius_mm);
     Table::of(words, &rows, columns).on("ISO 9283 approaches")
 }
 
@@ -264,7 +259,7 @@ fn turned(document: &Iso9283Document, words: &Words) -> Table {
     if titles.is_empty() {
         return Table::default();
     }
-    let columns = Columns::<Iso9283Variation>::new().page("pose", "", |v| v.pose);
+    let columns = Columns::<Iso9283Variation>::new().page(phrase!("pose"), "", |v| v.pose);
     let columns = columns.page_angles(&titles, |v| &v.vap_angles_deg);
     Table::of(words, &document.approaches, columns)
 }

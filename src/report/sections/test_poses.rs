@@ -2,7 +2,8 @@
 
 use crate::model::{Columns, Section, Table, fixed};
 use crate::plots::cube;
-use crate::words::Words;
+use crate::words::{Words, tr};
+use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{Characteristics, Iso9283Document};
@@ -10,17 +11,17 @@ use std::collections::BTreeMap;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
     let document = tested.poses.as_ref().filter(|document| !document.visits.is_empty())?;
-    let mut section = Section::new("poses", words.say("Poses"));
+    let mut section = Section::new("poses", tr!(words, "poses-title"));
     section.table("", places_note(document, words), places(document, words).detail());
     section.figures(cube::picture(document, words));
     section.on_terminal().whole()
 }
 
 fn places_note(document: &Iso9283Document, words: &Words) -> String {
-    let means = words.say("Mean of the attained positions.");
+    let means = tr!(words, "mean-of-attained-positions");
     match document.poses.iter().any(|p| p.ap_mm.is_some()) {
         true => means,
-        false => format!("{means} {}", words.say("The campaign commands no positions: accuracy (AP) is not tested.")),
+        false => format!("{means} {}", tr!(words, "accuracy-not-tested")),
     }
 }
 
@@ -33,8 +34,8 @@ fn places(document: &Iso9283Document, words: &Words) -> Table {
     let rows: Vec<(PoseName, usize, Vector)> =
         by_pose.into_iter().filter_map(|(pose, places)| Some((pose, places.len(), centroid(&places)?))).collect();
     let columns = Columns::<(PoseName, usize, Vector)>::new()
-        .page("pose", "", |(pose, ..)| *pose)
-        .page("visits", "", |(_, visits, _)| *visits)
+        .page(phrase!("pose"), "", |(pose, ..)| *pose)
+        .page(phrase!("visits"), "", |(_, visits, _)| *visits)
         .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
         .page("y", "mm", |(.., mean)| fixed(mean[1], 3))
         .page("z", "mm", |(.., mean)| fixed(mean[2], 3));

@@ -5,7 +5,8 @@ use super::repeatability::quarter_sentence;
 use crate::Identified;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
-use crate::words::Words;
+use crate::words::{Words, names, tr};
+use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, ErrorStatistics,
     Iso9283Document, Iso9283Variation, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet,
@@ -16,8 +17,8 @@ use etalon_documents::{
 pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     let repeatability = tested.poses.as_ref().is_some_and(|d| d.poses.iter().all(|p| p.ap_mm.is_none()));
     match repeatability && tested.compliance.is_none() {
-        true => words.say("Report on repeatability"),
-        false => words.say("Test report by ISO 9283"),
+        true => tr!(words, "repeatability-report"),
+        false => tr!(words, "iso9283-report"),
     }
 }
 
@@ -38,12 +39,12 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
-    let point = identified.map(|i| words.say(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let point = identified.map(|i| words.named(&i.accuracy.point)).filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
-            words.fill("Errors of {0} before → after calibration, {1} poses:", &[point, &words.say(s.name.name())])
+            tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
         }
-        None => words.fill("Errors before → after calibration, {0} poses:", &[&words.say(s.name.name())]),
+        None => tr!(words, "errors-before-after", set = words.tr(&names::set(s.name))),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
     Verdict {
@@ -61,22 +62,21 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let undecided: Vec<&str> =
         limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.into()).collect();
     let sentence = match (limits.len(), missed) {
-        (0, _) => return words.say("The campaign states no limits."),
+        (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() => String::new(),
-        (1, 0) => words.say("The limit of the campaign is met."),
-        (2, 0) => words.say("Both limits of the campaign are met."),
-        (n, 0) => words.fill("All {0} limits of the campaign are met.", &[&n]),
-        (1, _) => words.say("The limit of the campaign is not met."),
-        (n, 1) => words.fill("1 of {0} limits of the campaign is not met.", &[&n]),
-        (n, m) => words.fill("{0} of {1} limits of the campaign are not met.", &[&m, &n]),
+        (1, 0) => tr!(words, "limit-met-sentence"),
+        (2, 0) => tr!(words, "limits-both-met"),
+        (n, 0) => tr!(words, "limits-all-met", count = n),
+        (1, _) => tr!(words, "limit-not-met-sentence"),
+        (n, m) => tr!(words, "limits-not-met", count = m, total = n),
     };
     let open = match &undecided[..] {
         [] => String::new(),
         names => {
-            words.fill("Within its uncertainty it is undecided whether the limit is met: {0}.", &[&names.join(", ")])
+            tr!(words, "limits-undecided", limits = names.join(", "))
         }
     };
-    let rule = limits.first().map(|l| words.fill("Decision rule: {0}.", &[&name(l.decision_rule, words)]));
+    let rule = limits.first().map(|l| tr!(words, "decision-rule-named", rule = name(l.decision_rule, words)));
     let said = [sentence, open, rule.unwrap_or_default()];
     said.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
@@ -92,16 +92,31 @@ fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) 
     let reached =
         limit.map_or_else(|| number::fixed(after, decimals), |l| number::apart(after, l.limit * factor, decimals));
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
-    let (n, set) = (set.poses, words.say(set.name.name()));
-    let values: [&dyn std::fmt::Display; 5] = [&n, &set, &number::fixed(before, decimals), &reached, &unit];
+    let (n, set) = (set.poses, words.tr(&names::set(set.name)));
     let changed = match after <= before {
-        true => words.fill("The largest position error at {0} {1} poses fell from {2} to {3} {4}", &values),
-        false => words.fill("The largest position error at {0} {1} poses rose from {2} to {3} {4}", &values),
+        true => tr!(
+            words,
+            "largest-error-fell",
+            count = n,
+            set,
+            before = number::fixed(before, decimals),
+            after = reached,
+            unit
+        ),
+        false => tr!(
+            words,
+            "largest-error-rose",
+            count = n,
+            set,
+            before = number::fixed(before, decimals),
+            after = reached,
+            unit
+        ),
     };
     let judged = limit.map(|l| {
         let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
         let verdict = judged(l.conformity, words).shown().plain();
-        words.fill("(limit {0} {1}: {2})", &[&allowed, &unit, &verdict])
+        tr!(words, "limit-in-parentheses", limit = allowed, unit, verdict)
     });
     Some(judged.map_or_else(|| format!("{changed}."), |judged| format!("{changed} {judged}.")))
 }
@@ -111,12 +126,12 @@ fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
     let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
     let of = match r.common_standard_uncertainty_mm {
-        Some(_) => words.say("the uncertainty of instrument and contact"),
-        None => words.say("the instrument's uncertainty"),
+        Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
+        None => tr!(words, "uncertainty-of-instrument"),
     };
     ratio.is_finite().then(|| match r.chi_square_rejected {
-        true => words.fill("What is left is {0} times {1}: the model does not explain everything.", &[&times, &of]),
-        false => words.fill("What is left is {0} times {1}: the model explains the measurements.", &[&times, &of]),
+        true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = of),
+        false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = of),
     })
 }
 
@@ -164,8 +179,8 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     let termination = document.solver.termination;
     match termination.is_success() {
         true if document.is_plausible() => None,
-        true => Some(words.say("These parameters cannot be those of the robot: they must not be loaded.")),
-        false => Some(words.fill("The identification failed: {0}.", &[&termination])),
+        true => Some(tr!(words, "parameters-implausible")),
+        false => Some(tr!(words, "identification-failed", reason = termination.to_string())),
     }
 }
 
@@ -181,8 +196,8 @@ fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
         .into_iter()
         .filter_map(|quantity| set.of(quantity))
         .flat_map(|e| {
-            let name = words.say(e.quantity.as_ref());
-            let (max, rms) = (words.fill("{0} max", &[&name]), words.fill("{0} RMS", &[&name]));
+            let name = words.tr(&names::quantity(e.quantity));
+            let (max, rms) = (tr!(words, "max-of", quantity = name), tr!(words, "rms-of", quantity = name));
             [headline(e, max, |s| s.max), headline(e, rms, |s| s.rms)]
         })
         .collect()
@@ -192,7 +207,7 @@ fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
 fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     let Shown { unit, factor } = number::shown("mm", tool.before.max);
     let text = |v: f64| number::significant(v * factor, 3);
-    let what = words.say("tool point RMS: nominal minus identified → expected");
+    let what = tr!(words, "tool-point-headline");
     Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
 }
 
@@ -211,7 +226,7 @@ fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f
 /// intervals, and the sufficiency of the instrument.
 fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
     let Some(document) = &tested.poses else { return Vec::new() };
-    let of = |sentence: &str, of: PoseCharacteristic| {
+    let of = |of: PoseCharacteristic, sentence: fn(&str, &PoseName, &Words) -> String| {
         let all = document.poses.iter().filter_map(|p| Some(((of.value)(p)?, p.pose)));
         let (mm, pose) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let limit = document.limits.iter().find(|l| l.name == of.limit);
@@ -220,13 +235,13 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
         let within = limit.map(|l| within(mm <= l.limit, &um(l.limit), words));
-        let said = [Some(words.fill(sentence, &[&um(mm), &pose])), within, conformity(document, of, words)];
+        let said = [Some(sentence(&um(mm), &pose, words)), within, conformity(document, of, words)];
         Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
     };
-    let accuracy = words.say("The accuracy is {0} µm, at pose {1}.");
-    let accuracy = of(&accuracy, PoseCharacteristic::AP);
-    let repeatability = words.say("The repeatability is {0} µm, at pose {1}.");
-    let repeatability = of(&repeatability, PoseCharacteristic::RP);
+    let accuracy = of(PoseCharacteristic::AP, |accuracy, pose, words| tr!(words, "accuracy-at-pose", accuracy, pose));
+    let repeatability = of(PoseCharacteristic::RP, |repeatability, pose, words| {
+        tr!(words, "repeatability-at-pose", repeatability, pose)
+    });
     let by_approach = pooled(document, words);
     let instrument = Some(quarter_sentence(document, words)).filter(|sentence| !sentence.is_empty());
     [accuracy, by_approach, repeatability, instrument].into_iter().flatten().collect()
@@ -243,16 +258,21 @@ fn pooled(document: &Iso9283Document, words: &Words) -> Option<String> {
     };
     let (pose, count, low, high, pooled) = several.filter_map(of_pose).max_by(|a, b| a.3.total_cmp(&b.3))?;
     let um = |mm: f64| number::fixed(1e3 * mm, 1);
-    Some(words.fill(
-        "From one approach the repeatability is {0} to {1} µm, at pose {2} with {3} approaches; all of them together: {4} µm.",
-        &[&um(low), &um(high), &pose, &count, &um(pooled)],
+    Some(tr!(
+        words,
+        "repeatability-from-one-approach",
+        smallest = um(low),
+        largest = um(high),
+        pose,
+        approaches = count,
+        together = um(pooled)
     ))
 }
 
 fn within(within: bool, allowed: &str, words: &Words) -> String {
     match within {
-        true => words.fill("This is within the limit of {0} µm.", &[&allowed]),
-        false => words.fill("This is not within the limit of {0} µm.", &[&allowed]),
+        true => tr!(words, "limit-kept-sentence", limit = allowed),
+        false => tr!(words, "limit-exceeded-sentence", limit = allowed),
     }
 }
 
@@ -266,24 +286,17 @@ fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words)
     let all = conforming.len() + not.len() + neither.len();
     let first = match conforming.len() {
         0 => None,
-        1 if all == 1 => Some(words.fill("pose {0} conforms", &[&conforming[0]])),
-        1 => Some(words.fill("1 of {0} poses conforms", &[&all])),
-        n if n == all => Some(words.fill("all {0} poses conform", &[&all])),
-        n => Some(words.fill("{0} of {1} poses conform", &[&n, &all])),
+        1 if all == 1 => Some(tr!(words, "pose-conforms", pose = conforming[0])),
+        n if n == all => Some(tr!(words, "all-poses-conform", count = all)),
+        n => Some(tr!(words, "poses-conform", count = n, total = all)),
     };
-    let second = match &not[..] {
-        [] => None,
-        [one] => Some(words.fill("pose {0} does not conform", &[one])),
-        several => Some(words.fill("poses {0} do not conform", &[&several.join(", ")])),
-    };
-    let third = match &neither[..] {
-        [] => None,
-        [one] => Some(words.fill("pose {0} is undecided", &[one])),
-        several => Some(words.fill("poses {0} are undecided", &[&several.join(", ")])),
-    };
+    let second =
+        (!not.is_empty()).then(|| tr!(words, "poses-not-conforming", count = not.len(), poses = not.join(", ")));
+    let third =
+        (!neither.is_empty()).then(|| tr!(words, "poses-undecided", count = neither.len(), poses = neither.join(", ")));
     let said: Vec<String> = [first, second, third].into_iter().flatten().collect();
     let rule = document.limits.first().map_or_else(DecisionRule::default, |l| l.decision_rule);
-    (all > 0).then(|| words.fill("By {0}: {1}.", &[&name(rule, words), &said.join("; ")]))
+    (all > 0).then(|| tr!(words, "conformity-by-rule", rule = name(rule, words), results = said.join("; ")))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! Documents name them in English; names of parameters and streams are kept.
 
-use super::Words;
+use super::{Words, tr};
 use crate::number;
 use etalon_base::message::one_line;
 use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue};
@@ -10,14 +10,14 @@ use etalon_documents::{CompareChange, CompareFamily, CompareTrend, CompareValue}
 /// Name of a family.
 pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
     match family {
-        CompareFamily::Robot => words.say("Parameters of the robot"),
-        CompareFamily::SetUp => words.say("Parameters of base and targets"),
-        CompareFamily::MeanError => words.say("Accuracy"),
-        CompareFamily::PoseAccuracy => words.say("Pose accuracy AP"),
-        CompareFamily::MeanPosition => words.say("Mean positions"),
-        CompareFamily::PoseRepeatability => words.say("Pose repeatability RP"),
-        CompareFamily::PathAccuracy => words.say("Path accuracy AT"),
-        CompareFamily::PathRepeatability => words.say("Path repeatability RT"),
+        CompareFamily::Robot => tr!(words, "parameters-of-robot"),
+        CompareFamily::SetUp => tr!(words, "parameters-of-set-up"),
+        CompareFamily::MeanError => tr!(words, "accuracy"),
+        CompareFamily::PoseAccuracy => tr!(words, "pose-accuracy-ap"),
+        CompareFamily::MeanPosition => tr!(words, "mean-positions"),
+        CompareFamily::PoseRepeatability => tr!(words, "pose-repeatability-rp"),
+        CompareFamily::PathAccuracy => tr!(words, "path-accuracy-title"),
+        CompareFamily::PathRepeatability => tr!(words, "path-repeatability-title"),
     }
 }
 
@@ -25,8 +25,8 @@ pub(crate) fn family(family: CompareFamily, words: &Words) -> String {
 pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
     let name = &one_line(&trend.name);
     let named = match trend.family {
-        CompareFamily::Robot => Some(words.fill("Parameter {0}", &[name])),
-        CompareFamily::SetUp => Some(words.fill("Parameter {0} (base or target)", &[name])),
+        CompareFamily::Robot => Some(tr!(words, "parameter-named", name)),
+        CompareFamily::SetUp => Some(tr!(words, "set-up-parameter-named", name)),
         CompareFamily::MeanError => error(name, words),
         CompareFamily::PoseAccuracy | CompareFamily::MeanPosition | CompareFamily::PoseRepeatability => {
             of_pose(name, words)
@@ -40,19 +40,25 @@ pub(crate) fn quantity(trend: &CompareTrend, words: &Words) -> String {
 fn error(name: &str, words: &Words) -> Option<String> {
     let (quantity, rest) = name.split_once(" of ")?;
     let (set, when) = rest.rsplit_once(" poses, ")?;
-    Some(words.fill("Mean error: {0} of {1} poses, {2}", &[&words.say(quantity), &words.say(set), &words.say(when)]))
+    Some(tr!(
+        words,
+        "mean-error-of",
+        quantity = words.named(quantity),
+        set = words.named(set),
+        when = words.named(when)
+    ))
 }
 
 /// Name of a pose characteristic: `AP, pose 3`, `mean x, pose 3` or `RP, homing`.
 fn of_pose(name: &str, words: &Words) -> Option<String> {
     let (what, place) = name.split_once(", ")?;
     let what = match what.strip_prefix("mean ") {
-        Some(axis) => words.fill("mean {0}", &[&axis]),
+        Some(axis) => tr!(words, "mean-of-axis", axis),
         None => what.to_owned(),
     };
     let place = match place.strip_prefix("pose ") {
-        Some(pose) => words.fill("pose {0}", &[&pose]),
-        None => words.say(place),
+        Some(pose) => tr!(words, "pose-named", pose),
+        None => words.named(place),
     };
     Some(format!("{what}, {place}"))
 }
@@ -85,7 +91,7 @@ pub(crate) fn half(v: &CompareValue) -> Option<f64> {
 pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
     let shown = |number: f64| number::with_uncertainty(number, half(v));
     match (v.value, v.low, v.high) {
-        (None, ..) => words.say("not known"),
+        (None, ..) => tr!(words, "not-known"),
         (Some(value), Some(low), Some(high)) => format!("{} [{}, {}]", shown(value), shown(low), shown(high)),
         (Some(value), ..) => shown(value),
     }
@@ -93,7 +99,7 @@ pub(crate) fn value(v: &CompareValue, words: &Words) -> String {
 
 /// Later and earlier campaign in words.
 pub(crate) fn pair(c: &CompareChange, words: &Words) -> String {
-    words.fill("{0} from {1}", &[&c.to, &c.from])
+    tr!(words, "campaign-from", to = c.to, from = c.from)
 }
 
 /// Printable form of a change.
@@ -104,7 +110,7 @@ pub(crate) fn change(t: &CompareTrend, c: &CompareChange, words: &Words) -> Chan
         Some(ratio) => format!("× {}", shown(ratio)),
         None => format!("{}{} {}", if c.change > 0.0 { "+" } else { "" }, shown(c.change), unit(&t.unit)),
     };
-    let interval = c.low.zip(c.high).map(|(low, high)| words.fill("{0} to {1}", &[&shown(low), &shown(high)]));
+    let interval = c.low.zip(c.high).map(|(low, high)| tr!(words, "range", from = shown(low), to = shown(high)));
     let probability = |p: Option<f64>| p.map_or_else(String::new, number::probability);
     Change {
         pair: pair(c, words),

@@ -1,9 +1,11 @@
 //! Blunders, found by rule and listed: distances between targets of a rigid part that do not hold.
 
 use super::points::PointColumns;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, Rigid};
 use etalon_documents::{Refused, Source, contradicted_places};
 use etalon_formats::Point;
@@ -63,12 +65,13 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
         for (&i, reason) in &refused {
             let point = &columns.points[i];
             let reason = match coincident(point, &columns.points, rigid.tolerance_mm) {
-                Some(other) => format!("{reason}; it lies where `{other}` is"),
+                Some(other) => phrase!("rigid-point-coincides", message = reason, other),
                 None => reason.clone(),
             };
             let target = point.target.as_deref().unwrap_or("");
-            let what = format!("row {}: `{target}` is refused: {reason}", point.row);
-            problems.0.push(Message::warning(what).at(Place::line(&*point.export, point.line, &point.text)));
+            let message = warning!("rigid-row-refused", row = point.row, target, reason);
+            problems.0.push(message.at(Place::line(&*point.export, point.line, &point.text)));
+            let reason = reason.to_string();
             if let Some(source) = sources.iter_mut().find(|s| s.file == *point.export) {
                 source.refused.push(Refused { line: point.line, text: (&point.text).into(), reason });
                 source.refused.sort_by_key(|r| r.line);
@@ -89,38 +92,31 @@ fn place(campaign: &Campaign, rigid: &Rigid) -> Place {
 fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Result<(), Message> {
     let names: BTreeSet<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 2 || names.len() < rigid.targets.len() {
-        let message = Message::error("a rigid part needs two or more targets, each named once");
-        return Err(message.at(place(campaign, rigid)));
+        return Err(error!("rigid-targets").at(place(campaign, rigid)));
     }
     if !(rigid.tolerance_mm > 0.0 && rigid.tolerance_mm.is_finite()) {
-        let message = Message::error("`tolerance_mm` of a rigid part must be a positive number");
-        return Err(message
-            .at(campaign.place_of(&["rigid", &index.to_string(), "tolerance_mm"]))
-            .expected("how far a distance may leave its median, some times its scatter, e.g. 0.1"));
+        let place = campaign.place_of(&["rigid", &index.to_string(), "tolerance_mm"]);
+        return Err(error!("limit-not-positive", key = "tolerance_mm").at(place));
     }
     let at = |key: &str| campaign.place_of(&["rigid", &index.to_string(), key]);
     let uncertainty =
         [("expanded_uncertainty_um", rigid.expanded_uncertainty_um), ("coverage_factor", rigid.coverage_factor)];
     if rigid.places_mm.is_empty() {
         return match uncertainty.iter().find(|(_, value)| value.is_some()) {
-            Some((key, _)) => {
-                Err(Message::error(format!("`{key}` of a rigid part is that of `places_mm`, which is not stated"))
-                    .at(at(key)))
-            }
+            Some((key, _)) => Err(error!("rigid-uncertainty-without-places", key).at(at(key))),
             None => Ok(()),
         };
     }
     if let Some(other) = rigid.places_mm.keys().find(|name| !names.contains(name.as_str())) {
-        let what = format!("`places_mm` names `{other}`, which is not a target of this rigid part");
-        return Err(Message::error(what).at(at("places_mm")).hint_names(other, names));
+        let message = error!("rigid-place-unknown", target = other).at(at("places_mm"));
+        return Err(message.hint_names(other, names));
     }
     if let Some(missing) = names.iter().find(|name| !rigid.places_mm.contains_key(**name)) {
-        return Err(Message::error(format!("`places_mm` lacks the place of `{missing}`")).at(at("places_mm")));
+        return Err(error!("rigid-place-missing", target = missing).at(at("places_mm")));
     }
     for (key, value) in uncertainty {
         if !value.is_some_and(|value| value > 0.0 && value.is_finite()) {
-            let message = Message::error(format!("`places_mm` needs `{key}`, a positive number")).at(at("places_mm"));
-            return Err(message.expected("the expanded uncertainty of one coordinate, and its coverage factor"));
+            return Err(error!("rigid-places-need-uncertainty", key).at(at("places_mm")));
         }
     }
     Ok(())
@@ -134,16 +130,10 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     for (i, point) in points.iter().enumerate() {
         let Some(k) = point.target.as_deref().and_then(|t| names.iter().position(|n| *n == t)) else { continue };
         let at = || Place::line(&*point.export, point.line, &point.text);
-        let key = Together::of(point).ok_or_else(|| {
-            let what = format!("[[rigid]] names `{}`, and its row has neither pose nor time", names[k]);
-            Message::error(what).at(at()).hint("name the pose in label or columns, or take the target out of [[rigid]]")
-        })?;
+        let key = Together::of(point).ok_or_else(|| error!("rigid-row-without-pose", target = names[k]).at(at()))?;
         let slot = &mut groups.entry(key).or_insert_with(|| vec![None; names.len()])[k];
         if let Some(first) = slot.map(|first: usize| points[first].line) {
-            let what = format!("[[rigid]] names `{}`, and two of its rows have the same time", names[k]);
-            return Err(Message::error(what)
-                .at(at())
-                .hint(format!("the first is line {first}; name the pose as well")));
+            return Err(error!("rigid-time-twice", target = names[k], first).at(at()));
         }
         *slot = Some(i);
         measured.insert(k);
@@ -151,11 +141,7 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
     let together = groups.values().any(|seen| seen.iter().flatten().count() > 1);
     // a target that no export brings is reported by the check of names
     if !together && measured.len() == names.len() && rigid.places_mm.is_empty() {
-        let what = format!("[[rigid]]: {} are never measured together", names.join(", "));
-        return Err(Message::error(what)
-            .at(place(campaign, rigid))
-            .expected("rows with the same pose and cycle, or with the same time stamp")
-            .hint("name the pose in label or columns; `pose = \"row\"` numbers rows for files with one target each"));
+        return Err(error!("rigid-never-together", targets = names).at(place(campaign, rigid)));
     }
     Ok(groups)
 }
@@ -169,13 +155,9 @@ fn pairs(rigid: &Rigid) -> Vec<(usize, usize)> {
 fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Message> {
     let seen = |p: &(usize, usize)| groups.values().filter(|s| s[p.0].is_some() && s[p.1].is_some()).count();
     let (a, b) = *pairs(rigid).iter().find(|p| (1..FEWEST).contains(&seen(p)))?;
-    let what = format!(
-        "[[rigid]] refuses nothing by the distance of `{}` and `{}`: they are measured together {} time(s)",
-        rigid.targets[a].get_ref(),
-        rigid.targets[b].get_ref(),
-        seen(&(a, b))
-    );
-    Some(Message::warning(what).at(place(campaign, rigid)).expected(format!("{FEWEST} times or more")))
+    let [first, second] = [a, b].map(|i| rigid.targets[i].get_ref());
+    let message = warning!("rigid-few-distances", first, second, count = seen(&(a, b)), least = FEWEST);
+    Some(message.at(place(campaign, rigid)))
 }
 
 /// A message where targets measured together are at other distances than `places_mm` states, beyond the uncertainty of both.
@@ -203,7 +185,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
 }
 
 /// Indices of the points to refuse, and why.
-fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usize, String> {
+fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usize, Phrase> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     let distance = |seen: &[Option<usize>], (a, b): (usize, usize)| {
         Some(norm(minus(points[seen[a]?].xyz_mm, points[seen[b]?].xyz_mm)))
@@ -230,10 +212,9 @@ fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usiz
         let involved: BTreeSet<usize> = off.iter().flat_map(|&(a, b, _)| [a, b]).collect();
         let culprits = if shared.len() == 1 { shared } else { involved.into_iter().collect() };
         let largest = off.iter().fold((0, 0, 0.0f64), |w, o| if o.2.abs() > w.2.abs() { *o } else { w });
-        let reason = format!(
-            "its distance from other targets of the same rigid part is off by {:+.3} mm ({}-{}, tolerance {} mm)",
-            largest.2, names[largest.0], names[largest.1], rigid.tolerance_mm
-        );
+        let (first, second, off_mm) = (names[largest.0], names[largest.1], largest.2.abs());
+        let side = if largest.2 < 0.0 { "shorter" } else { "longer" };
+        let reason = phrase!("rigid-distance-off", first, second, off_mm, side, limit_mm = rigid.tolerance_mm);
         for k in culprits {
             if let Some(i) = seen[k] {
                 refused.insert(i, reason.clone());

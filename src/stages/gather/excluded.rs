@@ -2,7 +2,8 @@
 
 use super::points::PointColumns;
 use crate::stages::exclusions::excluded_rows;
-use etalon_base::message::{Message, Problems, Result, count};
+use etalon_base::message::{Message, Problems, Result};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{Refused, Source, SourceKind};
 
@@ -15,26 +16,25 @@ pub(super) fn leave_out(
     let mut problems = Problems::default();
     for stated in campaign.file.identify.iter().flat_map(|identify| &identify.exclude) {
         let rule = stated.get_ref();
-        let wrong = |what: String| Message::error(what).at(campaign.place(stated));
+        let place = || campaign.place(stated);
         let (rows, file) = match (&rule.poses, &rule.rows, &rule.file) {
             (Some(_), None, None) => continue,
             (None, Some(rows), Some(file)) if rule.cycle.is_none() && rule.target.is_none() => (rows, file),
             _ => {
-                let message = wrong("an exclusion names either poses or the rows of a file".to_owned());
-                problems.0.push(message.expected("`poses`, perhaps with `cycle` and `target`; or `file` and `rows`"));
+                problems.0.push(error!("exclusion-mixed").at(place()));
                 continue;
             }
         };
         let of_file = columns.points.iter().filter(|point| *point.export == **file);
         if of_file.clone().next().is_none() {
             let names = campaign.file.exports.iter().map(|export| export.file.get_ref().as_str());
-            problems.0.push(wrong(format!("`{file}` is not an export with rows to exclude")).hint_names(file, names));
+            problems.0.push(error!("exclusion-file-unknown", file).at(place()).hint_names(file, names));
             continue;
         }
         let excluded = match excluded_rows(rows, &rule.reason, of_file.map(|point| point.row)) {
             Ok(excluded) => excluded,
             Err(message) => {
-                problems.0.push(message.at(campaign.place(stated)));
+                problems.0.push(message.at(place()));
                 continue;
             }
         };
@@ -50,8 +50,8 @@ pub(super) fn leave_out(
             source.refused.sort_by_key(|refused| refused.line);
         }
         columns.points.retain(|point| *point.export != **file || !excluded.contains(&point.row));
-        let what = format!("excluded: {} of `{file}`, rows {rows}: {}", count(excluded.len(), "row"), rule.reason);
-        problems.0.push(Message::warning(what).routine());
+        let message = warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason = rule.reason);
+        problems.0.push(message.within(phrase!("of-file", file)).routine());
     }
     problems.check()
 }

@@ -1,7 +1,8 @@
 //! Points that lie where another one is, and reference targets that drift: reported, never dropped.
 
-use etalon_base::message::{Message, Place, Problems, count};
+use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, Fixed, JoinBy};
 use etalon_formats::Point;
 use etalon_math::statistics::median;
@@ -65,12 +66,8 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         if first.pose.is_none() && rows.len() > 1 && 2 * rows.len() > own {
             return None;
         }
-        let more =
-            if rows.len() > 1 { format!(", and so in {} in all", count(rows.len(), "row")) } else { String::new() };
-        let what = format!("row {}: `{wrong}` lies where `{other}` is{more}", first.row);
-        let hint = "was the beam on another target, or the label typed wrong? correct the label or take the row out; \
-                    [[rigid]] refuses rows whose distances do not hold";
-        Some(Message::warning(what).to_decide().at(Place::line(&*first.export, first.line, &first.text)).hint(hint))
+        let message = warning!("point-lies-at-another", row = first.row, point = wrong, other, rows = rows.len());
+        Some(message.to_decide().at(Place::line(&*first.export, first.line, &first.text)))
     };
     found.into_iter().filter_map(warning).collect()
 }
@@ -127,14 +124,12 @@ fn middle(all: &[Vector]) -> Option<Vector> {
     Some([axis(0)?, axis(1)?, axis(2)?])
 }
 
-/// What is wrong with the statements on fixed targets.
+/// Errors in the statements on fixed targets.
 pub(super) fn check(campaign: &Campaign) -> Problems {
     let wrong = |(i, fixed): (usize, &Fixed)| {
-        (!(fixed.drift_mm > 0.0 && fixed.drift_mm.is_finite())).then(|| {
-            Message::error("`drift_mm` of fixed targets must be a positive number")
-                .at(campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]))
-                .expected("how far they may wander in the course of the campaign, e.g. 0.02")
-        })
+        let place = || campaign.place_of(&["fixed", &i.to_string(), "drift_mm"]);
+        let is_limit = fixed.drift_mm > 0.0 && fixed.drift_mm.is_finite();
+        (!is_limit).then(|| error!("limit-not-positive", key = "drift_mm").at(place()))
     };
     Problems(campaign.file.fixed.iter().enumerate().filter_map(wrong).collect())
 }
@@ -146,14 +141,9 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         for target in &fixed.targets {
             let rows: Vec<&Point> = points.iter().filter(|p| p.target.as_deref() == Some(target.get_ref())).collect();
             if rows.len() < BLOCKS * FEWEST {
-                let what = format!(
-                    "`{}` is measured {}: too few to see it drift",
-                    target.get_ref(),
-                    count(rows.len(), "time")
-                );
-                warnings.push(
-                    Message::warning(what).at(campaign.place(target)).expected(format!("{} or more", BLOCKS * FEWEST)),
-                );
+                let (count, least) = (rows.len(), BLOCKS * FEWEST);
+                let message = warning!("drift-few-readings", target = target.get_ref(), count, least);
+                warnings.push(message.at(campaign.place(target)));
                 continue;
             }
             let blocks = rows.chunks(rows.len().div_ceil(BLOCKS));
@@ -165,15 +155,16 @@ pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
             let Some((i, j)) = pairs.max_by(|a, b| apart(a.0, a.1).total_cmp(&apart(b.0, b.1))) else { continue };
             if apart(i, j) > fixed.drift_mm {
                 let ((a, b, _), (c, d, _)) = (middles[i], middles[j]);
-                let what = format!(
-                    "`{}` drifts: between rows {a} to {b} and rows {c} to {d} it moves {:.4} mm (stated: {} mm)",
-                    target.get_ref(),
-                    apart(i, j),
-                    fixed.drift_mm
+                let (moved_mm, limit_mm) = (apart(i, j), fixed.drift_mm);
+                let message = warning!(
+                    "reference-drifts",
+                    target = target.get_ref(),
+                    first = format!("{a}-{b}"),
+                    second = format!("{c}-{d}"),
+                    moved_mm,
+                    limit_mm
                 );
-                let hint = "temperature, or the instrument moved? with `targets` and `each = \"pose\"` in [frame.world] \
-                            the frame follows the targets";
-                warnings.push(Message::warning(what).to_decide().at(campaign.place(target)).hint(hint));
+                warnings.push(message.to_decide().at(campaign.place(target)));
             }
         }
     }

@@ -15,6 +15,7 @@ use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::two_spellings;
+use etalon_base::warning;
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
 use etalon_formats::{Export, JointLog, Log, LogRow, Point};
@@ -224,6 +225,5 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
 pub(crate) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
     let (_, first) = frames.first()?;
     let (place, other) = frames.iter().find(|(_, frame)| frame != first)?;
-    let what = format!("the points are relative to the frame `{other}`, and those of another export to `{first}`");
-    Some(Message::warning(what).at(place.clone()).hint("export them in one working frame, or do not use them together"))
+    Some(warning!("frames-differ", first, second = other).at(place.clone()))
 }

@@ -2,8 +2,10 @@
 
 use crate::stages::resolution;
 use etalon_base::cell::is_formula;
+use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pattern::matches_pattern;
+use etalon_base::warning;
 use etalon_campaign::{Campaign, JoinBy};
 use etalon_documents::{Refused, Source};
 use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point};
@@ -24,9 +26,7 @@ impl PointColumns {
         let file = export.file.get_ref();
         let (mut rows, mut problems) = export.format.read(file, text, export.unit);
         if rows.is_empty() && problems.0.is_empty() {
-            problems.0.push(Message::error(format!("`{file}` holds no points")).hint(
-                "export the points again, or remove this [[export]]; `etalon formats FILE` shows how a text reads",
-            ));
+            problems.0.push(error!("export-empty", file));
         }
         problems = problems.at(&campaign.place(&export.file));
         self.remarks.extend(super::rounding::coarse(campaign, export, &rows));
@@ -65,9 +65,8 @@ impl PointColumns {
             let target = row.target.clone().or_else(named_target);
             if target.as_ref().is_some_and(|t| is_formula(t)) {
                 let target = target.unwrap_or_default();
-                let message = Message::error(format!("the target `{target}` would be a formula in a spreadsheet"));
-                let hint = "give it another name, or state a `label` that leaves the first character out";
-                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)).hint(hint));
+                let message = error!("target-formula", target = &*target);
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)));
                 return None;
             }
             let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1).into()));
@@ -75,9 +74,8 @@ impl PointColumns {
             let in_frame = |t: &Arc<str>| frame_targets.iter().any(|f| **f.get_ref() == **t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
             if target.is_some() && !placed && !target.as_ref().is_some_and(in_frame) {
-                let message = Message::error("the row names a target but no pose");
-                let hint = "name the pose in the label, or state `pose = \"row\"` for this export";
-                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)).hint(hint));
+                let message = error!("target-without-pose");
+                problems.0.push(message.at(Place::line(export.file.get_ref(), row.line, &row.text)));
                 return None;
             }
             Some(Point {
@@ -105,19 +103,18 @@ impl PointColumns {
             let (Some(target), Some(pose)) = (&point.target, point.pose) else { continue };
             let before = *first.entry((target, pose, point.cycle)).or_insert(point);
             if !std::ptr::eq(before, point) {
-                let cycle = point.cycle.map(|c| format!(", cycle {c}")).unwrap_or_default();
-                let what = format!("target `{target}` is there twice at pose {pose}{cycle}");
-                let repair = match campaign
-                    .file
-                    .exports
-                    .iter()
-                    .any(|e| e.pose.is_some() && *e.file.get_ref() == *point.export)
-                {
-                    true if point.export != before.export => "state `pose = \"row + 100\"` for one of the files",
-                    _ => "number repeats as cycles, or remove one",
-                };
-                let hint = format!("the first is {}:{}; {repair}", before.export, before.line);
-                errors.push(Message::error(what).at(Place::line(&*point.export, point.line, &point.text)).hint(hint));
+                let numbered = |e: &Export| e.pose.is_some() && *e.file.get_ref() == *point.export;
+                let several = point.export != before.export && campaign.file.exports.iter().any(numbered);
+                let message = error!(
+                    "target-twice",
+                    target = &**target,
+                    pose,
+                    cycle = point.cycle.unwrap_or(1),
+                    file = &*before.export,
+                    line = before.line,
+                    numbered = if several { "by-row" } else { "by-label" }
+                );
+                errors.push(message.at(Place::line(&*point.export, point.line, &point.text)));
             }
         }
         errors
@@ -137,16 +134,8 @@ impl PointColumns {
         };
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return Vec::new() };
-        let what = format!(
-            "labels that name no target and that no feature or frame uses: {}, the first is `{}`",
-            idle.len(),
-            first.label
-        );
-        vec![
-            Message::warning(what)
-                .at(Place::line(&*first.export, first.line, &first.text))
-                .hint("correct the label, or `label` of this export"),
-        ]
+        let message = warning!("labels-unused", count = idle.len(), label = &*first.label);
+        vec![message.at(Place::line(&*first.export, first.line, &first.text))]
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::stages::resolution::step;
 use etalon_base::message::Message;
+use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_formats::{Export, Point};
 use std::collections::BTreeSet;
@@ -46,13 +47,10 @@ pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Op
     let is_coarse = |step: f64| step * in_mm / 12f64.sqrt() > instrument_mm;
     let coarse: Vec<(&str, f64)> =
         columns.iter().filter_map(|(name, step)| Some((*name, step.filter(|step| is_coarse(*step))?))).collect();
-    let (&(_, first), unit, file) = (coarse.first()?, export.unit.name(), export.file.get_ref());
-    let what = if coarse.len() == columns.len() && coarse.iter().all(|(_, step)| *step == first) {
-        format!("the coordinates of `{file}` are rounded to {first} {unit}, coarser than the instrument is uncertain")
-    } else {
-        let each: Vec<String> = coarse.iter().map(|(name, step)| format!("{name} of {step} {unit}")).collect();
-        let each = each.join(", ");
-        format!("columns of `{file}` hold multiples of a step that is coarser than the instrument is uncertain: {each}")
-    };
-    Some(Message::warning(what).at(campaign.place(&export.file)).hint("export them with more decimals"))
+    let (unit, file) = (export.unit.name(), export.file.get_ref());
+    let largest = coarse.iter().map(|(_, step)| *step).max_by(f64::total_cmp)?;
+    let columns: Vec<_> = coarse.iter().map(|(column, step)| phrase!("column-step", column, step, unit)).collect();
+    let (rounding_um, instrument_um) = (1e3 * largest * in_mm / 12f64.sqrt(), 1e3 * instrument_mm);
+    let message = warning!("coordinates-rounded", file, columns, rounding_um, instrument_um);
+    Some(message.at(campaign.place(&export.file)))
 }

@@ -2,8 +2,9 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
-use etalon_base::message::{Message, Problems, Result, count};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_documents::Unmatched;
 use etalon_formats::JointLog;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,6 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 type Key = [Option<PoseName>; 2];
 /// Indices of rows by their key.
 type Keys = BTreeMap<Key, Vec<usize>>;
+
+/// Keys without a partner that a message lists.
+const SHOWN: usize = 8;
 
 /// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
 pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
@@ -32,43 +36,39 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
         collected(keys, &log.rows, |row, key| number(key, [row.row, row.file.unwrap_or(0)], row.pose, row.cycle))?;
     let name = &log.name;
     let twice = logged.iter().filter(|(_, rows)| rows.len() > 1).map(|(key, rows)| {
-        let at: Vec<String> = rows.iter().map(|&row| log.rows[row].line.to_string()).collect();
-        format!("{} in lines {}", in_words(keys, key), at.join(", "))
+        let lines: Vec<usize> = rows.iter().map(|&row| log.rows[row].line).collect();
+        phrase!("key-in-lines", key = in_words(keys, key), lines)
     });
-    let twice: Vec<String> = twice.collect();
+    let twice: Vec<_> = twice.collect();
     if !twice.is_empty() {
-        let what = format!("log `{name}` has {} more than once: {}", count(twice.len(), "key"), twice.join("; "));
-        return Err(Message::error(what).hint("add `cycle` to the key, or remove the rows that do not count").into());
+        return Err(error!("log-key-twice", log = name, count = twice.len(), keys = twice).into());
     }
     misspelt(keys, (targets, &measured), (log, &logged))?;
-    let mut report = |one: &str,
-                      many: &str,
-                      at: &dyn Fn(usize, String, &str) -> Unmatched,
-                      here: &Keys,
-                      there: &Keys,
-                      reason: &str| {
-        let alone: Vec<&Key> = here.keys().filter(|key| !there.contains_key(*key)).collect();
-        let what = if alone.len() == 1 { one } else { many };
-        if !alone.is_empty() {
-            let shown: Vec<String> = alone.iter().take(8).map(|k| format!("[{}]", listed(k))).collect();
-            let more = if alone.len() > 8 { ", ... (all are in import.json)" } else { "" };
-            let text = format!(
-                "{} {what} `{name}` without a partner ({}): {}{more}",
-                alone.len(),
-                keys.join(", "),
-                shown.join(", ")
-            );
-            remarks.messages.push(Message::warning(text).routine());
-        }
-        for key in alone {
-            remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
-        }
-    };
+    let mut report =
+        |of: &str, at: &dyn Fn(usize, String, &str) -> Unmatched, here: &Keys, there: &Keys, reason: &str| {
+            let alone: Vec<&Key> = here.keys().filter(|key| !there.contains_key(*key)).collect();
+            if !alone.is_empty() {
+                let mut shown: Vec<String> = alone.iter().take(SHOWN).map(|k| format!("[{}]", listed(k))).collect();
+                shown.extend((alone.len() > SHOWN).then(|| "...".to_owned()));
+                let message = warning!(
+                    "keys-unmatched",
+                    count = alone.len(),
+                    of,
+                    log = name,
+                    columns = keys.join(", "),
+                    keys = shown
+                );
+                remarks.messages.push(message.routine());
+            }
+            for key in alone {
+                remarks.unmatched.extend(here[key].iter().map(|&row| at(row, in_words(keys, key), reason)));
+            }
+        };
     let point = |i: usize, key, reason: &str| At::point(targets[i].point).unmatched(key, reason);
     let lone = format!("no row of log `{name}` has this key");
-    report("measured key is beside log", "measured keys are beside log", &point, &measured, &logged, &lone);
+    report("points", &point, &measured, &logged, &lone);
     let row = |i: usize, key, reason: &str| At::log(log, &log.rows[i]).unmatched(key, reason);
-    report("key of log", "keys of log", &row, &logged, &measured, "no measured point has this key");
+    report("log", &row, &logged, &measured, "no measured point has this key");
     let met = measured.iter().filter_map(|(key, rows)| Some((rows, &log.rows[*logged.get(key)?.first()?])));
     let pairs = met.flat_map(|(rows, met)| rows.iter().map(move |&i| (&targets[i], met)));
     if keys[0] == "row" {
@@ -92,20 +92,14 @@ fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged
         let unknown = |pose: PoseName| pose.number().is_none() && other.keys().all(|key| key[0] != Some(pose));
         alone.iter().copied().find(|(pose, _)| unknown(*pose))
     };
-    let (what, pose, place, others) = match (wrong(&there, measured), wrong(&here, logged)) {
-        (Some((pose, row)), _) => {
-            let what =
-                format!("pose `{pose}` of log `{}` was not measured, and measured poses are not in the log", log.name);
-            (what, pose, At::log(log, &log.rows[row]).place(), here)
-        }
-        (None, Some((pose, row))) => {
-            let what = format!("pose `{pose}` is not in log `{}`, and poses of the log were not measured", log.name);
-            (what, pose, At::point(targets[row].point).place(), there)
-        }
+    let (of, pose, place, others) = match (wrong(&there, measured), wrong(&here, logged)) {
+        (Some((pose, row)), _) => ("log", pose, At::log(log, &log.rows[row]).place(), here),
+        (None, Some((pose, row))) => ("points", pose, At::point(targets[row].point).place(), there),
         (None, None) => return Ok(()),
     };
     let names: BTreeSet<String> = others.iter().map(|(pose, _)| pose.to_string()).collect();
-    Err(Message::error(what).at(place).hint_names(&pose.to_string(), names.iter().map(String::as_str)).into())
+    let message = error!("pose-misspelt", pose, log = log.name, of).at(place);
+    Err(message.hint_names(&pose.to_string(), names.iter().map(String::as_str)).into())
 }
 
 /// Rows by their keys, which all must have.
@@ -113,9 +107,7 @@ fn collected<T>(keys: &[&str], rows: &[T], number: impl Fn(&T, &str) -> Option<P
     let mut all = Keys::new();
     for key in keys {
         if rows.iter().any(|row| number(row, key).is_none()) {
-            let message = Message::error(format!("the join needs `{key}`, which some rows do not have"));
-            let hint = "name it in `label` of the exports and in `columns` of the log, or change `by` in [join]";
-            return Err(Problems::from(message.hint(hint)));
+            return Err(Problems::from(error!("join-key-missing", key)));
         }
     }
     for (i, row) in rows.iter().enumerate() {

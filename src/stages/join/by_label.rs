@@ -2,8 +2,9 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, own_covariance};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
+use etalon_base::{error, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::FramesDocument;
 use etalon_formats::{JointLog, Point};
@@ -23,12 +24,10 @@ pub(super) fn by_label(
 ) -> Result<(Vec<Row>, Remarks)> {
     let name = &log.name;
     if robot.targets().len() != 1 {
-        let what = format!("a join by label is for robots with one target, this has {}", robot.targets().len());
-        return Err(Message::error(what).into());
+        return Err(error!("join-by-label-targets", count = robot.targets().len()).into());
     }
     let Some(frame) = frames.world.poses.iter().find(|f| f.pose.is_none()) else {
-        let message = Message::error("a join by label needs a world frame that stays the same for all poses");
-        return Err(message.hint("make it of points that do not move").into());
+        return Err(error!("join-by-label-frame").into());
     };
     let measured = means(campaign, points);
     let world_T_export = frame.export_T_world.inverse();
@@ -38,8 +37,7 @@ pub(super) fn by_label(
         let label = row.label.as_deref().unwrap_or_default();
         used.insert(label);
         let Some(mean) = measured.get(label) else {
-            let message = Message::error(format!("no measured point has the label `{label}`"));
-            let message = message.at(At::log(log, row).place());
+            let message = error!("label-not-measured", label).at(At::log(log, row).place());
             problems.0.push(message.hint_names(label, measured.keys().copied()));
             continue;
         };
@@ -62,8 +60,7 @@ pub(super) fn by_label(
     let idle = |label: &&str| !used.contains(label) && !frame_points.contains(label);
     let idle: BTreeSet<&str> = measured.keys().copied().filter(idle).collect();
     if let Some(first) = idle.first() {
-        let what = format!("points that no row of log `{name}` touches: {}, the first is `{first}`", idle.len());
-        remarks.messages.push(Message::warning(what));
+        remarks.messages.push(warning!("points-untouched", log = name, count = idle.len(), label = first));
         let reason = format!("no row of log `{name}` touches it");
         let alone = points.iter().filter(|p| idle.contains(&*p.label));
         remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.to_string(), &reason)));

@@ -2,7 +2,8 @@
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
-use etalon_base::message::{Message, Problems, Result, count};
+use etalon_base::message::{Problems, Result};
+use etalon_base::{error, warning};
 use etalon_documents::Unmatched;
 use etalon_formats::{DIRECTION, JointLog};
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,7 +30,7 @@ struct Met {
 /// between rows the number of the time.
 pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;
-    let times = nanoseconds(targets.iter().map(|t| t.point.time_s), clocks.offset_s, "the export")?;
+    let times = nanoseconds(targets.iter().map(|t| t.point.time_s), clocks.offset_s, "export")?;
     let spans = spans(log)?;
     let tolerance_ns = (clocks.tolerance_s * 1e9).round() as i64;
     let met: Vec<Option<Met>> = times
@@ -59,21 +60,18 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
 /// First and last time of each row of the log in nanoseconds: the same, but for standstills.
 fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
     let span = |end: usize| log.rows.iter().map(move |row| row.standing_s.map(|s| s[end]).or(row.time_s));
-    let (from, to) = (nanoseconds(span(0), 0.0, "the log")?, nanoseconds(span(1), 0.0, "the log")?);
+    let (from, to) = (nanoseconds(span(0), 0.0, "log")?, nanoseconds(span(1), 0.0, "log")?);
     if let Some(i) = from.windows(2).position(|w| w[1] <= w[0]) {
-        let what = format!("times of log `{}` do not increase at its row {}", log.name, i + 2);
-        return Err(Message::error(what).hint("sort the log by time, and remove rows with equal times").into());
+        return Err(error!("log-times-not-increasing", log = log.name, row = i + 2).into());
     }
     Ok(from.into_iter().zip(to).collect())
 }
 
-fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, offset_s: f64, whose: &str) -> Result<Vec<i64>> {
+/// Times in whole nanoseconds; `of` names the file in the error about a missing time.
+fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, offset_s: f64, of: &str) -> Result<Vec<i64>> {
     let whole = |t: Option<f64>| t.filter(|t| t.is_finite()).map(|t| ((t - offset_s) * 1e9).round() as i64);
-    times_s.map(whole).collect::<Option<_>>().ok_or_else(|| {
-        Message::error(format!("{whose} has rows without a time"))
-            .hint("a join by time needs `time_s` in the columns of exports and log")
-            .into()
-    })
+    let times: Option<Vec<i64>> = times_s.map(whole).collect();
+    Ok(times.ok_or_else(|| error!("times-missing", of))?)
 }
 
 /// How far a time is from a row.
@@ -118,11 +116,7 @@ fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Cloc
     if several.is_empty() {
         return;
     }
-    let what = format!(
-        "{} with several rows of log `{name}` within {tolerance_s} s: the nearest counts",
-        count(several.len(), "measured point")
-    );
-    remarks.messages.push(Message::warning(what).hint("lower `tolerance_s` to less than half the period of the log"));
+    remarks.messages.push(warning!("several-rows-near", count = several.len(), log = name, tolerance_s));
     remarks.unmatched.extend(several.into_iter().map(|(i, rows)| {
         let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
         unmatched(&targets[i], &reason)
@@ -137,9 +131,8 @@ fn report_alone(targets: &[Target], met: &[Option<Met>], clocks: Clocks, name: &
     };
     let alone: Vec<usize> = (0..met.len()).filter(|&i| met[i].is_none()).collect();
     if !alone.is_empty() {
-        let points = count(alone.len(), "measured point");
-        let what = format!("{points} without a row of log `{name}` within {} s", clocks.tolerance_s);
-        remarks.messages.push(Message::warning(what));
+        let tolerance_s = clocks.tolerance_s;
+        remarks.messages.push(warning!("points-without-row", count = alone.len(), log = name, tolerance_s));
     }
     remarks.unmatched.extend(alone.into_iter().map(|i| unmatched(&targets[i], &reason)));
 }
@@ -150,8 +143,7 @@ fn report_idle(log: &JointLog, used: &BTreeSet<usize>, clocks: Clocks, remarks: 
     if idle.is_empty() || clocks.interpolate {
         return;
     }
-    let what = format!("{} of log `{}` without a measured point", count(idle.len(), "row"), log.name);
-    remarks.messages.push(Message::warning(what));
+    remarks.messages.push(warning!("rows-without-point", count = idle.len(), log = log.name));
     let reason = "no measured point is nearest to it";
     let row = |i: usize| At::log(log, &log.rows[i]).unmatched(at(log.rows[i].time_s.unwrap_or(f64::NAN)), reason);
     remarks.unmatched.extend(idle.into_iter().map(row));
@@ -166,13 +158,12 @@ fn refuse_twice(targets: &[Target], times: &[i64], met: &[Option<Met>], clocks: 
         used.entry((key, targets[i].point.target.as_deref().unwrap_or_default())).or_default().push(i);
     }
     let errors = used.iter().filter(|(_, points)| points.len() > 1).map(|((key, target), points)| {
-        let lines: Vec<String> = points.iter().map(|&i| targets[i].point.line.to_string()).collect();
-        let (n, lines, name) = (points.len(), lines.join(", "), &log.name);
-        let what = match clocks.interpolate {
-            true => format!("{n} points of target `{target}` have the same time (lines {lines})"),
-            false => format!("row {key} of log `{name}` is nearest to {n} points of target `{target}` (lines {lines})"),
+        let (count, name) = (points.len(), &log.name);
+        let lines: Vec<usize> = points.iter().map(|&i| targets[i].point.line).collect();
+        let message = match clocks.interpolate {
+            true => error!("target-time-twice", count, target, lines),
+            false => error!("log-row-met-twice", row = key, log = name, count, target, lines),
         };
-        let message = Message::error(what).hint("lower `tolerance_s`, or check `clock_offset_s`");
         message.at(At::point(targets[points[points.len() - 1]].point).place())
     });
     Problems(errors.collect()).check().map(|_| ())

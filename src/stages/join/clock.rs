@@ -1,6 +1,10 @@
 //! The offset of two clocks, from where the robot stood: every measurement was taken while it did.
 
 use etalon_base::message::Message;
+use etalon_base::{error, phrase};
+
+/// Ranges of offsets that a message lists.
+const SHOWN: usize = 6;
 
 /// Offsets at which every measurement falls into a standstill.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,30 +26,22 @@ pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetRange
     let mut times: Vec<f64> = times_s.iter().copied().filter(|t| t.is_finite()).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let Some(first) = times.first() else { return Err(Message::error("no measured point has a time")) };
+    let Some(first) = times.first() else { return Err(error!("times-missing", of = "points")) };
     let mut shared = suits(first);
     for (i, t) in times.iter().enumerate().skip(1) {
         let left = both(&shared, &suits(t));
         if left.is_empty() {
-            let what = "at no offset of the clocks does every measured point fall into a standstill of the log";
-            let hint = format!(
-                "{i} of the times do, up to {} s; the one at {t} s does not with them: was a point measured while the robot \
-                 moved? State `clock_offset_s` as a number, and rows without a partner are listed",
-                times[i - 1]
-            );
-            return Err(Message::error(what).hint(hint));
+            return Err(error!("clock-offset-none", count = i, last_s = times[i - 1], first_s = t));
         }
         shared = left;
     }
     match shared[..] {
         [(low, high)] => Ok(OffsetRange { offset_s: 0.5 * (low + high), half_width_s: 0.5 * (high - low) }),
         _ => {
-            let ranges: Vec<String> =
-                shared.iter().take(6).map(|(low, high)| format!("{low:.3} to {high:.3} s")).collect();
-            let more = if shared.len() > 6 { ", ..." } else { "" };
-            let what = format!("the standstills suit several offsets of the clocks: {}{more}", ranges.join(", "));
-            Err(Message::error(what)
-                .hint("state `clock_offset_s` as a number: one of these, if the clocks were compared"))
+            let ranges: Vec<_> =
+                shared.iter().map(|(low_s, high_s)| phrase!("range-of-seconds", low_s, high_s)).collect();
+            let shown = &ranges[..ranges.len().min(SHOWN)];
+            Err(error!("clock-offsets-several", count = ranges.len(), ranges = shown))
         }
     }
 }

@@ -15,9 +15,10 @@ use crate::stages::joint_range::{self, JointRow, Joints};
 use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
@@ -118,7 +119,7 @@ pub fn joined(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument,
 /// Joins the targets of `robot`, expressed in the world, with every log of the campaign.
 fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot: &dyn Robot) -> Result<Joined> {
     let Some(definition) = &campaign.file.join else {
-        return Err(Message::error("a join needs [join]").at(Place::file(campaign.path.as_str())).into());
+        return Err(error!("join-missing").at(Place::file(campaign.path.as_str())).into());
     };
     let (mut remarks, mut problems) = (Remarks::default(), Problems::default());
     let targets = targets_in_world(campaign, imported, frames, robot, &mut remarks);
@@ -182,21 +183,16 @@ fn with_log(
         JoinBy::Label => Vec::new(),
     };
     if joined.is_empty() {
-        let message = Message::error(format!("no measured point has a partner in log `{}`", log.name));
+        let log_name = &log.name;
         if join.by == JoinBy::Time {
-            let apart = apart_s(join, targets, log).map_or_else(String::new, |s| format!(" are {s:.3} s apart"));
-            let hint = format!(
-                "with this `clock_offset_s` the two nearest times{apart}: check its value and sign; it is the time of the \
-                 measurement minus that of the log"
-            );
-            return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).hint(hint).into());
+            let apart_s = apart_s(join, targets, log).unwrap_or(f64::NAN);
+            let message = error!("join-by-time-empty", log = log_name, apart_s);
+            return Err(message.at(campaign.place_of(&["join", "clock_offset_s"])).into());
         }
-        let first = targets.first().and_then(|t| t.point.pose).zip(log.rows.first().and_then(|row| row.pose));
-        let names = first.map(|(here, there)| format!(" (the first are `{here}` and `{there}`)")).unwrap_or_default();
-        let hint = format!(
-            "compare the poses{names} and cycles of exports and log, or choose another key with `by` in [join]"
-        );
-        return Err(message.hint(hint).into());
+        let shown = |pose: Option<PoseName>| pose.map_or_else(|| "-".to_owned(), |pose| pose.to_string());
+        let measured = shown(targets.first().and_then(|t| t.point.pose));
+        let logged = shown(log.rows.first().and_then(|row| row.pose));
+        return Err(error!("join-empty", log = log_name, measured, logged).into());
     }
     Ok(joined)
 }
@@ -216,14 +212,14 @@ fn offset_s(
     let place = || campaign.place_of(&["join", "clock_offset_s"]);
     let times: Vec<f64> = targets.iter().filter_map(|t| t.point.time_s).collect();
     let found = clock::offset(&times, &standstills).map_err(|m| m.at(place()))?;
-    let what = format!(
-        "the clock of log `{}` is set by its {}: offset {:.3} s, at most {:.3} s off",
-        log.name,
-        count(standstills.len(), "standstill"),
-        found.offset_s,
-        found.half_width_s
+    let message = warning!(
+        "clock-from-standstills",
+        log = log.name,
+        count = standstills.len(),
+        offset_s = found.offset_s,
+        half_width_s = found.half_width_s
     );
-    remarks.messages.push(Message::warning(what).at(place()).hint("every measured point falls into a standstill so"));
+    remarks.messages.push(message.at(place()));
     Ok(found.offset_s)
 }
 
@@ -292,14 +288,7 @@ fn targets_in_world<'a>(
         });
     }
     if !lost.is_empty() {
-        remarks.messages.push(
-            Message::warning(format!(
-                "{} without a world frame, left out: {}",
-                count(lost.len(), "pose"),
-                listed(&lost)
-            ))
-            .hint("their frame targets were refused or not measured: see import.json"),
-        );
+        remarks.messages.push(warning!("pose-without-frame", count = lost.len(), poses = listed(&lost)));
     }
     targets
 }
@@ -322,15 +311,16 @@ fn contradictions<'a>(log: &JointLog, pairs: impl Iterator<Item = (&'a Point, &'
         let differs = pairs.clone().filter_map(|(point, row)| Some((point, row, stated(point)?, logged(row)?)));
         let all: Vec<(&Point, &LogRow, PoseName, PoseName)> = differs.filter(|(.., a, b)| a != b).collect();
         let Some((point, row, here, there)) = all.first() else { continue };
-        let what = format!(
-            "{} with another {column} than the row of log `{}` that it meets: {here} and {there} (line {} of the log)",
-            count(all.len(), "measured point"),
-            log.name,
-            row.line
+        let message = error!(
+            "join-contradicts",
+            count = all.len(),
+            column,
+            log = log.name,
+            measured = here,
+            logged = there,
+            line = row.line
         );
-        let hint =
-            format!("join by pose; or leave `{column}` out of `columns` of the log, if it counts something else there");
-        problems.0.push(Message::error(what).at(At::point(point).place()).hint(hint));
+        problems.0.push(message.at(At::point(point).place()));
     }
     problems.check().map(|_| ())
 }
@@ -351,11 +341,7 @@ fn equal_counts<'a>(
         let rows = log.rows.iter().filter(|row| own.is_none_or(|own| row.file == own)).count();
         if source.rows_read != rows {
             let (file, name) = (&source.file, &log.name);
-            let what = format!("`{file}` has {} rows, log `{name}` has {rows}", source.rows_read);
-            let message = Message::error(what).expected("equal counts for a join by row");
-            let message = message.hint(
-                "one row of the log for each row of the export; else name pose and cycle in both, and join by them",
-            );
+            let message = error!("row-counts-differ", file, rows = source.rows_read, log = name, log_rows = rows);
             let stated = campaign.file.exports.iter().find(|e| e.file.get_ref() == file);
             problems.0.push(Message { place: stated.map(|e| Box::new(campaign.place(&e.file))), ..message });
         }
@@ -376,12 +362,8 @@ fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, J
         let mut order: Vec<usize> = (0..log.rows.len()).collect();
         order.sort_by(|&a, &b| log.rows[a].time_s.partial_cmp(&log.rows[b].time_s).unwrap_or(Ordering::Equal));
         if log.rows.iter().any(|row| row.time_s.is_none()) {
-            let what = format!("log `{}` does not show from which direction joint `{}` came", log.name, joint.name);
-            let hint = format!(
-                "`backlash` needs it: state the times of the rows (`time_s` in `columns`, or `period_s`), or `{name}` in `columns`: +1 from \
-                 below, -1 from above"
-            );
-            return Err(Message::error(what).hint(hint).into());
+            let message = error!("approach-direction-unknown", log = log.name, joint = joint.name, column = name);
+            return Err(message.into());
         }
         let found = directions(order.iter().map(|&i| log.rows[i].joints[column]), STILL);
         let log = log.to_mut();
@@ -396,14 +378,7 @@ fn leave_out_unknown(rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) -> V
     let (rows, lost): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.joints.iter().all(|q| !q.is_nan()));
     if !lost.is_empty() {
         let poses: BTreeSet<PoseName> = lost.iter().filter_map(|row| row.pose).collect();
-        let name = &log.name;
-        let what = format!(
-            "poses left out, before which a joint with backlash has no motion in log `{name}`: {}",
-            listed(&poses)
-        );
-        remarks
-            .messages
-            .push(Message::warning(what).hint("begin the log before the first pose, or state the direction"));
+        remarks.messages.push(warning!("backlash-direction-unknown", log = log.name, poses = listed(&poses)));
     }
     rows
 }
@@ -442,13 +417,7 @@ const OUT_OF_PLANE_MM: f64 = 0.5;
 fn out_of_plane(rows: &[Row], robot: &dyn Robot) -> Option<Message> {
     let heights = rows.iter().filter(|_| robot.dimension() == 2).map(|row| row.world_mm[2]);
     let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
-    (high - low > OUT_OF_PLANE_MM).then(|| {
-        let what = format!(
-            "the targets move in a plane that is not that of the world frame: they have heights from {low:.3} to {high:.3} mm"
-        );
-        let hint = "check z of the exports (unit, sign, column) and the points that make the plane of the world frame";
-        Message::warning(what).hint(hint)
-    })
+    (high - low > OUT_OF_PLANE_MM).then(|| warning!("targets-out-of-plane", low_mm = low, high_mm = high))
 }
 
 fn listed(numbers: &BTreeSet<PoseName>) -> String {

@@ -5,6 +5,7 @@ use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::positions;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_formats::JointLog;
 use etalon_formats::table;
 use etalon_formats::tables::joints::{stated_mode, wrong_direction};
@@ -124,7 +125,7 @@ impl JoinedLog {
         rows.sort_by_key(|row| (row.pose, row.cycle, row.target));
         let column = |name: &String| {
             let found = log.joints.iter().position(|other| other == name).ok_or_else(|| {
-                Message::error(format!("log `{}` has no column `{name}`", log.name))
+                error!("log-column-missing", log = log.name, column = name)
                     .hint_names(name, log.joints.iter().map(String::as_str))
             });
             Ok(found?)
@@ -138,8 +139,8 @@ impl JoinedLog {
         let orientations = rows.iter().map(|row| row.orientation).collect();
         for row in rows {
             let (Some(pose), Some(cycle)) = (row.pose, row.cycle) else {
-                let name = if row.pose.is_none() { "pose" } else { "cycle" };
-                return Err(Message::error(format!("column `{name}` has an empty cell")).into());
+                let column = if row.pose.is_none() { "pose" } else { "cycle" };
+                return Err(error!("column-empty", column).into());
             };
             let values: Vec<f64> = columns.iter().map(|&k| row.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
             let [x, y, z] = row.world_mm;
@@ -226,8 +227,6 @@ impl JoinedLog {
         }
         let lacking = |(_, n): &(&(PoseName, i64), &usize)| **n < self.targets.len();
         let poses: BTreeSet<PoseName> = seen.iter().filter(lacking).map(|(key, _)| key.0).collect();
-        let what = format!("poses that lack a target: {}", listed(&poses));
-        let hint = "their other targets still count; a pose or an orientation needs all of them";
-        (!poses.is_empty()).then(|| Message::warning(what).hint(hint))
+        (!poses.is_empty()).then(|| warning!("targets-missing", poses = listed(&poses)))
     }
 }

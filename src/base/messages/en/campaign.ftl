@@ -71,8 +71,8 @@ no-target = a robot in space needs at least one target
 target-called-base = no target can be called `base`: its parameters would be those of the robot's base
     .hint = give the target another name in label or columns
 
-# Means: A value of robot.toml is zero or negative, and must be positive.
-# Matters: No such robot exists.
+# Means: A key that needs a positive number has zero, a negative number or NaN.
+# Matters: The value has no meaning.
 # Do: Correct the value.
 # Example: `gear_ratio = 0`
 key-not-positive = `{ $key }` must be positive

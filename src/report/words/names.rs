@@ -1,0 +1,97 @@
+//! Names of what documents enumerate.
+
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
+use etalon_documents::{Effect, ErrorQuantity, PoseSet, SourceKind, UncertaintySource};
+
+/// Name of a set of poses.
+pub(crate) fn set(set: PoseSet) -> Phrase {
+    match set {
+        PoseSet::Calibration => phrase!("calibration"),
+        PoseSet::Validation => phrase!("validation"),
+    }
+}
+
+/// Name of a quantity whose errors are counted.
+pub(crate) fn quantity(quantity: ErrorQuantity) -> Phrase {
+    match quantity {
+        ErrorQuantity::Position => phrase!("position"),
+        ErrorQuantity::X => phrase!("axis-x"),
+        ErrorQuantity::Y => phrase!("axis-y"),
+        ErrorQuantity::Z => phrase!("axis-z"),
+        ErrorQuantity::Orientation => phrase!("orientation"),
+    }
+}
+
+/// Name of an effect of the robot.
+pub(crate) fn effect(effect: Effect) -> Phrase {
+    match effect {
+        Effect::Zeros => phrase!("zeros"),
+        Effect::Geometry => phrase!("geometry"),
+        Effect::Gains => phrase!("gains"),
+        Effect::Harmonics => phrase!("harmonics"),
+        Effect::Backlash => phrase!("backlash"),
+        Effect::Coupling => phrase!("coupling"),
+        Effect::Bending => phrase!("bending"),
+    }
+}
+
+/// Kind of a file.
+pub(crate) fn kind(kind: SourceKind) -> Phrase {
+    match kind {
+        SourceKind::Campaign => phrase!("campaign"),
+        SourceKind::Robot => phrase!("robot"),
+        SourceKind::Export => phrase!("export"),
+        SourceKind::Log => phrase!("log"),
+        SourceKind::Table => phrase!("table"),
+        SourceKind::Stream => phrase!("stream"),
+    }
+}
+
+/// Source of uncertainty.
+pub(crate) fn source(source: UncertaintySource) -> Phrase {
+    match source {
+        UncertaintySource::Instrument => phrase!("instrument"),
+        UncertaintySource::Contact => phrase!("contact"),
+        UncertaintySource::RigidParts => phrase!("rigid-parts"),
+        UncertaintySource::KnownPoints => phrase!("known-points"),
+        UncertaintySource::NominalValues => phrase!("nominal-values"),
+        UncertaintySource::Repeatability => phrase!("repeatability"),
+        UncertaintySource::Model => phrase!("model"),
+        UncertaintySource::Residuals => phrase!("residuals"),
+        UncertaintySource::Frame => phrase!("world-frame"),
+        UncertaintySource::FrameOfPoses => phrase!("frames-of-poses"),
+        UncertaintySource::Scale => phrase!("scale"),
+        UncertaintySource::Temperature => phrase!("temperature"),
+        UncertaintySource::Homing => phrase!("homing"),
+    }
+}
+
+/// Names that documents enumerate in texts: elements, methods, points, movements, quantities of a
+/// comparison. `None` for any other text.
+pub(crate) fn of_document(name: &str) -> Option<Phrase> {
+    Some(match name {
+        "plane" => phrase!("plane"),
+        "line" => phrase!("line"),
+        "circle" => phrase!("circle"),
+        "cylinder" => phrase!("cylinder"),
+        "nominal" => phrase!("nominal"),
+        "geometric" => phrase!("geometric"),
+        "identified" => phrase!("identified"),
+        "base shift" => phrase!("base-shift"),
+        "base rotation" => phrase!("base-rotation"),
+        "the platform's centre as the balls measure it" => phrase!("platform-as-measured"),
+        "the targets as measured" => phrase!("targets-as-measured"),
+        "the platform's centre C in the base frame" => phrase!("platform-in-base"),
+        "the targets in the world" => phrase!("targets-in-world"),
+        "position" => phrase!("position"),
+        "orientation" => phrase!("orientation"),
+        "calibration" => phrase!("calibration"),
+        "validation" => phrase!("validation"),
+        "before" => phrase!("before"),
+        "after" => phrase!("after"),
+        "homing" => phrase!("homing"),
+        "max" => phrase!("max"),
+        _ => return None,
+    })
+}
