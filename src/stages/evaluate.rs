@@ -209,7 +209,7 @@ fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
 /// Owner of the errors of a platform: parameters that shift balls and tool alike do not show in
 /// them.
 const MEASURED_CENTRE: &str = "the platform's centre as the balls measure it";
-/// Whose errors those of other robots are.
+/// Owner of the errors of other robots.
 const MEASURED_TARGETS: &str = "the targets as measured";
 
 /// Standard uncertainty (k = 1) of measured errors, by the uncertainty of the instrument. The

@@ -137,7 +137,7 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
     })
 }
 
-/// A world frame that is the same for all poses.
+/// A world frame for all poses.
 fn fixed(definition: String, export_T_world: Pose) -> WorldFrame {
     WorldFrame {
         definition,

@@ -160,9 +160,9 @@ fn uncertainties_that_are_none_are_refused() {
         table(&rows, ",ux_mm,uy_mm", move |row| if row.pose == 3 { cell.to_owned() } else { ",0.003,0.003".to_owned() })
     };
     for (cells, part) in [
-        (",0.003,", "`uy_mm` is empty"),
-        (",-0.003,0.003", "`ux_mm` = -0.003 is not"),
-        (",0.003,3000", "`uy_mm` = 3000 is not"),
+        (",0.003,", "error[coordinate-uncertainty-missing]"),
+        (",-0.003,0.003", "error[coordinate-uncertainty-unusable]: `ux_mm` = -0.003 "),
+        (",0.003,3000", "error[coordinate-uncertainty-unusable]: `uy_mm` = 3000 "),
     ] {
         refused(&with(cells), &[], &[part, "o.csv:6"]);
     }
@@ -226,7 +226,7 @@ fn a_misspelt_name_of_one_row_is_refused() {
             continue;
         }
         assert_eq!(code, Some(2), "{name}: {said}");
-        let meant = ["observations.csv:4", "did you mean `anchor_C`?", &format!("`{name}` is named in 1 row only")];
+        let meant = ["observations.csv:4", "did you mean `anchor_C`?", &format!("error[name-on-few-rows]: `{name}` ")];
         meant.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said of {name}:\n{said}"));
     }
     let (code, said) = ran("anchor_E");

@@ -103,7 +103,7 @@ fn words_in_a_log_are_reported_with_their_rows() {
         "encoders.csv",
         "\n1,1,",
         "\n1,x,",
-        &["pose `x` of log `log` was not measured", "encoders.csv:2", "use one of: 1"],
+        &["error[pose-misspelt]: pose `x` of log `log`", "encoders.csv:2", "use one of: 1"],
     );
 }
 
@@ -278,7 +278,11 @@ fn a_target_measured_twice_points_at_both_rows() {
     std::fs::write(&path, poses + &first + "\n").unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for part in ["error[target-twice]: target `K` is there twice at pose 1, cycle 1", "exports/poses.txt:591", "exports/poses.txt:1;"] {
+    for part in [
+        "error[target-twice]: target `K` is there twice at pose 1, cycle 1",
+        "exports/poses.txt:591",
+        "exports/poses.txt:1;",
+    ] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
 }

@@ -913,3 +913,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } Parameter liegen
     } außerhalb der Toleranz des Roboters: { $parameters }
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Systeme prüfen; ist der Roboter anders gezeichnet, `tolerance` in der Roboterdatei angeben
+
+format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }

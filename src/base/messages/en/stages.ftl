@@ -1870,3 +1870,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } parameters are
     } beyond the tolerance of the robot: { $parameters }
     .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file
+
+format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }

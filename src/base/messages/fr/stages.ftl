@@ -916,3 +916,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } paramètres dépassent
     } la tolérance du robot : { $parameters }
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales et les repères ; si le robot est dessiné autrement, indiquer `tolerance` dans le fichier du robot
+
+format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
