@@ -193,7 +193,7 @@ fn every_key_that_the_log_has_twice_is_said_with_its_lines() {
     std::fs::write(scratch.path().join("encoders.csv"), log + "1,3,0,0,0\n2,7,0,0,0\n").unwrap();
     let said = run(&scratch).unwrap_err().to_string();
     assert!(
-        said.contains("error[log-key-twice]: log `log` has 2 keys more than once: pose 3, cycle 1 in lines 4, 297; pose 7, cycle 2 in lines 67, 298"),
+        said.contains("error[log-key-twice]: log `log` has 2 keys more than once: pose 3, cycle 1 (lines 4, 297), pose 7, cycle 2 (lines 67, 298)"),
         "{said}"
     );
 }

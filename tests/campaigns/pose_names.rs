@@ -86,7 +86,7 @@ fn an_excluded_pose_has_a_name() {
     );
     ends(&scratch, "run", 0, &["excluded: 40 readings, poses Q9, Prüf31-Prüf33: ball loose"]);
     scratch.replace("campaign.toml", "[\"Q9\", ", "[\"Q99\", ");
-    ends(&scratch, "run", 2, &["leaves no reading out at pose Q99"]);
+    ends(&scratch, "run", 2, &["error[exclusion-matches-nothing]: there is no reading at pose Q99"]);
 }
 
 #[test]

@@ -199,10 +199,10 @@ fn rows_and_poses_are_left_out_with_their_reason() {
     let text = table(&rows, "", |_| String::new());
     for (option, value, part) in [
         ("--exclude", "99: why", "leaves no reading out at pose 99"),
-        ("--exclude", "5", "states no reason"),
-        ("--exclude", "all: why", "`all` names no poses to exclude"),
-        ("--exclude-rows", "48-50, 60: why", "there is no row 60"),
-        ("--exclude-rows", "4", "states no reason"),
+        ("--exclude", "5", "error[exclusion-option-without-reason]"),
+        ("--exclude", "all: why", "error[exclusion-names-nothing]: `all`"),
+        ("--exclude-rows", "48-50, 60: why", "error[exclusion-matches-nothing]: there is no row 60"),
+        ("--exclude-rows", "4", "error[exclusion-option-without-reason]"),
     ] {
         refused(&text, &[option, value], &[part]);
     }

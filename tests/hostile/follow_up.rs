@@ -88,7 +88,7 @@ fn a_run_that_fails_keeps_its_warnings_and_tells_of_the_run_before() {
     scratch.replace("campaign.toml", "[limits]", "hold = [\"*\"]\n[limits]");
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(2), "{said}");
-    for part in ["1 measured key is beside log", "error", "warning[earlier-run-left]"] {
+    for part in ["warning[keys-unmatched]: 1 key of measured points", "error", "warning[earlier-run-left]"] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
 }

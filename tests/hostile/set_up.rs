@@ -64,15 +64,15 @@ fn excluded_readings_have_a_reason_that_the_report_repeats() {
     assert_eq!(etalon(&scratch, "run").0, Some(0));
     let all = parameters(&scratch).residuals.count;
     add(&scratch, "campaign.toml", rule);
-    ends(&scratch, "run", 0, &["excluded: 1 reading of `K`, pose 3, cycle 2: stylus slipped"]);
+    ends(&scratch, "run", 0, &["[excluded-readings]: excluded: 1 reading, pose 3, cycle 2, target `K`: stylus slipped"]);
     assert_eq!(parameters(&scratch).residuals.count, all - 2);
     assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
     for (from, to, said) in [
-        ("poses = \"3\"", "poses = \"333\"", "this exclusion leaves no reading out at pose 333"),
-        ("poses = \"333\"", "poses = \"3, 777\"", "this exclusion leaves no reading out at pose 777"),
-        ("poses = \"3, 777\"", "poses = \"all\"", "`all` names no poses to exclude"),
-        ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "the exclusions leave no reading"),
-        ("reason = \"stylus slipped\"", "reason = \" \"", "an exclusion needs its reason"),
+        ("poses = \"3\"", "poses = \"333\"", "error[exclusion-matches-nothing]: there is no reading at pose 333"),
+        ("poses = \"333\"", "poses = \"3, 777\"", "error[exclusion-matches-nothing]: there is no reading at pose 777"),
+        ("poses = \"3, 777\"", "poses = \"all\"", "error[exclusion-names-nothing]: `all`"),
+        ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "error[exclusions-leave-nothing]"),
+        ("reason = \"stylus slipped\"", "reason = \" \"", "error[exclusion-without-reason]"),
     ] {
         scratch.replace("campaign.toml", from, to);
         ends(&scratch, "check", 2, &[said]);

@@ -203,7 +203,7 @@ fn trap_21_a_target_that_a_spreadsheet_would_compute_is_refused() {
         let export =
             "[[export]]\nfile = \"o.txt\"\nunit = \"mm\"\nformat = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"";
         let told = campaign(export, &files).1.unwrap_err().to_string();
-        assert!(told.contains("would be a formula") && told.contains("o.txt:1"), "{told}");
+        assert!(told.contains("error[target-formula]") && told.contains("o.txt:1"), "{told}");
     }
 }
 

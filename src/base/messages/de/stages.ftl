@@ -184,7 +184,7 @@ column-empty = die Spalte `{ $column }` ist leer oder fehlt
 targets-missing = Zielmarken fehlen bei Pose { $poses }
     .hint = ihre übrigen Zielmarken zählen; eine Pose oder Orientierung braucht alle
 
-key-in-lines = { $key } in den Zeilen { $lines }
+key-in-lines = { $key } (Zeilen { $lines })
 
 log-key-twice = Protokoll `{ $log }` hat { $count ->
         [one] 1 Schlüssel

@@ -184,7 +184,7 @@ column-empty = la colonne `{ $column }` est vide ou manque
 targets-missing = des cibles manquent à la pose { $poses }
     .hint = leurs autres cibles comptent ; une pose ou une orientation les demande toutes
 
-key-in-lines = { $key } aux lignes { $lines }
+key-in-lines = { $key } (lignes { $lines })
 
 log-key-twice = le journal `{ $log }` a { $count ->
         [one] { $count } clé
