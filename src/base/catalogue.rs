@@ -28,18 +28,24 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 11] = files![
+pub const FILES: [(&str, [&str; 3]); 17] = files![
     "base",
     "campaign",
     "cli",
     "compare",
     "controllers",
     "documents",
+    "exports",
     "fit",
+    "formats",
+    "identify",
     "report",
+    "reporting",
+    "robots",
+    "run",
     "simulate",
     "stages",
-    "standards"
+    "standards",
 ];
 
 /// Named arguments of a text.
@@ -76,6 +82,7 @@ impl Eq for Argument {}
 /// assert_eq!(approaches.text("de"), "2 Anfahrrichtungen");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(description = "Text of the catalogue with its arguments.")]
 pub struct Phrase {
     /// Id in the catalogue.
     pub id: Cow<'static, str>,

@@ -1,5 +1,6 @@
 //! Line drawing of a robot in its base frame, with its parameters as dimensions.
 
+use super::catalogue::Phrase;
 use super::pose::{Pose, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,6 +11,9 @@ use serde::{Deserialize, Serialize};
 pub struct Sketch {
     /// Title of the drawing.
     pub title: String,
+    /// Id of the title in the catalogue of texts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title_id: Option<String>,
     /// `true` if the drawing lies in the plane z = 0.
     pub planar: bool,
     /// Lines of the drawing.
@@ -47,9 +51,10 @@ pub enum StrokeKind {
 const ARC: usize = 8;
 
 impl Sketch {
-    /// Creates an empty drawing.
-    pub fn new(title: &str, planar: bool) -> Self {
-        Self { title: title.to_owned(), planar, strokes: Vec::new() }
+    /// Creates an empty drawing with a title of the catalogue.
+    pub fn new(title: &'static str, planar: bool) -> Self {
+        let title_id = Some(title.to_owned());
+        Self { title: Phrase::new(title).to_string(), title_id, planar, strokes: Vec::new() }
     }
 
     /// Adds a line.

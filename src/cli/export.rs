@@ -7,7 +7,7 @@ use crate::run::validation::recommend;
 use crate::stages::given::{check_described, other_nominal};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Severity, printable};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
@@ -37,8 +37,8 @@ pub struct ExportCommand {
     /// Folder to write to; by default the folder of parameters.json.
     #[arg(long, value_name = "FOLDER", required_if_eq("parameters", "recommended"))]
     to: Option<PathBuf>,
-    /// Hash that the robot states (`calib_...`), for the format universal-robots; by default
-    /// etalon's hash.
+    /// Hash that the robot states (`calib_...`), for formats that contain it (universal-robots); by
+    /// default etalon's hash.
     #[arg(long, value_name = "HASH", value_parser = controller_hash)]
     controller_hash: Option<String>,
     /// Write parameters that failed their checks, and files that are worse than nominal; their
@@ -78,16 +78,20 @@ impl ExportCommand {
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
         let hash = self.controller_hash.as_deref();
-        if hash.is_some() && !wanted.iter().any(|name| name == "universal-robots") {
-            return Err(Problems::from(error!("hash-of-other-format")).into());
+        if hash.is_some() && !exporters.iter().any(|exporter| exporter.states_controller_hash()) {
+            let formats = etalon_controllers::with_controller_hash();
+            return Err(Problems::from(error!("hash-of-other-format", formats)).into());
         }
         let given = Given { controller_hash: hash, ..exported.given(self.force) };
         given.check()?;
         let of_format = |(name, e): (&String, &&dyn Exporter)| {
             let statement = given.statement(*e)?;
             let file = (e.file_name().to_owned(), e.write_stated(&given, &statement)?);
+            let near = statement.warning(&[name]);
             let Statement { left_out, errors, .. } = statement;
-            Ok((file, WrittenController { format: name.clone(), left_out, errors }))
+            let mut written = WrittenController { format: name.clone(), left_out, errors, messages: Vec::new() };
+            written.messages = not_measured(&written).into_iter().chain(near).collect();
+            Ok((file, written))
         };
         let written = wanted.iter().zip(&exporters).map(of_format).collect::<Result<Vec<_>, Problems>>()?;
         let (files, controllers): (Vec<_>, Vec<_>) = written.into_iter().unzip();
@@ -95,7 +99,7 @@ impl ExportCommand {
             Some(run) => run.write(files)?,
             None => beside_no_run(&to, &files)?,
         };
-        remark(&controllers.iter().filter_map(not_measured).collect::<Vec<_>>());
+        remark(&controllers.iter().flat_map(|file| &file.messages).cloned().collect::<Vec<_>>());
         if self.json {
             print(to_json(&WrittenDocument { controllers, ..WrittenDocument::new(written) })?)?;
         } else {
@@ -175,7 +179,7 @@ impl Exported {
             check_described(robot.as_ref(), &parameters)?;
         }
         if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
-            let hint = "run the campaign again, or name the robot.toml that it was run with";
+            let hint = phrase!("robot-file-of-run");
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
         }
         Ok(Self { parameters, file, robot, summary, accuracy: None, controllers: None })

@@ -64,6 +64,10 @@ fn bytes_of<const N: usize, T: Copy>(values: &[T], bytes: impl Fn(T) -> [u8; N])
 }
 
 impl Exporter for Npz {
+    fn name(&self) -> &'static str {
+        "numpy"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.npz"
     }
@@ -129,6 +133,10 @@ const CHARACTERS: u32 = 4;
 const DOUBLES: u32 = 6;
 
 impl Exporter for Mat {
+    fn name(&self) -> &'static str {
+        "mat"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.mat"
     }

@@ -10,6 +10,10 @@ use minijinja::value::Serde;
 pub(super) struct CHeader;
 
 impl Exporter for CHeader {
+    fn name(&self) -> &'static str {
+        "c-header"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.h"
     }

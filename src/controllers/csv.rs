@@ -23,6 +23,10 @@ const HEADER: [&str; 10] = [
 ];
 
 impl Exporter for Csv {
+    fn name(&self) -> &'static str {
+        "csv"
+    }
+
     fn file_name(&self) -> &'static str {
         "controller.csv"
     }
@@ -31,7 +35,7 @@ impl Exporter for Csv {
         let document = given.parameters;
         let mut writer = csv::Writer::from_writer(Vec::new());
         let fail = |e: &dyn std::fmt::Display| error!("cannot-encode", format = "CSV", reason = e.to_string());
-        let warning = given.warning();
+        let warning = given.caution();
         let campaign = given.summary.map_or("", |summary| summary.name.as_str());
         let about = [&document.provenance.version, campaign, given.robot_name()].map(text);
         let about = [&about[..], &[given.sha256()?]].concat();

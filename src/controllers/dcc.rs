@@ -26,6 +26,10 @@ const REGION: &str = "The ellipsoidal region has a coverage probability of 95 % 
                       (JCGM 102:2011, 6.5.2); their standard uncertainties are the square roots of the diagonal.";
 
 impl Exporter for Dcc {
+    fn name(&self) -> &'static str {
+        "dcc"
+    }
+
     fn file_name(&self) -> &'static str {
         FILE
     }

@@ -7,7 +7,7 @@
 
 use super::template::render;
 use super::{Exporter, Given, value};
-use etalon_base::message::Result;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
@@ -50,7 +50,7 @@ impl Towers {
         let (robot, values) = given.robot()?;
         let arm = robot
             .kinematics()
-            .filter(|_| robot.model() == "delta_linear")
+            .filter(|_| has_towers(robot))
             .ok_or_else(|| super::other_robot(format, robot, phrase!("kind-delta-towers")))?;
         let numbered = |name: &str| -> Result<[f64; 3]> {
             Ok([
@@ -106,6 +106,17 @@ impl Towers {
     }
 }
 
+/// `true` for a delta on towers.
+fn has_towers(robot: &dyn Robot) -> bool {
+    robot.model() == "delta_linear"
+}
+
+/// Rejection of a robot without towers.
+fn without_towers(format: &str, given: &Given) -> Option<Message> {
+    let robot = given.robot.filter(|robot| !has_towers(*robot))?;
+    Some(super::other_robot(format, robot, phrase!("kind-delta-towers")))
+}
+
 /// `true` for the tilt angle of a tower.
 fn is_tilt(p: &Parameter) -> bool {
     p.role == Role::Robot && p.quantity == Quantity::Angle
@@ -130,8 +141,16 @@ fn centre([a, b, c]: [[f64; 2]; 3]) -> [f64; 2] {
 }
 
 impl Exporter for Klipper {
+    fn name(&self) -> &'static str {
+        "klipper-delta"
+    }
+
     fn file_name(&self) -> &'static str {
         "klipper_delta.cfg"
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        without_towers(self.name(), given)
     }
 
     /// Towers are vertical: the only angles of a leg are the tilts of its tower.
@@ -144,15 +163,23 @@ impl Exporter for Klipper {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let towers = Towers::new(given, "klipper-delta")?;
+        let towers = Towers::new(given, self.name())?;
         let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
         render(include_str!("templates/klipper_delta.cfg.j2"), values).map(String::into_bytes)
     }
 }
 
 impl Exporter for RepRapDelta {
+    fn name(&self) -> &'static str {
+        "reprap-delta"
+    }
+
     fn file_name(&self) -> &'static str {
         "reprap_delta.g"
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        without_towers(self.name(), given)
     }
 
     /// Towers are vertical: the only angles of a leg are the tilts of its tower.
@@ -165,7 +192,7 @@ impl Exporter for RepRapDelta {
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
-        let towers = Towers::new(given, "reprap-delta")?;
+        let towers = Towers::new(given, self.name())?;
         let mean = towers.heights_mm.iter().sum::<f64>() / 3.0;
         let end_stops = Serde(towers.heights_mm.map(|v| v - mean));
         let values = context! { header => towers.header(given)?, towers => Serde(&towers), mean, end_stops };
@@ -174,8 +201,17 @@ impl Exporter for RepRapDelta {
 }
 
 impl Exporter for DeltaHal {
+    fn name(&self) -> &'static str {
+        "linuxcnc-delta"
+    }
+
     fn file_name(&self) -> &'static str {
         "deltakins.hal"
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        let robot = given.robot.filter(|robot| pins(robot.model()).is_empty())?;
+        Some(super::other_robot(self.name(), robot, phrase!("kind-delta")))
     }
 
     /// Only parameters of three equal legs are held.
@@ -196,9 +232,6 @@ impl Exporter for DeltaHal {
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
         let pins = pins(robot.model());
-        if pins.is_empty() {
-            return Err(super::other_robot("linuxcnc-delta", robot, phrase!("kind-delta")).into());
-        }
         // arrangement of the legs in rotarydeltakins-common.h and lineardeltakins-common.h
         let (first, order) = if robot.model() == "delta" { ("-y", "clockwise") } else { ("y", "counterclockwise") };
         let lost = lost(robot, &values, pins);

@@ -25,6 +25,10 @@ const SHARE: f64 = 0.1;
 const LONGEST: usize = 8;
 
 impl Exporter for Galil {
+    fn name(&self) -> &'static str {
+        "galil"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.dmc"
     }

@@ -3,7 +3,7 @@
 
 use super::template::render;
 use super::{Exporter, Given};
-use etalon_base::message::Result;
+use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -13,15 +13,21 @@ use std::collections::BTreeMap;
 pub(super) struct HexapodHal;
 
 impl Exporter for HexapodHal {
+    fn name(&self) -> &'static str {
+        "linuxcnc-hexapod"
+    }
+
     fn file_name(&self) -> &'static str {
         "genhexkins.hal"
     }
 
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        let robot = given.robot.filter(|robot| robot.model() != "hexapod")?;
+        Some(super::other_robot(self.name(), robot, phrase!("kind-hexapod")))
+    }
+
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
-        if robot.model() != "hexapod" {
-            return Err(super::other_robot("linuxcnc-hexapod", robot, phrase!("kind-hexapod")).into());
-        }
         let values: BTreeMap<&str, f64> = robot.parameters().iter().map(|p| p.name.as_str()).zip(values).collect();
         let values = context! { header => given.header("mm")?, values => Serde(values) };
         render(include_str!("templates/genhexkins.hal.j2"), values).map(String::into_bytes)

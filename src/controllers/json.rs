@@ -37,6 +37,10 @@ struct Parameter<'a> {
 }
 
 impl Exporter for Json {
+    fn name(&self) -> &'static str {
+        "json"
+    }
+
     fn file_name(&self) -> &'static str {
         "controller.json"
     }
@@ -50,7 +54,7 @@ impl Exporter for Json {
         let controller = Controller {
             schema: "etalon/controller/1",
             etalon: &document.provenance.version,
-            warning: given.warning(),
+            warning: given.caution(),
             campaign: given.summary.map(|summary| summary.name.as_str()),
             name: given.robot_name(),
             robot: &document.robot,

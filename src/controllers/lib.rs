@@ -38,25 +38,39 @@ pub use targets::{places, targets};
 pub use dcc::FILE as CERTIFICATE;
 
 use etalon_base::catalogue::Phrase;
-use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector};
+use etalon_base::{error, phrase};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParameterEntry, ParameterStatus, ParametersDocument,
     to_json,
 };
-use etalon_robots::{Effect, Parameter, Robot, Role};
+use etalon_robots::{Effect, JointChain, Parameter, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use template::comment;
 
 /// One controller format.
 pub trait Exporter {
+    /// Name of the format in `controllers` and `--format`.
+    fn name(&self) -> &'static str;
+
     /// Name of the file in the output folder.
     fn file_name(&self) -> &'static str;
 
     /// Bytes of the file for parameters that may be written.
     fn bytes(&self, given: &Given) -> Result<Vec<u8>>;
+
+    /// `true` if the file states the hash of the calibration in the controller
+    /// ([`Given::controller_hash`]).
+    fn states_controller_hash(&self) -> bool {
+        false
+    }
+
+    /// Rejection of a robot that the format does not describe; `None` if the robot is unknown.
+    fn unsuited(&self, _given: &Given) -> Option<Message> {
+        None
+    }
 
     /// `true` if the format holds this parameter of the robot.
     fn holds(&self, _parameter: &Parameter, _given: &Given) -> bool {
@@ -94,7 +108,7 @@ pub trait Exporter {
     /// Fails if the format cannot hold the parameters and, unless forced, for a file that is worse
     /// than nominal.
     fn write_stated(&self, given: &Given, statement: &Statement) -> Result<Vec<u8>> {
-        match statement.refusal(name_of(self)) {
+        match statement.refusal(self.name()) {
             Some(refusal) if !given.force => Err(refusal.into()),
             _ => {
                 let parameters = statement.parameters.as_ref().unwrap_or(given.parameters);
@@ -205,6 +219,13 @@ impl<'a> Given<'a> {
         let worse = self.file.and_then(|(statement, _)| statement.worse_than_nominal()).map(|worse| worse.to_string());
         let failed: Vec<String> = self.failed().into_iter().map(|message| message.what).chain(worse).collect();
         (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
+    }
+
+    /// Warning of formats without header lines: failed checks, otherwise a file that is not clearly
+    /// better than nominal.
+    fn caution(&self) -> Option<String> {
+        let near = || self.file.and_then(|(statement, _)| statement.near_nominal()).map(|near| near.to_string());
+        self.warning().or_else(near)
     }
 
     /// Rejects parameters that must not reach a controller.
@@ -337,49 +358,43 @@ impl<'a> Given<'a> {
 }
 
 /// All formats. Formats for all robots come first; these are the default formats.
-const EXPORTERS: [(&str, &dyn Exporter); 25] = [
-    ("json", &json::Json),
-    ("csv", &csv::Csv),
-    ("c-header", &c_header::CHeader),
-    ("matlab", &matlab::Matlab),
-    ("python", &python::Python),
-    ("numpy", &arrays::Npz),
-    ("mat", &arrays::Mat),
-    ("dcc", &dcc::Dcc),
-    ("qif", &qif::Qif),
-    ("galil", &galil::Galil),
-    ("twincat", &plc::TwinCat),
-    ("plcopen", &plc::PlcOpen),
-    ("siemens-scl", &plc::Scl),
-    ("urdf", &urdf::Urdf),
-    ("universal-robots", &universal_robots::UniversalRobots),
-    ("linuxcnc", &linuxcnc::LinuxCnc),
-    ("linuxcnc-hexapod", &hexapod_hal::HexapodHal),
-    ("linuxcnc-component", &linuxcnc_component::LinuxCncComponent),
-    ("linuxcnc-delta", &delta::DeltaHal),
-    ("klipper-delta", &delta::Klipper),
-    ("reprap-delta", &delta::RepRapDelta),
-    ("reprap-five-bar", &reprap_five_bar::RepRapFiveBar),
-    ("c-kinematics", &code::C99),
-    ("python-kinematics", &code::PythonCode),
-    ("structured-text", &code::StructuredText),
+const EXPORTERS: [&dyn Exporter; 25] = [
+    &json::Json,
+    &csv::Csv,
+    &c_header::CHeader,
+    &matlab::Matlab,
+    &python::Python,
+    &arrays::Npz,
+    &arrays::Mat,
+    &dcc::Dcc,
+    &qif::Qif,
+    &galil::Galil,
+    &plc::TwinCat,
+    &plc::PlcOpen,
+    &plc::Scl,
+    &urdf::Urdf,
+    &universal_robots::UniversalRobots,
+    &linuxcnc::LinuxCnc,
+    &hexapod_hal::HexapodHal,
+    &linuxcnc_component::LinuxCncComponent,
+    &delta::DeltaHal,
+    &delta::Klipper,
+    &delta::RepRapDelta,
+    &reprap_five_bar::RepRapFiveBar,
+    &code::C99,
+    &code::PythonCode,
+    &code::StructuredText,
 ];
 const USUAL: usize = 3;
 
 /// Names of the default formats.
 pub fn usual() -> impl Iterator<Item = &'static str> {
-    EXPORTERS[..USUAL].iter().map(|(name, _)| *name)
+    EXPORTERS[..USUAL].iter().map(|exporter| exporter.name())
 }
 
 /// Format with this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
-    EXPORTERS.iter().find(|(known, _)| *known == name).map(|(_, exporter)| *exporter)
-}
-
-/// Name of a format.
-pub fn name_of<E: Exporter + ?Sized>(exporter: &E) -> &'static str {
-    let known = EXPORTERS.iter().find(|(_, known)| known.file_name() == exporter.file_name());
-    known.map_or_else(|| exporter.file_name(), |(name, _)| name)
+    EXPORTERS.into_iter().find(|exporter| exporter.name() == name)
 }
 
 /// `true` if a parameter is a zero, a length or an angle.
@@ -394,17 +409,32 @@ fn is_in_code(parameter: &Parameter) -> bool {
 
 /// File names of all formats.
 pub fn file_names() -> impl Iterator<Item = &'static str> {
-    EXPORTERS.iter().map(|(_, exporter)| exporter.file_name())
+    EXPORTERS.iter().map(|exporter| exporter.file_name())
 }
 
 /// Names of all formats.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    EXPORTERS.iter().map(|(name, _)| *name)
+    EXPORTERS.iter().map(|exporter| exporter.name())
+}
+
+/// Names of the formats that state the hash of a calibration in the controller.
+pub fn with_controller_hash() -> Vec<&'static str> {
+    EXPORTERS.iter().filter(|exporter| exporter.states_controller_hash()).map(|exporter| exporter.name()).collect()
 }
 
 /// Rejection of a robot of another kind than the format describes.
 fn other_robot(format: &str, robot: &dyn Robot, kind: Phrase) -> Message {
     error!("format-for-other-robots", format, model = robot.model(), kind)
+}
+
+/// The six joints that turn of an arm.
+///
+/// # Errors
+///
+/// Rejects a robot of another kind.
+fn six_axes(format: &str, robot: &dyn Robot, values: &[f64]) -> std::result::Result<JointChain, Message> {
+    let chain = robot.joint_chain(values).filter(|c| c.joints.len() == 6 && c.joints.iter().all(|j| !j.prismatic));
+    chain.ok_or_else(|| other_robot(format, robot, phrase!("kind-six-axis-arm")))
 }
 
 /// Value of a parameter of a robot by name.

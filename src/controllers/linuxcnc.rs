@@ -6,10 +6,10 @@
 //! normal. Links before the first joint and after the last are separate frames.
 
 use super::template::render;
-use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::Result;
+use super::{Exporter, Given, is_geometry, roll_pitch_yaw, six_axes};
+use etalon_base::error;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
-use etalon_base::{error, phrase};
 use etalon_robots::{JointChain, Parameter};
 use minijinja::context;
 use minijinja::value::Serde;
@@ -18,7 +18,6 @@ use serde::Serialize;
 /// HAL commands.
 pub(super) struct LinuxCnc;
 
-const JOINTS: usize = 6;
 /// Sine of the angle below which two axes have no unique common normal.
 const PARALLEL: f64 = 1e-10;
 /// Minimum length (mm) of a link with a direction.
@@ -35,8 +34,17 @@ struct Row {
 }
 
 impl Exporter for LinuxCnc {
+    fn name(&self) -> &'static str {
+        "linuxcnc"
+    }
+
     fn file_name(&self) -> &'static str {
         "genserkins.hal"
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        let robot = given.robot?;
+        six_axes(self.name(), robot, &robot.nominal()).err()
     }
 
     fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
@@ -45,9 +53,7 @@ impl Exporter for LinuxCnc {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
-        let chain = robot.joint_chain(&values);
-        let chain = chain.filter(|c| c.joints.len() == JOINTS && c.joints.iter().all(|j| !j.prismatic));
-        let chain = chain.ok_or_else(|| super::other_robot("linuxcnc", robot, phrase!("kind-six-axis-arm")))?;
+        let chain = six_axes(self.name(), robot, &values)?;
         let (base, rows) = table(&chain).ok_or_else(|| error!("axes-coincide"))?;
         let frame = |name, pose: &Pose| (name, pose.translation_mm, roll_pitch_yaw(pose).map(f64::to_degrees));
         let frames = [frame("first frame in the base", &base), frame("flange in the last frame", &chain.flange)];

@@ -23,6 +23,10 @@ pub(super) struct LinuxCncComponent;
 const MOST_JOINTS: usize = 9;
 
 impl Exporter for LinuxCncComponent {
+    fn name(&self) -> &'static str {
+        "linuxcnc-component"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalonkins.comp"
     }

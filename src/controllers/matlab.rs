@@ -14,6 +14,10 @@ pub(super) struct Matlab;
 const LONGEST: usize = 63;
 
 impl Exporter for Matlab {
+    fn name(&self) -> &'static str {
+        "matlab"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.m"
     }

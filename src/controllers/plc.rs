@@ -5,10 +5,11 @@
 use super::code::{Kind, Unit, Variable, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
-use super::{Exporter, Given};
+use super::{Exporter, Given, is_in_code};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterEntry;
+use etalon_robots::Parameter;
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -27,6 +28,10 @@ fn names(given: &Given) -> Result<Vec<String>> {
 }
 
 impl Exporter for TwinCat {
+    fn name(&self) -> &'static str {
+        "twincat"
+    }
+
     fn file_name(&self) -> &'static str {
         "GVL_Etalon.TcGVL"
     }
@@ -39,8 +44,17 @@ impl Exporter for TwinCat {
 }
 
 impl Exporter for PlcOpen {
+    fn name(&self) -> &'static str {
+        "plcopen"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters_plcopen.xml"
+    }
+
+    /// The function blocks compute from joint values alone, with the parameters of the list.
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_in_code(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
@@ -123,8 +137,17 @@ fn pou(unit: Unit) -> Element {
 }
 
 impl Exporter for Scl {
+    fn name(&self) -> &'static str {
+        "siemens-scl"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.scl"
+    }
+
+    /// The function blocks compute from joint values alone, with the parameters of the list.
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_in_code(parameter)
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {

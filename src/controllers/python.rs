@@ -11,6 +11,10 @@ use minijinja::value::Serde;
 pub(super) struct Python;
 
 impl Exporter for Python {
+    fn name(&self) -> &'static str {
+        "python"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_parameters.py"
     }

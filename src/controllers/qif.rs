@@ -20,6 +20,10 @@ const PLACE: usize = 3;
 const NO_LIMIT: &str = "No limit is stated: the schema requires one, -1E6.";
 
 impl Exporter for Qif {
+    fn name(&self) -> &'static str {
+        "qif"
+    }
+
     fn file_name(&self) -> &'static str {
         "parameters.qif"
     }

@@ -2,7 +2,7 @@
 
 use super::template::render;
 use super::{Exporter, Given, value};
-use etalon_base::message::Result;
+use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_robots::{Parameter, Robot, Role};
@@ -16,8 +16,17 @@ pub(super) struct RepRapFiveBar;
 const GAMMA: &str = "gamma";
 
 impl Exporter for RepRapFiveBar {
+    fn name(&self) -> &'static str {
+        "reprap-five-bar"
+    }
+
     fn file_name(&self) -> &'static str {
         "reprap_five_bar.g"
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        let robot = given.robot.filter(|robot| robot.model() != "five_bar")?;
+        Some(super::other_robot(self.name(), robot, phrase!("kind-five-bar")))
     }
 
     /// The tool is on the line of its link.
@@ -37,9 +46,6 @@ impl Exporter for RepRapFiveBar {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
-        if robot.model() != "five_bar" {
-            return Err(super::other_robot("reprap-five-bar", robot, phrase!("kind-five-bar")).into());
-        }
         // angles are relative to the world, so the base must be identified
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base);
         base.map(|p| given.entry(&p.name)).collect::<Result<Vec<_>>>()?;

@@ -1,15 +1,18 @@
 //! Statement of a controller file: parameters that the format leaves out, values that the file
 //! holds instead, position errors with these values, and header lines.
 
-use super::{Exporter, Given, name_of};
+use super::{Exporter, Given};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
-use etalon_base::{error, phrase};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 
 /// Largest relative difference of a value that counts as rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Share of the nominal error above which the error of a file is not clearly smaller.
+const CLEARLY: f64 = 0.9;
 
 /// Statement of a controller file.
 #[derive(Clone, Debug, Default)]
@@ -46,6 +49,36 @@ impl Statement {
         ))
     }
 
+    /// Warning about files that are written although they improve the robot little, or not
+    /// everywhere; `None` for a file that is clearly better than nominal or refused.
+    pub fn warning(&self, formats: &[&str]) -> Option<Message> {
+        let reason = self.near_nominal().filter(|_| self.worse_than_nominal().is_none())?;
+        Some(warning!("file-near-nominal", formats, formats_count = formats.len(), reason))
+    }
+
+    /// Both errors, if the root mean square is not clearly smaller than with nominal parameters, or
+    /// the maximum is larger.
+    pub(crate) fn near_nominal(&self) -> Option<Phrase> {
+        let errors = self.errors.as_ref()?;
+        let ControllerErrors { written, nominal, .. } = errors;
+        let case = match (written.rms_mm > CLEARLY * nominal.rms_mm, written.max_mm > nominal.max_mm) {
+            (false, false) => return None,
+            (true, false) => "rms",
+            (false, true) => "maximum",
+            (true, true) => "both",
+        };
+        Some(phrase!(
+            "error-near-nominal",
+            case,
+            set = errors.set.to_string(),
+            written_mm = written.rms_mm,
+            written_max_mm = written.max_mm,
+            nominal_mm = nominal.rms_mm,
+            nominal_max_mm = nominal.max_mm,
+            decimals = decimals(errors),
+        ))
+    }
+
     /// Header lines.
     pub(crate) fn lines(&self) -> Vec<String> {
         let names = self.left_out.join(", ");
@@ -65,7 +98,8 @@ impl Statement {
                 Some(format!("conditioned on nominal values of: {names}, the error of this file was not measured"))
             }
         };
-        errors.into_iter().chain(without).collect()
+        let near = self.near_nominal().filter(|_| self.worse_than_nominal().is_none());
+        errors.into_iter().chain(without).chain(near.map(|near| near.to_string())).collect()
     }
 }
 
@@ -99,8 +133,12 @@ impl Given<'_> {
     ///
     /// # Errors
     ///
-    /// Fails if parameters that the covariance does not contain were not identified again.
+    /// Fails for a robot that the format does not describe, and if parameters that the covariance
+    /// does not contain were not identified again.
     pub fn statement<E: Exporter + ?Sized>(&self, exporter: &E) -> Result<Statement> {
+        if let Some(unsuited) = exporter.unsuited(self) {
+            return Err(unsuited.into());
+        }
         let left_out = self.left_out(exporter);
         if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
             return Ok(Statement { left_out, errors, parameters: Some(parameters), again: true });
@@ -114,7 +152,7 @@ impl Given<'_> {
         let conditioned = self
             .parameters
             .conditioned(&names)
-            .ok_or_else(|| error!("covariance-missing", format = name_of(exporter), parameters = left_out))?;
+            .ok_or_else(|| error!("covariance-missing", format = exporter.name(), parameters = left_out))?;
         Ok(Statement { left_out, errors: None, parameters: Some(conditioned), again: false })
     }
 

@@ -21,6 +21,7 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
         unit: unit.to_owned(),
         role: Default::default(),
         meaning: String::new(),
+        meaning_id: None,
         tolerance: None,
         nominal: value,
         before: value,
@@ -68,6 +69,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             condition: 1.0,
             rank: 0,
             scaling: String::new(),
+            scaling_phrase: None,
             singular_values: vec![],
             held_singular_values: vec![],
             rank_cut: 1e-9,
@@ -243,7 +245,7 @@ fn names_that_are_one_in_c_are_refused() {
 #[test]
 fn what_must_not_reach_a_machine_is_refused() {
     let mut lost = numbers();
-    lost.solver.termination = Termination::LostPatience;
+    lost.solver.termination = Termination::IterationLimit;
     let nan = document(vec![parameter("d", "mm", f64::NAN)]);
     let twice = document(vec![parameter("d", "mm", 1.0), parameter("d", "mm", 1.0)]);
     let cases = [(lost, "parameters-not-converged"), (nan, "parameter-not-finite"), (twice, "parameter-twice")];
@@ -356,7 +358,7 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
     let entries = arm.parameters().iter().map(|p| parameter(&p.name, p.quantity.unit(), p.quantity.outward(p.nominal)));
     let whole = document(entries.collect());
     let mut lost = whole.clone();
-    lost.solver.termination = Termination::LostPatience;
+    lost.solver.termination = Termination::IterationLimit;
     let mut wrong = whole.clone();
     wrong.messages.push(Message::error("*/ joint 2 turns the other way \n"));
     let summary = certificates::summary();
@@ -417,6 +419,38 @@ fn compilers_read_the_same_numbers_whatever_the_names() {
         let output = String::from_utf8(Command::new(&program).output().unwrap().stdout).unwrap();
         let read: Vec<f64> = output.lines().map(|l| l.parse().unwrap()).collect();
         assert_eq!(read, NUMBERS.map(|n| 0.0 - n));
+    }
+}
+
+/// The error of a file decides: its root mean square, its maximum, or both.
+#[test]
+fn a_file_that_is_not_clearly_better_than_nominal_is_warned_of() {
+    let errors = |rms_mm, max_mm| etalon_documents::PositionErrors { rms_mm, max_mm };
+    let nominal = errors(0.5, 1.0);
+    let statement = |written| {
+        let (set, identified) = (etalon_documents::PoseSet::Validation, errors(0.1, 0.2));
+        let mut statement = Statement::default();
+        statement.errors = Some(etalon_documents::ControllerErrors { set, nominal, identified, written });
+        statement
+    };
+    for (written, case) in [
+        (errors(0.44, 1.0), None),
+        (errors(0.46, 0.9), Some("rms")),
+        (errors(0.2, 1.01), Some("maximum")),
+        (errors(0.46, 1.01), Some("both")),
+    ] {
+        let statement = statement(written);
+        let reason = statement.near_nominal();
+        let found = reason.as_ref().map(|reason| reason.arguments["case"].clone());
+        assert_eq!(found, case.map(|case| case.argument()), "{written:?}");
+        let warning = statement.warning(&["csv", "json"]);
+        assert_eq!(warning.is_some_and(|w| w.is("file-near-nominal", &[("formats_count", &2usize)])), case.is_some());
+        // a line of the header, and a key where a format has none
+        let line = reason.map(|reason| reason.to_string());
+        assert_eq!(statement.lines().last().filter(|line| line.contains("maximum")).cloned(), line);
+        let parameters = numbers();
+        let given = Given { file: Some((&statement, &parameters)), ..Given::parameters(&parameters) };
+        assert_eq!(given.caution(), line);
     }
 }
 

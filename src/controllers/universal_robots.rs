@@ -2,12 +2,15 @@
 //! (`kinematics_params_file`: ur_description, ur_calibration).
 
 use super::template::render;
-use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::Result;
-use etalon_base::phrase;
+use super::{Exporter, Given, is_geometry, roll_pitch_yaw, six_axes};
+use etalon_base::message::{Message, Result};
+use etalon_base::pose::{Pose, minus, norm};
 use etalon_robots::{ChainJoint, Parameter};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
+
+/// Largest shift (mm) and turn (cells of the rotation matrix) of a flange that rounding leaves.
+const ROUNDING: f64 = 1e-9;
 
 /// YAML with the frame of each joint in the previous one (m, rad).
 pub(super) struct UniversalRobots;
@@ -15,8 +18,21 @@ pub(super) struct UniversalRobots;
 const LINKS: [&str; 6] = ["shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3"];
 
 impl Exporter for UniversalRobots {
+    fn name(&self) -> &'static str {
+        "universal-robots"
+    }
+
     fn file_name(&self) -> &'static str {
         "universal_robots_calibration.yaml"
+    }
+
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        let robot = given.robot?;
+        six_axes(self.name(), robot, &robot.nominal()).err()
+    }
+
+    fn states_controller_hash(&self) -> bool {
+        true
     }
 
     fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
@@ -25,8 +41,7 @@ impl Exporter for UniversalRobots {
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, values) = given.robot()?;
-        let chain = robot.joint_chain(&values).filter(|c| c.joints.len() == 6 && c.joints.iter().all(|j| !j.prismatic));
-        let chain = chain.ok_or_else(|| super::other_robot("universal-robots", robot, phrase!("kind-six-axis-arm")))?;
+        let chain = six_axes(self.name(), robot, &values)?;
         let joint = |(link, joint): (&&'static str, &ChainJoint)| {
             let (xyz, rpy) = (joint.origin.translation_mm.map(|mm| mm / 1000.0), roll_pitch_yaw(&joint.origin));
             context! { link => link.to_string(), xyz => Serde(xyz), rpy => Serde(rpy), gain => joint.gain }
@@ -35,6 +50,10 @@ impl Exporter for UniversalRobots {
         let mut header = given.header_of_geometry("m, rad")?;
         header
             .push("ur_description reads this file (kinematics_params_file); the controller itself does not".to_owned());
+        let nominal = six_axes(self.name(), robot, &robot.nominal())?;
+        header.extend(moved(&nominal.flange, &chain.flange).map(|(xyz, rpy)| {
+            format!("flange in the frame of wrist_3: xyz {xyz} mm, rpy {rpy} deg; ur_description has it at its nominal place: teach tools again")
+        }));
         let hash = match given.controller_hash {
             Some(hash) => hash.to_owned(),
             None => {
@@ -48,4 +67,15 @@ impl Exporter for UniversalRobots {
         let values = context! { header, joints, hash };
         render(include_str!("templates/universal_robots.yaml.j2"), values).map(String::into_bytes)
     }
+}
+
+/// Position (mm) and angles (deg) of a flange that is not at its nominal place behind the last
+/// joint: the file has no frame for it.
+fn moved(nominal: &Pose, flange: &Pose) -> Option<(String, String)> {
+    let shift = norm(minus(flange.translation_mm, nominal.translation_mm));
+    let cells = flange.rotation.as_flattened().iter().zip(nominal.rotation.as_flattened());
+    let turn = cells.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let listed = |v: [f64; 3]| v.map(|v| format!("{v:?}")).join(" ");
+    let angles = roll_pitch_yaw(flange).map(f64::to_degrees);
+    (shift > ROUNDING || turn > ROUNDING).then(|| (listed(flange.translation_mm), listed(angles)))
 }

@@ -2,7 +2,7 @@
 //! including comments.
 
 use super::{Exporter, Given, is_geometry, roll_pitch_yaw};
-use etalon_base::message::Result;
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
 use etalon_robots::{Effect, Parameter};
@@ -33,22 +33,27 @@ struct Joint {
 }
 
 impl Exporter for Urdf {
+    fn name(&self) -> &'static str {
+        "urdf"
+    }
+
     fn file_name(&self) -> &'static str {
         "calibrated.urdf"
     }
 
+    fn unsuited(&self, given: &Given) -> Option<Message> {
+        let robot = given.robot.filter(|_| given.description.is_none())?;
+        Some(super::other_robot(self.name(), robot, phrase!("kind-urdf")))
+    }
+
     /// Gains of joints that mimic another joint are in the multiplier of `mimic`.
-    fn holds(&self, parameter: &Parameter, given: &Given) -> bool {
-        let own = || {
-            let joint = given.robot?.joints().get(parameter.joint?)?;
-            Some(parameter.name == format!("gain_{}", joint.name))
-        };
-        is_geometry(parameter) || parameter.effect == Effect::Gains && own() == Some(false)
+    fn holds(&self, parameter: &Parameter, _given: &Given) -> bool {
+        is_geometry(parameter) || parameter.effect == Effect::Gains && parameter.by.is_some()
     }
 
     fn bytes(&self, given: &Given) -> Result<Vec<u8>> {
         let (robot, _) = given.robot()?;
-        let file = given.description.ok_or_else(|| super::other_robot("urdf", robot, phrase!("kind-urdf")))?;
+        let file = given.description.ok_or_else(|| super::other_robot(self.name(), robot, phrase!("kind-urdf")))?;
         let mut edits = Vec::new();
         let mut left_out = Vec::new();
         edits_of(file.text, given, &mut edits, &mut left_out)

@@ -246,6 +246,9 @@ pub struct WrittenController {
     /// Errors at validation poses, or at calibration poses in a campaign without validation; null
     /// if they were not measured.
     pub errors: Option<ControllerErrors>,
+    /// Warnings about this file.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub messages: Vec<Message>,
 }
 
 impl WrittenDocument {

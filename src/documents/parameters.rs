@@ -1,6 +1,7 @@
 //! `parameters.json`: identified parameters with the evidence for them.
 
 use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
@@ -173,6 +174,9 @@ pub struct ParameterEntry {
     /// Meaning and sign of the parameter, in words.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub meaning: String,
+    /// Id of the meaning in the catalogue of texts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub meaning_id: Option<String>,
     /// Nominal value.
     pub nominal: f64,
     /// Tolerance about the nominal value, if the robot's file states one.
@@ -371,6 +375,9 @@ pub struct ObservabilitySummary {
     pub rank: usize,
     /// Scaling of the indices.
     pub scaling: String,
+    /// Text of the catalogue that is `scaling` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scaling_phrase: Option<Phrase>,
     /// Singular values of the Jacobian at the solution, descending, with columns scaled to unit
     /// length. The ratio of the largest to the smallest is the condition number; the squares add up
     /// to the number of parameters.

@@ -2,6 +2,7 @@
 //! compile here instead of changing documents.
 
 use crate::mirror::mirror;
+use etalon_base::catalogue::Phrase;
 use etalon_identify as identify;
 use std::fmt;
 
@@ -19,7 +20,8 @@ mirror! {
         /// Converged to rounding: no shorter step lowers the sum of squares.
         NoImprovementPossible,
         /// Iteration limit reached.
-        LostPatience,
+        #[serde(rename = "lost_patience")]
+        IterationLimit,
         /// A residual or derivative is not finite, at the start or on the way.
         NotANumber,
         /// Rank-deficient Jacobian: not all parameters are separately identifiable.
@@ -33,6 +35,11 @@ impl Termination {
     /// `true` if the parameters may be used.
     pub fn is_success(self) -> bool {
         etalon_math::Termination::from(self).is_success()
+    }
+
+    /// The reason in words.
+    pub fn phrase(self) -> Phrase {
+        etalon_math::Termination::from(self).phrase()
     }
 }
 

@@ -1,11 +1,11 @@
-//! Points of plain tables at the speed of the disk: rows of an optional label and x, y, z, and nothing else. What is not
-//! plain is left to the strict reader, which reports where and why.
+//! Fast reader of plain tables: rows of an optional label and x, y, z, and nothing else. Any other
+//! table is left to the strict reader, which reports each problem with its place.
 
 use super::exports::{Format, Plain};
 use super::lexer::{LONGEST_LINE, Scanner, line_feeds};
 use crate::dialect::Unit;
-use etalon_base::files;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
+use etalon_base::{error, files};
 use etalon_fit::PackedPoints;
 use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
@@ -22,7 +22,8 @@ const BLOCK: u64 = if cfg!(test) { 64 << 10 } else { 8 << 20 };
 pub struct Cloud {
     /// Labels, each once, in the order of their first rows.
     pub labels: Vec<String>,
-    /// A row each point: `label`, its place in the labels (0 where rows have none), and `x_mm`, `y_mm`, `z_mm`.
+    /// One row for each point: `label` (index in the labels, 0 if rows have none), `x_mm`, `y_mm`
+    /// and `z_mm`.
     pub table: DataFrame,
 }
 
@@ -38,8 +39,9 @@ struct Part {
     angles: bool,
 }
 
-/// Reads a table of plain rows on all threads; `None` if it, or its format, has anything that only the strict reader
-/// understands or refuses. Every number is rounded correctly, and the same bits on any number of threads.
+/// Reads a table of plain rows on all threads; `None` if only the strict reader can read the table
+/// or report its problems. Every number is rounded correctly; the result does not depend on the
+/// number of threads.
 ///
 /// # Errors
 /// If the file cannot be read.
@@ -51,7 +53,7 @@ pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> 
     read(path, format, unit, in_mm)?.map(together).transpose()
 }
 
-/// The same without labels, in half the memory.
+/// Reads the points of a table of plain rows without labels, in half the memory of [`cloud`].
 ///
 /// # Errors
 /// If the file cannot be read.
@@ -64,9 +66,10 @@ pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<
     }))
 }
 
-/// What `made` makes of the rows of each block.
+/// Applies `made` to the rows of each block.
 fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -> T + Sync) -> Result<Option<Vec<T>>> {
-    let fail = |e: std::io::Error| Problems::from(Message::error(format!("cannot read `{}`: {e}", path.display())));
+    let file = path.display().to_string();
+    let fail = |e: std::io::Error| Problems::from(error!("cannot-read-file", file, reason = e.to_string()));
     let size = files::open(path).and_then(|file| file.metadata()).map_err(fail)?.len();
     let mut start = Vec::new();
     files::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
@@ -190,7 +193,8 @@ impl Plain {
 struct Names<'a> {
     /// In the order of their first time.
     all: IndexSet<&'a [u8]>,
-    /// The place of the last name asked for, and of each name the one that came behind it: rows repeat.
+    /// Index of the last requested name. For each name, `next` has the index of its last successor:
+    /// rows repeat.
     last: usize,
     next: Vec<usize>,
 }
@@ -212,7 +216,7 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Whether two names are the same; they are short, and a loop is quicker than a call.
+/// `true` if two names are equal; names are short, and a loop is faster than a call.
 #[inline]
 fn same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a == b)

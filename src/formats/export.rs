@@ -1,7 +1,9 @@
-//! `[[export]]`: a file of a measuring system, how it is to be read, and what its labels name: `{target}_{pose}_{cycle}`.
+//! `[[export]]`: a file of a measuring system, its format, and the pattern of its labels
+//! (`{target}_{pose}_{cycle}`).
 
 use super::dialect::{Column, Encoding, FromRow, Unit};
 use super::exports::Format;
+use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -26,18 +28,19 @@ pub struct Export {
     /// Pattern of the labels, with `{target}`, `{pose}` and `{cycle}`.
     #[schemars(with = "Option<String>")]
     pub label: Option<Spanned<String>>,
-    /// Columns of the joints, of a file that carries them beside the points: by the joint with its unit, as in a log. Its rows are joined
-    /// with themselves, and no `[log]` is needed.
+    /// Columns of the joints, of a file that carries them beside the points: by the joint with its
+    /// unit, as in a log. Its rows are joined with themselves, and no `[log]` is needed.
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Column>")]
     pub joints: BTreeMap<Spanned<String>, Column>,
     /// Target of all rows, where the file does not name it.
     pub target: Option<String>,
-    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
+    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for
+    /// a second file of the same targets.
     pub pose: Option<FromRow>,
 }
 
-/// What a label names.
+/// Target, pose and cycle of a label.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LabelNames {
     /// Target of the label.
@@ -66,9 +69,7 @@ pub struct Pattern(Vec<Part>);
 impl Pattern {
     /// Reads a pattern.
     pub fn parse(pattern: &str) -> Result<Self, Message> {
-        let wrong = |what: String| {
-            Err(Message::error(what).expected("text with {target}, {pose} and {cycle}, each at most once"))
-        };
+        let wrong = |fault: &str, name: &str| Err(error!("label-pattern-invalid", pattern, fault, name));
         let mut parts = Vec::new();
         let mut rest = pattern;
         while let Some((text, after)) = rest.split_once('{') {
@@ -76,16 +77,16 @@ impl Pattern {
                 parts.push(Part::Text(text.to_owned()));
             }
             let Some((name, after)) = after.split_once('}') else {
-                return wrong(format!("`{pattern}` has a `{{` without `}}`"));
+                return wrong("open", "");
             };
             let part = match name {
                 "target" => Part::Target,
                 "pose" => Part::Pose,
                 "cycle" => Part::Cycle,
-                _ => return wrong(format!("`{{{name}}}` means nothing in a label")),
+                _ => return wrong("unknown", name),
             };
             if parts.contains(&part) {
-                return wrong(format!("`{pattern}` names `{{{name}}}` twice"));
+                return wrong("twice", name);
             }
             parts.push(part);
             rest = after;
@@ -96,10 +97,11 @@ impl Pattern {
         Ok(Self(parts))
     }
 
-    /// What `label` names; `None` if it does not have this form.
+    /// Returns target, pose and cycle of `label`; `None` if it does not have this form.
     ///
-    /// Of several readings counts the first that is `known` in which the pose is a number, then that of the longest target in which
-    /// it is a text; otherwise a pose that is a text does not read.
+    /// If several readings are possible, the first `known` one with a numeric pose counts, then the
+    /// `known` one of the longest target with a named pose. A named pose is read only if it is
+    /// `known`.
     pub fn read(&self, label: &str, known: impl Fn(&LabelNames) -> bool) -> Option<LabelNames> {
         let numbers = readings(&self.0, label, false);
         let first = || numbers.first().cloned();
@@ -109,7 +111,7 @@ impl Pattern {
     }
 }
 
-/// Every way to read a label, those of the shortest target first; `texts`: a pose is any text, not a number.
+/// All readings of a label, shortest target first. If `texts`, a pose is any text but a number.
 fn readings(parts: &[Part], label: &str, texts: bool) -> Vec<LabelNames> {
     let Some((first, rest)) = parts.split_first() else {
         return if label.is_empty() { vec![LabelNames::default()] } else { Vec::new() };
@@ -175,8 +177,9 @@ mod tests {
 
     #[test]
     fn wrong_patterns_are_errors() {
-        for wrong in ["{target", "{x}", "{pose}{pose}"] {
-            assert!(Pattern::parse(wrong).is_err(), "{wrong}");
+        for (wrong, fault) in [("{target", "open"), ("{x}", "unknown"), ("{pose}{pose}", "twice")] {
+            let error = Pattern::parse(wrong).unwrap_err();
+            assert!(error.is("label-pattern-invalid", &[("pattern", &wrong), ("fault", &fault)]), "{error}");
         }
     }
 }

@@ -1,12 +1,13 @@
-//! Input files: their bytes, of which text has lines and what has none is not read to its end; and their text, decoded
-//! strictly, in the stated encoding or in the one that a byte-order mark names.
+//! Input files: their bytes, and their text. A file without lines is rejected before it is read to
+//! its end. Text is decoded strictly, in the stated encoding or in that of the byte-order mark.
 
 use super::exports::Format;
 use super::workbook;
 use crate::dialect::Encoding;
 use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
-use etalon_base::files;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result as Read, nearest};
+use etalon_base::{error, files, phrase};
 use std::io::{self, Read as _};
 use std::path::Path;
 
@@ -17,59 +18,52 @@ pub fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read
     Ok((text, bytes))
 }
 
-/// The text of a file in a format, which may be a sheet of a workbook, or bytes with a character for each.
+/// Text of a file in a format: of a sheet of a workbook, or of a binary file with one character for
+/// each byte.
 pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &Format) -> Read<String> {
     let text = match &format.dialect.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
         Some(sheet) => workbook::text(bytes, sheet),
         None => decode(bytes.to_vec(), encoding),
     };
-    Ok(text.map_err(|mut message| {
-        message.what = format!("`{}`: {}", path.display(), message.what);
-        message
-    })?)
+    Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
 }
 
-/// Bytes of an input file, or why it is none.
+/// Bytes of an input file.
 pub fn bytes_of(path: &Path) -> Read<Vec<u8>> {
+    let shown = path.display().to_string();
     if path.is_dir() {
-        let message = Message::error(format!("`{}` is a folder", path.display()));
-        return Err(message.expected("a file").hint(format!("name a file in it; {}", listed(path))).into());
+        return Err(error!("input-is-folder", folder = shown, files = listed(&files_in(path))).into());
     }
     if !path.exists() {
-        let message = Message::error(format!("there is no file `{}`", path.display()));
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        return Err(message.hint(beside(path.parent().unwrap_or(Path::new("")), &name)).into());
+        let hint = find_or_create(path.parent().unwrap_or(Path::new("")), &name);
+        return Err(error!("input-missing", file = shown).hint(hint).into());
     }
     let file = files::open(path);
-    let file = file.map_err(|e| Message::error(format!("cannot read `{}`: {e}", path.display())))?;
-    Ok(bounded(file.take(files::LARGEST + 1)).map_err(|mut message| {
-        message.what = format!("`{}`: {}", path.display(), message.what);
-        message
-    })?)
+    let file = file.map_err(|e| error!("cannot-read-file", file = shown, reason = e.to_string()))?;
+    Ok(bounded(file.take(files::LARGEST + 1), &shown)?)
 }
 
-/// What to do about a file that is not there: the file that may be meant, or how one comes by it.
-fn beside(folder: &Path, wrong: &str) -> String {
+/// Hint for a missing file: the existing file with a similar name, or a way to create the file.
+fn find_or_create(folder: &Path, wrong: &str) -> Phrase {
     let names = files_in(folder);
     let truth = folder.ancestors().map(|folder| folder.join("truth.toml")).find(|truth| truth.is_file());
     match (nearest(wrong, names.iter().map(String::as_str)), truth) {
-        (Some(name), _) => format!("did you mean `{name}`, which is there?"),
+        (Some(name), _) => phrase!("did-you-mean", name),
         (None, Some(truth)) => {
             let campaign = truth.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            format!("`etalon simulate {}` writes it from truth.toml", campaign.display())
+            phrase!("simulate-the-file", folder = campaign.display().to_string())
         }
-        (None, None) if names.is_empty() => {
-            "put it there, or name another: paths begin at the campaign's folder".to_owned()
-        }
-        (None, None) => listed(folder),
+        (None, None) if names.is_empty() => phrase!("place-the-file"),
+        (None, None) => phrase!("name-a-file", files = listed(&names)),
     }
 }
 
-fn listed(folder: &Path) -> String {
-    let names = files_in(folder);
-    let more = if names.len() > 12 { ", ..." } else { "" };
-    format!("there are: {}{more}", names[..names.len().min(12)].join(", "))
+/// Names of the first files, with `...` if there are more.
+fn listed(names: &[String]) -> Vec<&str> {
+    let first = names.iter().take(12).map(String::as_str);
+    first.chain((names.len() > 12).then_some("...")).collect()
 }
 
 /// Names of the files in a folder, sorted.
@@ -80,32 +74,33 @@ fn files_in(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Longer lines are in no measurement.
+/// Maximum length of a line of text (bytes).
 const LONGEST_LINE: usize = 1 << 20;
-/// XML may be one line; so may a workbook be called, which is compressed.
+/// Maximum length of a line of XML, of a workbook or of a PLY file (bytes).
 const LONGEST_XML: usize = 256 << 20;
-/// Read at a time.
+/// Number of bytes that are read at a time.
 const PIECE: usize = 1 << 20;
 
-/// All bytes, if the text in them has lines.
+/// Reads all bytes of a file with lines.
 ///
 /// # Errors
-/// If reading fails, or at the first line that is too long: before more than that line is in memory.
-fn bounded(mut from: impl io::Read) -> Result<Vec<u8>, Message> {
+/// If reading fails, or at the first line that is too long; the rest of the file is not read.
+fn bounded(mut from: impl io::Read, file: &str) -> Result<Vec<u8>, Message> {
     let mut bytes = Vec::new();
     let (mut number, mut start) = (1, 0);
     let mut longest = LONGEST_LINE;
+    let too_long = |line: usize, longest: usize| error!("line-too-long", file, line, most_mib = longest >> 20);
     loop {
         let before = bytes.len();
         let piece = from.by_ref().take(PIECE as u64).read_to_end(&mut bytes);
-        if piece.map_err(|e| Message::error(format!("cannot read the file: {e}")))? == 0 {
+        if piece.map_err(|e| error!("cannot-read-file", file, reason = e.to_string()))? == 0 {
             return Ok(bytes);
         }
         if bytes.len() as u64 > files::LARGEST {
-            return Err(Message::error(format!("the file is larger than {} MiB", files::LARGEST >> 20)));
+            return Err(error!("file-too-large", file, most_mib = files::LARGEST >> 20));
         }
         if before == 0 {
-            refuse(&bytes)?;
+            refuse(&bytes, file)?;
             longest = if is_document(&bytes) { LONGEST_XML } else { LONGEST_LINE };
         }
         for (i, _) in bytes.iter().enumerate().skip(before).filter(|(_, b)| matches!(b, b'\n' | b'\r')) {
@@ -127,33 +122,20 @@ fn is_document(bytes: &[u8]) -> bool {
     text.starts_with(b"<") || bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"ply")
 }
 
-fn too_long(number: usize, longest: usize) -> Message {
-    let what = format!("line {number} is longer than {} MiB: no measurement has such a line", longest >> 20);
-    Message::error(what).hint("is the file a recording in binary form, or an archive? export it as text with lines")
-}
-
-/// First bytes, what they begin, and what to do instead.
-const KINDS: [(&[u8], &str, &str); 6] = [
-    (
-        b"MATLAB 5.0 MAT-file",
-        "a MATLAB file",
-        "write its table as text, with `writematrix`, and state what each column is",
-    ),
-    (
-        b"MATLAB 7.3 MAT-file",
-        "a MATLAB file",
-        "write its table as text, with `writematrix`, and state what each column is",
-    ),
-    (b"\x89HDF", "an HDF5 file", "write its table as text"),
-    (b"\x1f\x8b", "compressed with gzip", "unpack it"),
-    (b"\xd0\xcf\x11\xe0", "an old Excel workbook (.xls)", "save it as .xlsx, or as text"),
-    (b"%PDF", "a PDF document", "export the points as text"),
+/// First bytes of kinds of files without text, and the kind.
+const KINDS: [(&[u8], &str); 6] = [
+    (b"MATLAB 5.0 MAT-file", "matlab"),
+    (b"MATLAB 7.3 MAT-file", "matlab"),
+    (b"\x89HDF", "hdf5"),
+    (b"\x1f\x8b", "gzip"),
+    (b"\xd0\xcf\x11\xe0", "xls"),
+    (b"%PDF", "pdf"),
 ];
 
-/// An error if the file is of a kind that holds no text.
-fn refuse(bytes: &[u8]) -> Result<(), Message> {
-    match KINDS.into_iter().find(|(start, _, _)| bytes.starts_with(start)) {
-        Some((_, what, hint)) => Err(Message::error(format!("the file is {what}, and no text")).hint(hint)),
+/// Rejects a kind of file without text.
+fn refuse(bytes: &[u8], file: &str) -> Result<(), Message> {
+    match KINDS.into_iter().find(|(start, _)| bytes.starts_with(start)) {
+        Some((_, kind)) => Err(error!("file-not-text", file, kind)),
         None => Ok(()),
     }
 }
@@ -174,20 +156,17 @@ fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
     all.into_iter().find(|encoding| coding(*encoding) == marked).map(|encoding| (encoding, length))
 }
 
-/// The text of a file, without its byte-order mark, its lines ended by line feeds (or carriage return and line feed).
+/// Text of a file without its byte-order mark; lines end with a line feed, or with carriage return
+/// and line feed.
 ///
 /// # Errors
-/// If a byte does not belong to the encoding, if the mark names another one than the campaign, or if the text holds a NUL.
+/// If a byte does not belong to the encoding, if the mark names another encoding than the campaign,
+/// or if the text holds a NUL.
 pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Message> {
     let marked = mark(&bytes);
     let encoding = match (stated, marked) {
         (Some(stated), Some((marked, _))) if stated != marked => {
-            let what = format!(
-                "the file begins with the mark of {}, and the campaign states {}",
-                marked.name(),
-                stated.name()
-            );
-            return Err(Message::error(what).hint("leave `encoding` out: the mark in the file states it"));
+            return Err(error!("encoding-differs", of_file = marked.name(), stated = stated.name()));
         }
         (stated, marked) => stated.or(marked.map(|m| m.0)).unwrap_or(Encoding::Utf8),
     };
@@ -199,17 +178,11 @@ pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Messag
         }
         _ => {
             let body = &bytes[skipped..];
-            decoded(body, encoding).map_err(|at| {
-                let line = line_of(body, at);
-                Message::error(format!("byte {} (line {line}) is not {}", skipped + at, encoding.name()))
-            })?
+            decoded(body, encoding).map_err(|at| not_in_encoding(body, at, skipped, encoding))?
         }
     };
     if let Some(at) = text.find('\0') {
-        let line = line_of(text.as_bytes(), at);
-        let what = format!("the file contains a NUL byte (line {line}): it is damaged or not a text");
-        let hint = "UTF-16 without its mark? then state `encoding = \"utf-16le\"`; else export the file again";
-        return Err(Message::error(what).hint(hint));
+        return Err(error!("nul-byte", line = line_of(text.as_bytes(), at)));
     }
     Ok(line_ends(text))
 }
@@ -218,12 +191,18 @@ fn line_of(bytes: &[u8], at: usize) -> usize {
     bytes[..at].iter().filter(|b| **b == b'\n').count() + 1
 }
 
+/// Error for the byte `at` of the text behind a byte-order mark of `skipped` bytes.
+fn not_in_encoding(bytes: &[u8], at: usize, skipped: usize, encoding: Encoding) -> Message {
+    let hex = format!("0x{:02X}", bytes.get(at).copied().unwrap_or_default());
+    error!("encoding-invalid", byte = skipped + at, line = line_of(bytes, at), hex, encoding = encoding.name())
+}
+
 fn not_utf8(bytes: &[u8], at: usize) -> Message {
-    let (line, byte) = (line_of(bytes, at), bytes.get(at).copied().unwrap_or_default());
-    let meant = decoded(&[byte], Encoding::Windows1252);
-    let meant = meant.map(|c| format!(": of windows-1252 the byte would be `{c}`")).unwrap_or_default();
-    Message::error(format!("the file is not UTF-8 text (byte {at}, line {line}, 0x{byte:02X})"))
-        .hint(format!("state how it was written, e.g. `encoding = \"windows-1252\"`{meant}"))
+    let message = not_in_encoding(bytes, at, 0, Encoding::Utf8);
+    match decoded(&[bytes.get(at).copied().unwrap_or_default()], Encoding::Windows1252) {
+        Ok(character) => message.hint(phrase!("encoding-windows", character)),
+        Err(_) => message,
+    }
 }
 
 /// The text of bytes; or the first byte that does not belong to the encoding.
@@ -232,7 +211,7 @@ fn decoded(bytes: &[u8], encoding: Encoding) -> Result<String, usize> {
     let mut text = String::with_capacity(decoder.max_utf8_buffer_length(bytes.len()).unwrap_or(0));
     match decoder.decode_to_string_without_replacement(bytes, &mut text, true) {
         (DecoderResult::Malformed(length, behind), read) => Err(read.saturating_sub(usize::from(length + behind))),
-        // five bytes of windows-1252 mean nothing; as browsers read them they are control characters
+        // five bytes of windows-1252 have no meaning; browsers read them as control characters
         _ if encoding == Encoding::Windows1252 => {
             text.chars().position(|c| ('\u{80}'..='\u{9f}').contains(&c)).map_or(Ok(text), Err)
         }
@@ -273,20 +252,19 @@ mod tests {
     fn trap_23_a_line_of_a_gigabyte_is_an_error_before_it_is_in_memory() {
         let mut endless = Endless { left: 1 << 30, taken: 0 };
         let begun = std::time::Instant::now();
-        let said = bounded(&mut endless).unwrap_err().to_string();
-        assert!(said.contains("line 1 is longer than 1 MiB"), "{said}");
+        let error = bounded(&mut endless, "f").unwrap_err();
+        assert!(error.is("line-too-long", &[("line", &1), ("most_mib", &1)]), "{error}");
         assert!(endless.taken <= 4 * PIECE && begun.elapsed().as_secs() < 60, "{} bytes read", endless.taken);
     }
 
     #[test]
     fn lines_count_and_are_given_back_whole() {
         let text = "1 2 3\r\n".repeat(500_000);
-        assert_eq!(bounded(text.as_bytes()).unwrap(), text.as_bytes());
+        assert_eq!(bounded(text.as_bytes(), "f").unwrap(), text.as_bytes());
         let long = text.clone() + &"x".repeat(LONGEST_LINE + 1) + "\n1 2 3\n";
-        let said = bounded(long.as_bytes()).unwrap_err().to_string();
-        assert!(said.contains("line 500001 is longer"), "{said}");
+        assert!(bounded(long.as_bytes(), "f").unwrap_err().is("line-too-long", &[("line", &500_001)]));
         let xml = "<a>".to_owned() + &" ".repeat(3 * LONGEST_LINE) + "</a>";
-        assert_eq!(bounded(xml.as_bytes()).unwrap().len(), xml.len());
+        assert_eq!(bounded(xml.as_bytes(), "f").unwrap().len(), xml.len());
     }
 
     /// As another program writes it: Python's codecs gave these bytes for `±°µäß€\n`.
@@ -315,18 +293,25 @@ mod tests {
 
     #[test]
     fn trap_1_bytes_of_another_encoding_are_refused() {
-        let said = |bytes: &[u8], stated| decode(bytes.to_vec(), stated).unwrap_err().to_string();
-        let utf8 = said(b"a\n\xb12.000\n", None);
-        assert!(
-            utf8.contains("not UTF-8 text (byte 2, line 2, 0xB1)") && utf8.contains("the byte would be `±`"),
-            "{utf8}"
-        );
-        assert!(said(b"a\n\x81", Some(Encoding::Windows1252)).contains("byte 2 (line 2) is not windows-1252"));
-        assert!(said(LE, Some(Encoding::Utf8)).contains("begins with the mark of utf-16le"));
-        assert!(said(&LE[2..], None).contains("not UTF-8"));
-        assert!(said(b"1\x002\x00", None).contains("NUL byte (line 1)"));
-        assert!(said(b"\xff\xfe1", None).contains("is not utf-16le"));
-        assert!(said(b"\xff\xfe\x00\xd8\x31\x00", None).contains("byte 2 "));
+        let error = |bytes: &[u8], stated| decode(bytes.to_vec(), stated).unwrap_err();
+        let is_invalid = |bytes: &[u8], stated, byte: usize, line: usize, encoding: &str| {
+            let error = error(bytes, stated);
+            assert!(
+                error.is("encoding-invalid", &[("byte", &byte), ("line", &line), ("encoding", &encoding)]),
+                "{error}"
+            );
+            error
+        };
+        let utf8 = is_invalid(b"a\n\xb12.000\n", None, 2, 2, "utf-8");
+        let hint = phrase!("encoding-windows", character = "±");
+        assert!(utf8.is("encoding-invalid", &[("hex", &"0xB1"), ("hint", &hint)]), "{utf8}");
+        is_invalid(b"a\n\x81", Some(Encoding::Windows1252), 2, 2, "windows-1252");
+        is_invalid(&LE[2..], None, 0, 1, "utf-8");
+        is_invalid(b"\xff\xfe1", None, 2, 1, "utf-16le");
+        is_invalid(b"\xff\xfe\x00\xd8\x31\x00", None, 2, 1, "utf-16le");
+        let stated = error(LE, Some(Encoding::Utf8));
+        assert!(stated.is("encoding-differs", &[("of_file", &"utf-16le"), ("stated", &"utf-8")]), "{stated}");
+        assert!(error(b"1\x002\x00", None).is("nul-byte", &[("line", &1)]));
     }
 
     #[test]

@@ -1,9 +1,11 @@
-//! Delimited text: one scanner, which owns nothing. Rows of fields, each with its place, are what a campaign reads; clouds of
-//! points take labels and numbers straight from the scanner, at the speed of the disk. And lines as these read them.
+//! Delimited text: one scanner without copies. A campaign reads rows of fields, each with its
+//! place; clouds of points take labels and numbers directly from the scanner. Lines are also
+//! written here.
 
 use crate::dialect::{Decimal, Delimiter, Dialect, Thousands};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use std::borrow::Cow;
 
 /// A row of fields, which borrow from its line.
@@ -23,7 +25,7 @@ impl<'t> Row<'t> {
         Self { line, text, fields: fields.map(Cow::Borrowed).collect() }
     }
 
-    /// The field of this index; empty where there is none.
+    /// Field of this index; empty beyond the last field.
     pub fn field(&self, index: usize) -> &str {
         self.fields.get(index).map_or("", Cow::as_ref)
     }
@@ -54,18 +56,19 @@ pub(crate) fn column_index(name: &str, header: Option<&Row>) -> std::result::Res
     let by_number = || name.strip_prefix('$')?.parse::<usize>().ok()?.checked_sub(1);
     by_heading.or_else(by_number).ok_or_else(|| {
         let names = header.map(|row| row.fields.iter().map(AsRef::as_ref).collect::<Vec<&str>>()).unwrap_or_default();
-        Message::error(format!("the header names no `{name}`")).hint_names(name, names)
+        error!("column-unknown", column = name).hint_names(name, names)
     })
 }
 
-/// The rows of a text in a dialect, and those that do not split; empty lines and comment lines are not rows.
+/// Rows of a text in a dialect, with the errors of rows that cannot be split. Empty lines and
+/// comments are not rows.
 pub(super) fn split<'t>(file: &str, text: &'t str, dialect: &Dialect) -> (Vec<Row<'t>>, Problems) {
     let mut problems = Problems::default();
     let rows = each_row(file, text, dialect).filter_map(|row| row.map_err(|message| problems.0.push(message)).ok());
     (rows.collect(), problems)
 }
 
-/// The same one after the other: the rows of a text with millions take several times its memory.
+/// Rows of a text one after the other: all rows together take several times the memory of the text.
 pub(super) fn each_row<'t>(
     file: &str,
     text: &'t str,
@@ -80,8 +83,7 @@ pub(super) fn each_row<'t>(
         } else if let Err(stray) = fields(line, dialect.delimiter.unwrap_or(Delimiter::Tab), &mut row.fields) {
             // a sheet was written with tabs
             let column = line[..stray.at].chars().count() + 1;
-            let message = Message::error(stray.what).at(row.place(file).at(column, 1));
-            return Err(message.hint("a quote inside a quoted field is written twice"));
+            return Err(error!("quote-unmatched", fault = stray.fault).at(row.place(file).at(column, 1)));
         }
         Ok(row)
     })
@@ -124,7 +126,7 @@ fn fields<'t>(line: &'t str, delimiter: Delimiter, fields: &mut Vec<Cow<'t, str>
 /// Whole numbers up to here are exact.
 pub(super) const WHOLE: f64 = 9e15;
 
-/// The smallest double written out has fewer characters; what is longer is not a number, and is not looked through.
+/// Maximum length of a number (characters): the smallest double written out is shorter.
 const LONGEST: usize = 1100;
 
 /// A number in the stated decimal mark, nothing else around it.
@@ -132,13 +134,13 @@ pub(crate) fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, 
     marked(field, decimal, None)
 }
 
-/// The name of a pose: what is written with digits and a decimal mark alone (`7`, `7.0`) is a number, and must be whole.
+/// Name of a pose. A text of digits and a decimal mark alone (`7`, `7.0`) is a number, and must be
+/// whole.
 pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<PoseName, Message> {
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '\u{2212}');
     match number(field, decimal) {
         Ok(value) if value.fract() != 0.0 || value.abs() > WHOLE => {
-            Err(Message::error(format!("`{field}` is not a whole number"))
-                .expected("a whole number, or a name like `home`"))
+            Err(error!("not-whole-number", value = field, column = "pose").expected(phrase!("pose-number-or-name")))
         }
         Ok(value) if field.chars().all(numeric) => Ok((value as i64).into()),
         // of letters as well, like `3E1`
@@ -146,19 +148,26 @@ pub(crate) fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<Po
     }
 }
 
-/// A number in the stated decimal and thousands marks, correctly rounded. Exponents may be `e+003`, `E001` or Fortran's
-/// `D+01`, the minus may be U+2212.
+/// Reads a number in the stated decimal and thousands marks, correctly rounded. Exponents may be
+/// `e+003`, `E001` or Fortran's `D+01`; the minus may be U+2212.
 pub(super) fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
     if field.len() > LONGEST {
         let start: String = field.chars().take(40).collect();
-        let what = format!("`{start}...` is not a number: it has {} characters", field.len());
-        return Err(Message::error(what).expected(format!("a number with decimal mark `{}`", decimal.name())));
+        return Err(error!("number-too-long", start, characters = field.len(), most = LONGEST));
+    }
+    parsed(field, decimal, thousands).ok_or_else(|| wrong(field, decimal, thousands))
+}
+
+/// A finite number in the stated marks; `None` for any other text.
+pub(crate) fn parsed(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Option<f64> {
+    if field.len() > LONGEST {
+        return None;
     }
     let mark = if decimal == Decimal::Point { b'.' } else { b',' };
     let mut scanner = Scanner { bytes: field.as_bytes(), at: 0, delimiter: None };
     let exact = scanner.exact(mark).filter(|_| thousands.is_none() && scanner.at == field.len());
     let value = exact.or_else(|| unmarked(field, decimal, thousands)?.parse().ok());
-    value.filter(|v: &f64| v.is_finite()).ok_or_else(|| wrong(field, decimal, thousands))
+    value.filter(|v: &f64| v.is_finite())
 }
 
 /// The number as Rust reads it, if it has no characters but its marks, digits and an exponent.
@@ -192,29 +201,25 @@ fn ungrouped(whole: &str, thousands: Thousands) -> Option<String> {
 }
 
 fn wrong(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Message {
-    let message = Message::error(format!("`{field}` is not a number"));
-    let (other, hint) = match decimal {
-        Decimal::Point => (',', "a decimal comma? then state `decimal = \",\"`"),
-        Decimal::Comma => ('.', "a decimal point? then state `decimal = \".\"`"),
-    };
-    let grouped = |mark: Thousands| marked(field, decimal, Some(mark)).is_ok();
-    let marks = [Thousands::Comma, Thousands::Point, Thousands::Apostrophe, Thousands::Blank];
-    let mut hints = Vec::new();
-    if thousands.is_none() {
-        if field.contains(other) {
-            hints.push(hint.to_owned());
-        }
-        // a mark that is the decimal mark is none of thousands
-        let possible = marks.into_iter().filter(|m| m.name() != decimal.name() && field.contains(|c| m.is(c)));
-        hints.extend(
-            possible
-                .filter(|m| grouped(*m))
-                .map(|m| format!("groups of three digits? then state `thousands = \"{}\"`", m.name())),
-        );
+    let stated = thousands.map_or("none", Thousands::name);
+    if field.is_empty() {
+        return error!("number-empty", decimal = decimal.name(), thousands = stated);
     }
-    let with = thousands.map(|t| format!(", and `{}` between groups of three digits", t.name())).unwrap_or_default();
-    let message = message.expected(format!("a number with decimal mark `{}`{with}", decimal.name()));
-    if hints.is_empty() { message } else { message.hint(hints.join("; ")) }
+    let message = error!("not-a-number", text = field, decimal = decimal.name(), thousands = stated);
+    if thousands.is_some() {
+        return message;
+    }
+    let other = if decimal == Decimal::Point { "," } else { "." };
+    let decimal_mark = field.contains(other).then(|| format!("`decimal = \"{other}\"`"));
+    let all = [Thousands::Comma, Thousands::Point, Thousands::Apostrophe, Thousands::Blank];
+    let marks = all.into_iter().filter(|mark| mark.name() != decimal.name() && field.contains(|c| mark.is(c)));
+    let grouped = marks.filter(|mark| parsed(field, decimal, Some(*mark)).is_some());
+    let marks = decimal_mark.into_iter().chain(grouped.map(|mark| format!("`thousands = \"{}\"`", mark.name())));
+    match &marks.collect::<Vec<_>>()[..] {
+        [] => message,
+        [first] => message.hint(phrase!("number-marks", first, second = "none")),
+        [first, second, ..] => message.hint(phrase!("number-marks", first, second)),
+    }
 }
 
 /// Lines of a cloud of points are shorter.
@@ -227,7 +232,7 @@ const TENS: [f64; 23] = [
 
 const WHOLE_TENS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
-/// The scanner of delimited text: a place in it, from which cells and numbers of a line are taken one after the other.
+/// Scanner of delimited text: takes cells and numbers of a line one after the other.
 pub(super) struct Scanner<'a> {
     pub bytes: &'a [u8],
     pub at: usize,
@@ -235,19 +240,21 @@ pub(super) struct Scanner<'a> {
     pub delimiter: Option<u8>,
 }
 
-/// Where the text of a cell is.
+/// Place of the text of a cell.
 struct Cell {
     start: usize,
     end: usize,
     /// In double quotes, which are not part of it; a quote within it may be doubled.
     quoted: bool,
-    /// It is the last of its line.
+    /// `true` for the last cell of its line.
     last: bool,
 }
 
-/// What is wrong with the quotes of a line, and at which byte.
+/// Unmatched quote of a line.
 struct Stray {
-    what: &'static str,
+    /// `open` or `behind`: see the message `quote-unmatched`.
+    fault: &'static str,
+    /// Position in the line (bytes).
     at: usize,
 }
 
@@ -257,7 +264,7 @@ impl<'a> Scanner<'a> {
         self.bytes.get(self.at).copied()
     }
 
-    /// Bytes of the blank at this place; 0 if there is none. The delimiter and what ends a line are not blanks.
+    /// Length of the blank at this place (bytes), or 0. Delimiters and line ends are not blanks.
     #[inline(always)]
     fn blank(&self) -> usize {
         match self.peek() {
@@ -269,7 +276,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// The same of blanks beyond ASCII.
+    /// Length of a blank outside ASCII (bytes), or 0.
     #[cold]
     fn wide_blank(&self) -> usize {
         let four = &self.bytes[self.at..self.bytes.len().min(self.at + 4)];
@@ -287,7 +294,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Whether the line ends here: a carriage return alone is part of what it is in.
+    /// `true` at the end of the line; a carriage return alone does not end a line.
     #[inline(always)]
     fn is_end(&self) -> bool {
         match self.peek() {
@@ -297,7 +304,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Passes what separates a field from the next one, if it is here; nothing does at the end of the line.
+    /// Passes the separator at this place; `true` also at the end of the line.
     #[inline(always)]
     fn separator(&mut self) -> bool {
         match self.delimiter {
@@ -337,21 +344,21 @@ impl<'a> Scanner<'a> {
         cell.last = self.is_end();
         if self.delimiter.is_some() && !cell.last {
             if self.peek() != self.delimiter {
-                return Err(Stray { what: "there is text behind a closing quote", at: self.at });
+                return Err(Stray { fault: "behind", at: self.at });
             }
             self.at += 1;
         }
         Ok(cell)
     }
 
-    /// Where the quote that is opened here is closed. Between blanks one that is not closed is part of a word.
+    /// Place of the closing quote. If blanks separate fields, an unclosed quote is part of a word.
     fn quoted(&self) -> std::result::Result<Option<usize>, Stray> {
         let mut end = self.at + 1;
         loop {
             match self.bytes[end..].iter().position(|b| matches!(b, b'"' | b'\n')) {
                 Some(count) if self.bytes[end + count] == b'"' => end += count,
                 _ if self.delimiter.is_none() => return Ok(None),
-                _ => return Err(Stray { what: "a quote is opened and not closed on its line", at: self.at }),
+                _ => return Err(Stray { fault: "open", at: self.at }),
             }
             if self.delimiter.is_none() || self.bytes.get(end + 1) != Some(&b'"') {
                 return Ok(Some(end));
@@ -367,7 +374,7 @@ impl<'a> Scanner<'a> {
         self.short_label().or_else(|| {
             let cell = self.cell().ok()?;
             let label = &self.bytes[cell.start..cell.end];
-            // a byte-order mark is not part of the text, a NUL in no text, a carriage return the end of a line
+            // byte-order marks, NULs and carriage returns are left to the strict reader
             let plain = !cell.quoted && !label.starts_with(b"\xef\xbb\xbf");
             (plain && !label.iter().any(|b| matches!(b, 0 | b'\r'))).then_some(label)
         })
@@ -392,7 +399,7 @@ impl<'a> Scanner<'a> {
         Some(&rest[..length])
     }
 
-    /// Takes up digits behind those that `value` has, and gives how many there were; of more than 19 the value is lost.
+    /// Appends digits to `value` and returns their number; with more than 19 the value is lost.
     #[inline(always)]
     fn digits(&mut self, mut value: u64) -> (u64, usize) {
         let start = self.at;
@@ -419,10 +426,11 @@ impl<'a> Scanner<'a> {
             }
             false => (whole, 0),
         };
-        // W. D. Clinger, How to read floating point numbers accurately, 1990: both operands are exact
+        // both operands are exact
+        // (W. D. Clinger, How to read floating point numbers accurately, 1990)
         ((1..=19).contains(&(before + behind)) && mantissa <= 1 << 53).then(|| {
             let value = mantissa as f64 / TENS[behind];
-            // signs come as they please: a bit is quicker than a branch
+            // the sign is unpredictable, so this is branch-free
             f64::from_bits(value.to_bits() | u64::from(negative) << 63)
         })
     }
@@ -441,13 +449,14 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// The same of any number.
+    /// Reads any number and its separator.
     fn any_number(&mut self) -> Option<f64> {
         let cell = self.cell().ok()?;
-        number(std::str::from_utf8(&self.bytes[cell.start..cell.end]).ok()?, Decimal::Point).ok()
+        parsed(std::str::from_utf8(&self.bytes[cell.start..cell.end]).ok()?, Decimal::Point, None)
     }
 
-    /// Whether the line ends here; if so it is passed. Without a line feed it ends at the end of the file alone.
+    /// Passes the end of the line; `false` before other text. Without a line feed, a line ends only
+    /// at the end of the file (`last`).
     pub fn end(&mut self, last: bool) -> bool {
         self.skip_blanks();
         if !self.is_end() {
@@ -473,20 +482,21 @@ fn first_stop(word: [u8; 8], separator: u8) -> usize {
     let high = ones << 7;
     let word = u64::from_le_bytes(word);
     let parted = word ^ (ones * u64::from(separator));
-    // right up to the first; behind it borrows may mark what they like
+    // correct up to the first stop; borrows may mark bytes behind it
     let stops = (word.wrapping_sub(ones * 0x21) | word | parted.wrapping_sub(ones) & !parted) & high;
     (stops.trailing_zeros() / 8) as usize
 }
 
-/// The number that up to eight digits in front make, and how many they are: all bytes of a word at once
-/// (D. Lemire, Number parsing at a gigabyte per second, Software: Practice and Experience 51, 2021).
+/// Number of up to eight leading digits, and their count: all bytes of a word at once
+/// (D. Lemire, Number parsing at a gigabyte per second, Software: Practice and Experience 51,
+/// 2021).
 #[inline(always)]
 fn eight(bytes: &[u8]) -> (u64, usize) {
     let word = match bytes.first_chunk() {
         Some(word) => *word,
         None => std::array::from_fn(|i| bytes.get(i).copied().unwrap_or_default()),
     };
-    // digits become 0 to 9; from the first that is none upwards, carries may mark what they like
+    // digits become 0 to 9; carries may mark bytes behind the first other character
     let word = u64::from_le_bytes(word) ^ 0x3030_3030_3030_3030;
     let other = (word.wrapping_add(0x7676_7676_7676_7676) | word) & 0x8080_8080_8080_8080;
     let count = other.trailing_zeros() / 8;
@@ -500,7 +510,7 @@ fn eight(bytes: &[u8]) -> (u64, usize) {
     (all, count as usize)
 }
 
-/// One line; where it would read as a comment its first field is quoted.
+/// One line; if it would be read as a comment, its first field is quoted.
 pub(crate) fn line(
     fields: &[String],
     delimiter: Delimiter,
@@ -521,8 +531,7 @@ pub(crate) fn line(
     }
     let quoted = joined(true);
     if is_comment(&quoted) {
-        let what = format!("a row would read as a comment: `{}`", text.trim_end());
-        return Err(Message::error(what).hint("choose another `comment`"));
+        return Err(error!("row-is-comment", row = text.trim_end()));
     }
     Ok(quoted)
 }
@@ -641,8 +650,9 @@ mod tests {
     #[test]
     fn endless_digits_are_not_a_number_and_take_no_time() {
         let begun = std::time::Instant::now();
-        let said = number(&"7".repeat(50_000_000), Decimal::Point).unwrap_err().to_string();
-        assert!(said.len() < 300 && said.contains("it has 50000000 characters"), "{said}");
+        let error = number(&"7".repeat(50_000_000), Decimal::Point).unwrap_err();
+        assert!(error.is("number-too-long", &[("characters", &50_000_000)]), "{error}");
+        assert!(error.to_string().len() < 300, "{error}");
         assert!(begun.elapsed().as_secs() < 60);
         let smallest = format!("{}", f64::from_bits(1));
         assert_eq!(number(&smallest, Decimal::Point).unwrap().to_bits(), 1);
@@ -687,7 +697,12 @@ mod tests {
         ] {
             assert!(marked(field, decimal, Some(mark)).is_err(), "{field}");
         }
-        let said = number("3 000", point).unwrap_err().to_string();
-        assert!(said.contains("thousands = \" \""), "{said}");
+        let error = number("3 000", point).unwrap_err();
+        let hint = phrase!("number-marks", first = "`thousands = \" \"`", second = "none");
+        assert!(error.is("not-a-number", &[("text", &"3 000"), ("hint", &hint)]), "{error}");
+        // a decimal comma or groups of three digits
+        let hint = phrase!("number-marks", first = "`decimal = \",\"`", second = "`thousands = \",\"`");
+        assert!(number("3,000", point).unwrap_err().is("not-a-number", &[("hint", &hint)]));
+        assert_eq!(number("x", point).unwrap_err().hint, None);
     }
 }

@@ -1,16 +1,20 @@
-//! Sheets of an Excel workbook (.xlsx) as rows of text: cells separated by tabs, in the lines that they have in the sheet.
+//! Sheets of an Excel workbook (.xlsx) as rows of text: cells separated by tabs, with the row
+//! numbers of the sheet.
 
 use calamine::{DataRef, Reader, Xlsx};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, count};
+use etalon_base::{error, phrase};
 use std::io::{Cursor, Read};
 
-/// A workbook that unpacks to more is none of measurements.
+/// Maximum unpacked size (bytes); a larger workbook is rejected.
 const LARGEST: u64 = 64 << 20;
-/// So is a sheet with columns further to the right, or with more rows than Excel has.
+/// Maximum index of a column.
 const MOST_COLUMNS: u32 = 1024;
+/// Maximum number of rows, as in Excel.
 const MOST_ROWS: u32 = 1 << 20;
 
-/// Whether the bytes may be those of a workbook.
+/// `true` if the bytes begin like a workbook.
 pub(super) fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
@@ -20,29 +24,25 @@ pub(super) fn sheets(bytes: &[u8]) -> Result<Vec<String>, Message> {
     Ok(open(bytes)?.sheet_names())
 }
 
-/// The cells of a sheet. Numbers have a decimal point and all their digits; a line break within a cell is a blank.
+/// Cells of a sheet as text. Numbers have a decimal point and all their digits; a line break within
+/// a cell is a blank.
 pub(super) fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
     let mut workbook = open(bytes)?;
     let names = workbook.sheet_names();
     if !names.iter().any(|name| name == sheet) {
-        let message = Message::error(format!("the workbook has no sheet `{sheet}`"));
-        return Err(message.hint_names(sheet, names.iter().map(String::as_str)));
+        return Err(error!("sheet-missing", sheet).hint_names(sheet, names.iter().map(String::as_str)));
     }
-    let mut cells = workbook.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e))?;
+    let mut cells = workbook.worksheet_cells_reader(sheet).map_err(|e| unreadable(&e.to_string()))?;
     let mut text = String::new();
     let (mut row, mut column) = (0, 0);
-    while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e))? {
+    while let Some(cell) = cells.next_cell().map_err(|e| unreadable(&e.to_string()))? {
         let (r, c) = cell.get_position();
         if r < row || (r == row && c < column) {
-            return Err(Message::error(format!(
-                "the cells of sheet `{sheet}` are in no order (row {})",
-                u64::from(r) + 1
-            )));
+            return Err(unreadable(&phrase!("cells-unordered", sheet, row = u64::from(r) + 1)));
         }
         if c > MOST_COLUMNS || r >= MOST_ROWS {
             let (column, row) = (u64::from(c) + 1, u64::from(r) + 1);
-            let what = format!("sheet `{sheet}` has a cell in column {column}, row {row}");
-            return Err(Message::error(what).expected(format!("at most {MOST_COLUMNS} columns and {MOST_ROWS} rows")));
+            return Err(error!("sheet-too-large", sheet, column, row, columns = MOST_COLUMNS, rows = MOST_ROWS));
         }
         if r > row {
             text.extend(std::iter::repeat_n('\n', (r - row) as usize));
@@ -57,21 +57,21 @@ pub(super) fn text(bytes: &[u8], sheet: &str) -> Result<String, Message> {
 }
 
 fn open(bytes: &[u8]) -> Result<Xlsx<Cursor<&[u8]>>, Message> {
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| unreadable(&e))?;
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| unreadable(&e.to_string()))?;
     let mut unpacked = 0;
     for i in 0..archive.len() {
-        let entry = archive.by_index(i).map_err(|e| unreadable(&e))?;
-        unpacked +=
-            std::io::copy(&mut entry.take(LARGEST + 1 - unpacked), &mut std::io::sink()).map_err(|e| unreadable(&e))?;
+        let entry = archive.by_index(i).map_err(|e| unreadable(&e.to_string()))?;
+        unpacked += std::io::copy(&mut entry.take(LARGEST + 1 - unpacked), &mut std::io::sink())
+            .map_err(|e| unreadable(&e.to_string()))?;
         if unpacked > LARGEST {
-            return Err(Message::error(format!("the workbook unpacks to more than {} MiB", LARGEST >> 20)));
+            return Err(error!("workbook-too-large", most_mib = LARGEST >> 20));
         }
     }
-    Xlsx::new(Cursor::new(bytes)).map_err(|e| unreadable(&e))
+    Xlsx::new(Cursor::new(bytes)).map_err(|e| unreadable(&e.to_string()))
 }
 
-fn unreadable(e: &dyn std::error::Error) -> Message {
-    Message::error(format!("the workbook does not read: {e}")).hint("save it again as .xlsx, or the sheet as text")
+fn unreadable(reason: &impl IntoArgument) -> Message {
+    error!("workbook-unreadable", reason)
 }
 
 /// A cell as a field between tabs.
@@ -83,7 +83,7 @@ fn field(value: &DataRef) -> String {
         DataRef::String(text) => text.clone(),
         DataRef::SharedString(text) => (*text).to_owned(),
         DataRef::Bool(v) => v.to_string(),
-        // Excel makes a date of a label like 1-2: shown as what it is, it is not a label that anybody states
+        // Excel makes a date of a label like 1-2: `date ...` is not mistaken for a label
         DataRef::DateTime(date) => {
             let (year, month, day, hour, minute, second, _) = date.to_ymd_hms_milli();
             format!("date {year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}")
@@ -98,7 +98,7 @@ fn field(value: &DataRef) -> String {
     }
 }
 
-/// What a proposal states of a workbook's other sheets.
+/// Remark of a proposal about the other sheets of a workbook.
 pub(super) fn others(names: &[String], taken: &str) -> Option<String> {
     let others: Vec<&str> = names.iter().map(String::as_str).filter(|name| *name != taken).collect();
     (!others.is_empty())
@@ -178,7 +178,8 @@ mod tests {
             text(&bytes, "CMM 1").unwrap(),
             "\n\n\tX [mm]\t\t\"a \"\"b\"\"\"\n\nP 1\t0.30000000000000004\t-1234567.5\t#N/A\n"
         );
-        assert!(text(&bytes, "CMM").unwrap_err().to_string().contains("did you mean `CMM 1`"));
+        let hint = phrase!("did-you-mean", name = "CMM 1");
+        assert!(text(&bytes, "CMM").unwrap_err().is("sheet-missing", &[("sheet", &"CMM"), ("hint", &hint)]));
     }
 
     #[test]
@@ -188,18 +189,19 @@ mod tests {
             "S",
             "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>",
         );
-        assert!(text(&corner, "S").unwrap_err().to_string().contains("column 16384, row 1048576"));
+        let place: [(&str, &dyn IntoArgument); 2] = [("column", &16384), ("row", &1_048_576)];
+        assert!(text(&corner, "S").unwrap_err().is("sheet-too-large", &place));
         // more than numbers hold: wherever it wraps to, no row is as far down
         let far = workbook(
             "S",
             "<row r=\"1\"><c r=\"A1\"><v>1</v></c></row><row r=\"9\"><c r=\"A4000000000\"><v>1</v></c></row>",
         );
-        assert!(text(&far, "S").unwrap_err().to_string().contains("1048576 rows"));
+        assert!(text(&far, "S").unwrap_err().is("sheet-too-large", &[("rows", &1_048_576)]));
         assert!(begun.elapsed().as_secs() < 60);
         let bomb = workbook("S", &" ".repeat(LARGEST as usize + 1));
         assert!(bomb.len() < 1 << 20);
         let begun = std::time::Instant::now();
-        assert!(text(&bomb, "S").unwrap_err().to_string().contains("unpacks to more than"));
+        assert!(text(&bomb, "S").unwrap_err().is("workbook-too-large", &[("most_mib", &64)]));
         println!("a bomb is reported after {:.2} s", begun.elapsed().as_secs_f64());
     }
 
@@ -216,6 +218,7 @@ mod tests {
         }
         let backwards =
             workbook("S", "<row r=\"2\"><c r=\"A2\"><v>1</v></c></row><row r=\"1\"><c r=\"A1\"><v>1</v></c></row>");
-        assert!(text(&backwards, "S").unwrap_err().to_string().contains("in no order"));
+        let reason = phrase!("cells-unordered", sheet = "S", row = 1);
+        assert!(text(&backwards, "S").unwrap_err().is("workbook-unreadable", &[("reason", &reason)]));
     }
 }

@@ -1,22 +1,24 @@
-//! A small XML tree for files from anywhere: no document types, no entities of their own, bounded depth and size.
+//! A small XML tree for untrusted files: no document types, no entities of their own, bounded depth
+//! and size.
 
 use etalon_base::message::{Message, Place, Result};
+use etalon_base::{error, phrase};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::borrow::Cow;
 
-/// Elements nested deeper are not a measurement.
+/// Maximum nesting depth.
 const DEEPEST: usize = 64;
-/// Elements that are kept: 2²² take half a gigabyte at most.
+/// Maximum number of elements; 2²² take half a gigabyte at most.
 const MOST_ELEMENTS: usize = 1 << 22;
-/// Longer lines are not shown in a message.
+/// Maximum length of a line that a message shows (bytes).
 const LONGEST_LINE: usize = 200;
 
 /// The elements of a file that are of interest, in document order.
 pub struct Elements<'a> {
     file: &'a str,
     text: &'a str,
-    /// Where each line begins: places are found at once, however many are asked for.
+    /// Beginning of each line (bytes), so that a place is found quickly.
     lines: Vec<usize>,
     elements: Vec<Element<'a>>,
 }
@@ -25,7 +27,7 @@ struct Element<'a> {
     /// Without its prefix.
     name: &'a str,
     attributes: &'a str,
-    /// Where it begins in the file, in bytes.
+    /// Beginning in the file (bytes).
     start: usize,
     /// The element after its last descendant.
     after: usize,
@@ -43,12 +45,13 @@ impl<'a> Elements<'a> {
     /// Reads a text. `skipped` states which elements are left out with all that they hold.
     ///
     /// # Errors
-    /// If it is not well-formed XML, or if it declares a document type.
+    /// If the text is not well-formed XML, or if it declares a document type.
     pub fn read(file: &'a str, text: &'a str, skipped: impl Fn(&str) -> bool) -> Result<Self> {
         let breaks = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1);
         let mut tree = Self { file, text, lines: std::iter::once(0).chain(breaks).collect(), elements: Vec::new() };
         if let Some(at) = text.find('\0') {
-            return Err(tree.error(at, "the file contains a NUL byte: it is damaged or not a text").into());
+            let place = tree.place(at);
+            return Err(error!("nul-byte", line = place.line.unwrap_or(1)).at(place).into());
         }
         let mut reader = Reader::from_str(text);
         let mut open: Vec<usize> = Vec::new();
@@ -57,7 +60,7 @@ impl<'a> Elements<'a> {
             let start = reader.buffer_position() as usize;
             let event = reader.read_event().map_err(|e| {
                 let at = reader.error_position() as usize;
-                tree.error(at, format!("the XML is not well-formed: {e}"))
+                error!("xml-malformed", reason = e.to_string()).at(tree.place(at))
             })?;
             match event {
                 Event::Start(tag) if left_out > 0 || skipped(local(&tag)) => {
@@ -80,8 +83,7 @@ impl<'a> Elements<'a> {
                     }
                 }
                 Event::DocType(_) => {
-                    let message = tree.error(start, "the file declares a document type, which may hide anything");
-                    return Err(message.hint("remove the <!DOCTYPE ...>: no measurement needs one").into());
+                    return Err(error!("xml-doctype").at(tree.place(start)).into());
                 }
                 // also within an element that is left out
                 Event::Eof => break,
@@ -97,7 +99,8 @@ impl<'a> Elements<'a> {
                         "quot" => Some('"'),
                         _ => reference.resolve_char_ref().ok().flatten(),
                     };
-                    let unknown = || tree.error(start, format!("the entity `&{};` is not known", &*reference));
+                    let reason = || phrase!("entity-unknown", name = reference.to_string());
+                    let unknown = || error!("xml-malformed", reason = reason()).at(tree.place(start));
                     let character = character.ok_or_else(unknown)?;
                     tree.append(&open, Cow::Owned(character.to_string()));
                 }
@@ -106,8 +109,8 @@ impl<'a> Elements<'a> {
         }
         match open.last().and_then(|&i| tree.elements.get(i)) {
             Some(e) => {
-                let message = tree.error(e.start, format!("`{}` is never closed: the file ends before it", e.name));
-                Err(message.hint("the file was cut off: export or copy it again").into())
+                let missing = format!("`</{}>`", e.name);
+                Err(error!("file-cut-off", missing).at(tree.place(e.start)).into())
             }
             None => Ok(tree),
         }
@@ -117,17 +120,18 @@ impl<'a> Elements<'a> {
         if depth <= DEEPEST {
             return Ok(());
         }
-        let what = format!("`{}` is nested {depth} elements deep", local(tag));
-        Err(self.error(start, what).expected(format!("at most {DEEPEST}")).into())
+        let message = error!("nested-too-deep", name = local(tag), depth, most = DEEPEST);
+        Err(message.at(self.place(start)).into())
     }
 
     fn add(&mut self, start: usize, tag: &BytesStart, outermost: bool) -> Result<()> {
         if outermost && !self.elements.is_empty() {
-            return Err(self.error(start, "there is a second element after the document").into());
+            let reason = phrase!("second-root-element");
+            return Err(error!("xml-malformed", reason).at(self.place(start)).into());
         }
         if self.elements.len() >= MOST_ELEMENTS {
-            let message = self.error(start, format!("the file holds more than {MOST_ELEMENTS} elements"));
-            return Err(message.hint("export fewer features at a time").into());
+            let message = error!("file-too-many-items", items = "elements", most = MOST_ELEMENTS);
+            return Err(message.at(self.place(start)).into());
         }
         // the tag begins with `<` and the name
         let inside = self.text.get(start + 1..).unwrap_or("");
@@ -152,11 +156,6 @@ impl<'a> Elements<'a> {
     /// The document element; `None` of an empty file.
     pub fn root(&self) -> Option<Node<'_, 'a>> {
         (!self.elements.is_empty()).then_some(Node { tree: self, index: 0 })
-    }
-
-    /// An error about the byte `at`.
-    pub fn error(&self, at: usize, what: impl Into<String>) -> Message {
-        Message::error(what).at(self.place(at))
     }
 
     /// Line of the byte `at`.
@@ -224,16 +223,6 @@ impl<'t, 'a> Node<'t, 'a> {
         // looking for attributes stated twice takes time in the square of their number
         let found = attributes.with_checks(false).flatten().find(|a| a.key.local_name().into_inner() == name)?;
         found.normalized_value(quick_xml::XmlVersion::Implicit1_0).ok()
-    }
-
-    /// An error about this element.
-    pub fn error(self, what: impl Into<String>) -> Message {
-        Message::error(what).at(self.place())
-    }
-
-    /// A warning about this element.
-    pub fn warning(self, what: impl Into<String>) -> Message {
-        Message::warning(what).at(self.place())
     }
 
     /// Its `id`; `None` where it has none, or one that needs decoding.

@@ -28,6 +28,8 @@ pub use priors::{ParameterPrior, WithPriors};
 pub use svd::{Svd, svd};
 pub use trust_region::{TrustRegion, norm};
 
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use std::fmt;
 
 /// Residuals r(x) of `m` equations in `n` parameters, and their Jacobian; the sum of squares of r
@@ -89,7 +91,7 @@ pub enum Termination {
     /// Converged to rounding: no shorter step lowers the sum of squares.
     NoImprovementPossible,
     /// Iteration limit reached.
-    LostPatience,
+    IterationLimit,
     /// A residual or derivative is not finite, at the start or on the way.
     NotANumber,
     /// Rank-deficient Jacobian: not all parameters are separately identifiable.
@@ -104,19 +106,24 @@ impl Termination {
         use Termination::{GradientVanished, NoImprovementPossible, ResidualsZero, StepVanished};
         matches!(self, StepVanished | GradientVanished | ResidualsZero | NoImprovementPossible)
     }
+
+    /// The reason in words.
+    pub fn phrase(self) -> Phrase {
+        match self {
+            Self::StepVanished => phrase!("solver-step-vanished"),
+            Self::GradientVanished => phrase!("solver-gradient-vanished"),
+            Self::ResidualsZero => phrase!("solver-residuals-zero"),
+            Self::NoImprovementPossible => phrase!("solver-rounding"),
+            Self::IterationLimit => phrase!("solver-iteration-limit"),
+            Self::NotANumber => phrase!("solver-not-finite"),
+            Self::RankDeficient => phrase!("solver-rank-deficient"),
+            Self::TooFewEquations => phrase!("solver-too-few-equations"),
+        }
+    }
 }
 
 impl fmt::Display for Termination {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::StepVanished => "converged: the last step no longer changed the parameters",
-            Self::GradientVanished => "converged: the residuals are orthogonal to the Jacobian",
-            Self::ResidualsZero => "converged: the residuals are zero to rounding",
-            Self::NoImprovementPossible => "converged as far as rounding allows: no shorter step lowers the residuals",
-            Self::LostPatience => "not converged within the iterations allowed: check the starting values",
-            Self::NotANumber => "stopped: a residual is not a number, check the starting values and the data",
-            Self::RankDeficient => "stopped: some parameters are not separately identifiable, hold one of them",
-            Self::TooFewEquations => "stopped: fewer equations than parameters, measure more poses or hold parameters",
-        })
+        self.phrase().fmt(f)
     }
 }

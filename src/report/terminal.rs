@@ -107,7 +107,7 @@ impl<'a> Page<'a> {
         self.line(&line(kept.iter().map(|i| laid.header[*i]).collect()));
         rows.iter().for_each(|row| self.line(&line(kept.iter().map(|i| row[*i].as_str()).collect())));
         if laid.left_out > 0 {
-            self.line(&tr!(self.words, "rows-left-out", count = laid.left_out));
+            self.line(&tr!(self.words, "rows-in-workbook", count = laid.left_out));
         }
     }
 }

@@ -5,8 +5,8 @@
 pub(super) mod comparison;
 pub(super) mod names;
 
-use etalon_base::catalogue::{Argument, Phrase};
-use etalon_base::message::{Message, Result, printable};
+use etalon_base::catalogue::{Argument, Arguments, Phrase};
+use etalon_base::message::{Message, Result, one_line, printable};
 use etalon_documents::Language;
 use std::collections::BTreeMap;
 
@@ -30,23 +30,20 @@ pub(crate) fn isolated(name: &str) -> String {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Words {
     language: Language,
-    texts: BTreeMap<String, String>,
     sentences: BTreeMap<String, String>,
 }
 
 impl Words {
-    /// Table of a language; English, the key itself, has an empty table.
+    /// Texts of a language.
     pub fn of(language: Language) -> Result<Self> {
-        let (texts, sentences) = match language {
+        let sentences = match language {
             Language::En => return Ok(Self::default()),
-            Language::Fr => (include_str!("words/fr.toml"), include_str!("words/documents.fr.toml")),
-            Language::De => (include_str!("words/de.toml"), include_str!("words/documents.de.toml")),
+            Language::Fr => include_str!("words/documents.fr.toml"),
+            Language::De => include_str!("words/documents.de.toml"),
         };
-        let table = |text| {
-            toml::from_str(text)
-                .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))
-        };
-        Ok(Self { language, texts: table(texts)?, sentences: table(sentences)? })
+        let sentences = toml::from_str(sentences)
+            .map_err(|e| Message::error(format!("the table of words `{}` does not read: {e}", language.code())))?;
+        Ok(Self { language, sentences })
     }
 
     /// Language code (ISO 639-1).
@@ -90,7 +87,7 @@ impl Words {
                 Ok(count) => tr!(self, "further-rows", last, count),
                 Err(_) => name.to_owned(),
             },
-            None => names::of_document(name).map_or_else(|| self.term(name), |phrase| self.tr(&phrase)),
+            None => self.named(name),
         }
     }
 
@@ -130,14 +127,25 @@ impl Words {
         if number || text.starts_with("p ") { self.number(&text) } else { text }
     }
 
+    /// Kind of a robot by the key of its model; any other model as it is.
+    pub fn model(&self, key: &str) -> String {
+        names::model(key).map_or_else(|| isolated(&one_line(key)), |phrase| self.tr(&phrase))
+    }
+
     /// A name that documents enumerate in this language; any other name as it is.
     pub fn named(&self, name: &str) -> String {
         names::of_document(name).map_or_else(|| name.to_owned(), |phrase| self.tr(&phrase))
     }
 
-    /// Translation of a text of a document; texts without translation stay in English.
-    pub fn term(&self, text: &str) -> String {
-        self.texts.get(text).map_or_else(|| text.to_owned(), Clone::clone)
+    /// Text of a document by its text of the catalogue, if the document has it.
+    pub fn worded(&self, text: &str, phrase: Option<&Phrase>) -> String {
+        phrase.map_or_else(|| text.to_owned(), |phrase| self.tr(phrase))
+    }
+
+    /// Text of a document by its id in the catalogue; the text itself without an id.
+    pub fn by_id(&self, id: Option<&str>, text: &str) -> String {
+        let phrase = id.map(|id| Phrase { id: id.to_owned().into(), arguments: Arguments::new() });
+        phrase.map_or_else(|| text.to_owned(), |phrase| self.tr(&phrase))
     }
 
     fn filled(&self, text: &str, values: &[String]) -> String {
@@ -182,7 +190,7 @@ mod tests {
         };
         for language in [Language::Fr, Language::De] {
             let words = Words::of(language).unwrap();
-            for (text, translation) in words.texts.into_iter().chain(words.sentences) {
+            for (text, translation) in words.sentences {
                 assert_eq!(places(&text), places(&translation), "{language:?}: {text}");
                 assert!(!translation.trim().is_empty() && translation.trim() == translation, "{text}");
             }

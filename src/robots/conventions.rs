@@ -329,25 +329,12 @@ impl Description for Keys {
 }
 
 /// Twist and length of the link before a joint.
-const BEFORE: [&str; 2] = [
-    meaning(
-        "Twist of the link before the joint: angle from the z axis before to that of the joint, about the x axis before; counterclockwise positive.",
-    ),
-    meaning("Length of the link before the joint: distance of its two axes, along the x axis before."),
-];
+const BEFORE: [&str; 2] = [meaning("meaning-link-twist-before"), meaning("meaning-link-length-before")];
 /// Twist and length of the link after a joint.
-const BEHIND: [&str; 2] = [
-    meaning(
-        "Twist of the link behind the joint: angle from the z axis of the joint to the next, about the new x axis; counterclockwise positive.",
-    ),
-    meaning("Length of the link behind the joint: distance of its two axes, along the new x axis."),
-];
-const THETA: &str =
-    meaning("Joint offset: added to the logged joint value, about the z axis; counterclockwise positive.");
-const D: &str = meaning("Link offset along the z axis of the joint.");
-const BETA: &str = meaning(
-    "Hayati's angle between near-parallel axes, about the y axis, in place of the link offset; counterclockwise positive.",
-);
+const BEHIND: [&str; 2] = [meaning("meaning-link-twist-behind"), meaning("meaning-link-length-behind")];
+const THETA: &str = meaning("meaning-joint-offset");
+const D: &str = meaning("meaning-link-offset");
+const BETA: &str = meaning("meaning-hayati-angle");
 
 /// Position of the link in a row of a Denavit-Hartenberg table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -509,6 +496,7 @@ impl Drive {
             factor: 1.0,
             offset: 0.0,
             prismatic,
+            mimics: false,
         }
     }
 }

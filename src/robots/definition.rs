@@ -92,8 +92,8 @@ pub struct Parameter {
     pub effect: Effect,
     /// Index of the joint or leg of the parameter.
     pub joint: Option<usize>,
-    /// Index of the joint that causes the effect: it moves a coupled joint, or the link behind it
-    /// bends a joint.
+    /// Index of the joint that causes the effect: it moves a coupled joint or a joint that mimics
+    /// it, or the link behind it bends a joint.
     pub by: Option<usize>,
     /// Axis of the world (base) or of the flange (targets) along or about which the parameter acts:
     /// 0, 1 or 2.
@@ -106,13 +106,13 @@ pub struct Parameter {
     pub tolerance: f64,
     /// `true` if the tolerance is stated for this robot, `false` if it is the default of the kind.
     pub tolerance_is_stated: bool,
-    /// Meaning and sign, in a sentence common to all parameters of the kind.
+    /// Id of the sentence on meaning and sign, which is common to all parameters of the kind.
     pub meaning: &'static str,
 }
 
-/// Marks the meaning of a parameter or the title of a drawing for translation in reports.
-pub const fn meaning(text: &'static str) -> &'static str {
-    text
+/// Meaning of a parameter, or title of a drawing, by its id in the catalogue.
+pub const fn meaning(id: &'static str) -> &'static str {
+    id
 }
 
 impl Parameter {
@@ -172,22 +172,12 @@ impl Parameter {
 /// Default meaning of base, target and fixture parameters, which are alike in all models.
 fn usual_meaning(quantity: Quantity, role: Role) -> &'static str {
     match (role, quantity) {
-        (Role::Base, Quantity::Angle) => {
-            meaning("Orientation of the base in the world, as a rotation vector; counterclockwise positive.")
-        }
-        (Role::Base, _) => meaning("Origin of the base in the world, along the axis that the name ends with."),
-        (Role::Target, Quantity::Angle) => {
-            meaning("Orientation on the flange of the body that carries the target, as a rotation vector.")
-        }
-        (Role::Target, _) => meaning(
-            "Place of the target in the frame of the flange or platform, along the axis that the name ends with.",
-        ),
-        (Role::Fixture, Quantity::Angle) => meaning(
-            "Direction of a surface that is fixed in the world: slope of its trace along the axis that the name ends with.",
-        ),
-        (Role::Fixture, _) => meaning(
-            "Place or size of what is fixed in the world: coordinate along the axis that the name ends with, or radius.",
-        ),
+        (Role::Base, Quantity::Angle) => meaning("meaning-base-orientation"),
+        (Role::Base, _) => meaning("meaning-base-origin"),
+        (Role::Target, Quantity::Angle) => meaning("meaning-target-orientation"),
+        (Role::Target, _) => meaning("meaning-target-place"),
+        (Role::Fixture, Quantity::Angle) => meaning("meaning-surface-direction"),
+        (Role::Fixture, _) => meaning("meaning-fixture-place"),
         (Role::Robot, _) => "",
     }
 }

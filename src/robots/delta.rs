@@ -23,12 +23,10 @@ pub(super) const ROTARY: Model = Model::new::<RotaryKeys>("delta");
 pub(super) const LINEAR: Model = Model::new::<LinearKeys>("delta_linear");
 
 const LEGS: usize = 3;
-const RADIUS: &str =
-    meaning("Foot of the motor axis or tower from the z axis of the base, along the x axis of its leg, outwards.");
-const SIDE: &str = meaning("Foot of the motor axis or tower aside, along the y axis of its leg.");
-const ROD: &str = meaning("Length of the rod (forearm), between the centres of its joints.");
-const PLATFORM: &str =
-    meaning("Joint of the rod from the z axis of the platform, along the x axis of its leg, outwards.");
+const RADIUS: &str = meaning("meaning-foot-outwards");
+const SIDE: &str = meaning("meaning-foot-aside");
+const ROD: &str = meaning("meaning-rod-length");
+const PLATFORM: &str = meaning("meaning-rod-joint");
 
 /// Description common to all deltas.
 struct Common {
@@ -160,31 +158,11 @@ impl Legs for Rotary {
     const PARAMETERS: &'static [LegParameter] = &[
         LegParameter { name: "base_radius_#", quantity: Quantity::Length, meaning: RADIUS },
         LegParameter { name: "base_side_#", quantity: Quantity::Length, meaning: SIDE },
-        LegParameter {
-            name: "base_height_#",
-            quantity: Quantity::Length,
-            meaning: meaning("Height of the motor axis above the base, along z."),
-        },
-        LegParameter {
-            name: "axis_rz_#",
-            quantity: Quantity::Angle,
-            meaning: meaning("Turn of the motor axis about the z axis of its leg; counterclockwise positive."),
-        },
-        LegParameter {
-            name: "axis_rx_#",
-            quantity: Quantity::Angle,
-            meaning: meaning("Turn of the motor axis about the x axis of its leg; counterclockwise positive."),
-        },
-        LegParameter {
-            name: "upper_arm_#",
-            quantity: Quantity::Length,
-            meaning: meaning("Length of the upper arm, from the motor axis to the rod."),
-        },
-        LegParameter {
-            name: "delta_#",
-            quantity: Quantity::Angle,
-            meaning: meaning("Offset of the encoder: added to its value; the arm sinks as it grows."),
-        },
+        LegParameter { name: "base_height_#", quantity: Quantity::Length, meaning: meaning("meaning-motor-height") },
+        LegParameter { name: "axis_rz_#", quantity: Quantity::Angle, meaning: meaning("meaning-motor-axis-turn-z") },
+        LegParameter { name: "axis_rx_#", quantity: Quantity::Angle, meaning: meaning("meaning-motor-axis-turn-x") },
+        LegParameter { name: "upper_arm_#", quantity: Quantity::Length, meaning: meaning("meaning-upper-arm-length") },
+        LegParameter { name: "delta_#", quantity: Quantity::Angle, meaning: meaning("meaning-encoder-offset") },
         LegParameter { name: "rod_#", quantity: Quantity::Length, meaning: ROD },
         LegParameter { name: "platform_radius_#", quantity: Quantity::Length, meaning: PLATFORM },
     ];
@@ -248,21 +226,9 @@ impl Legs for Linear {
     const PARAMETERS: &'static [LegParameter] = &[
         // a rotation about the last tower moves the foot of another tower most, whose last
         // parameter is held
-        LegParameter {
-            name: "offset_#",
-            quantity: Quantity::Length,
-            meaning: meaning("Offset of the carriage: added to its height."),
-        },
-        LegParameter {
-            name: "tower_ry_#",
-            quantity: Quantity::Angle,
-            meaning: meaning("Turn of the tower about the y axis of its leg; counterclockwise positive."),
-        },
-        LegParameter {
-            name: "tower_rx_#",
-            quantity: Quantity::Angle,
-            meaning: meaning("Turn of the tower about the x axis of its leg; counterclockwise positive."),
-        },
+        LegParameter { name: "offset_#", quantity: Quantity::Length, meaning: meaning("meaning-carriage-offset") },
+        LegParameter { name: "tower_ry_#", quantity: Quantity::Angle, meaning: meaning("meaning-tower-turn-y") },
+        LegParameter { name: "tower_rx_#", quantity: Quantity::Angle, meaning: meaning("meaning-tower-turn-x") },
         LegParameter { name: "base_radius_#", quantity: Quantity::Length, meaning: RADIUS },
         LegParameter { name: "base_side_#", quantity: Quantity::Length, meaning: SIDE },
         LegParameter { name: "rod_#", quantity: Quantity::Length, meaning: ROD },

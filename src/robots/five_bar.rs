@@ -10,7 +10,9 @@ use super::{
     Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role,
 };
 use super::{REACH, in_plane, in_space, meaning};
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_base::pose::Vector;
 use etalon_base::scalar::{Dual, Scalar, constants, duals};
@@ -21,42 +23,18 @@ const PARAMETERS: usize = 12;
 /// Names, quantities, roles, nominal values and meanings (thesis, eq. 4.24; x_o and y_o: table
 /// 4.1).
 const TABLE: [(&str, Quantity, Role, f64, &str); PARAMETERS] = [
-    ("l11", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 1, A1 to B1.")),
-    ("l12", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 1, B1 to C.")),
-    ("l21", Quantity::Length, Role::Robot, 230.0, meaning("Length of the proximal link of arm 2, A2 to B2.")),
-    ("l22", Quantity::Length, Role::Robot, 230.0, meaning("Length of the distal link of arm 2, B2 to C.")),
-    ("d", Quantity::Length, Role::Robot, 275.0, meaning("Distance of the motor axes A1 and A2.")),
-    ("l23", Quantity::Length, Role::Robot, 230.0, meaning("Distance of the tool E from B2.")),
-    (
-        "gamma",
-        Quantity::Angle,
-        Role::Robot,
-        0.0,
-        meaning("Angle at B2 from C to the tool E; counterclockwise positive."),
-    ),
-    (
-        "delta1",
-        Quantity::Angle,
-        Role::Robot,
-        0.0,
-        meaning("Offset of encoder 1: added to its value; counterclockwise positive."),
-    ),
-    (
-        "delta2",
-        Quantity::Angle,
-        Role::Robot,
-        0.0,
-        meaning("Offset of encoder 2: added to its value; counterclockwise positive."),
-    ),
-    ("x_o", Quantity::Length, Role::Base, 263.0, meaning("Middle between the motors in the world, along x.")),
-    ("y_o", Quantity::Length, Role::Base, 75.0, meaning("Middle between the motors in the world, along y.")),
-    (
-        "phi",
-        Quantity::Angle,
-        Role::Base,
-        0.0,
-        meaning("Direction from motor A1 to A2 in the world; counterclockwise positive."),
-    ),
+    ("l11", Quantity::Length, Role::Robot, 230.0, meaning("meaning-proximal-link-1")),
+    ("l12", Quantity::Length, Role::Robot, 230.0, meaning("meaning-distal-link-1")),
+    ("l21", Quantity::Length, Role::Robot, 230.0, meaning("meaning-proximal-link-2")),
+    ("l22", Quantity::Length, Role::Robot, 230.0, meaning("meaning-distal-link-2")),
+    ("d", Quantity::Length, Role::Robot, 275.0, meaning("meaning-motor-distance")),
+    ("l23", Quantity::Length, Role::Robot, 230.0, meaning("meaning-tool-distance")),
+    ("gamma", Quantity::Angle, Role::Robot, 0.0, meaning("meaning-tool-angle")),
+    ("delta1", Quantity::Angle, Role::Robot, 0.0, meaning("meaning-encoder-1-offset")),
+    ("delta2", Quantity::Angle, Role::Robot, 0.0, meaning("meaning-encoder-2-offset")),
+    ("x_o", Quantity::Length, Role::Base, 263.0, meaning("meaning-motors-middle-x")),
+    ("y_o", Quantity::Length, Role::Base, 75.0, meaning("meaning-motors-middle-y")),
+    ("phi", Quantity::Angle, Role::Base, 0.0, meaning("meaning-motor-direction")),
 ];
 
 /// Five-bar with twelve parameters.
@@ -429,9 +407,7 @@ impl Robot for FiveBar {
     /// Drawing with half-open arms and the tool beside C, so that every parameter is visible.
     fn sketches(&self) -> Vec<Sketch> {
         use StrokeKind::{Axis, Length, Part};
-        let title = meaning(
-            "The five-bar seen from above: links, and angles positive counterclockwise. The tool is drawn beside C.",
-        );
+        let title = meaning("sketch-five-bar");
         let mut sketch = Sketch::new(title, true);
         let mut p = self.nominal();
         (p[5], p[6]) = (1.3 * p[3], 0.5);
@@ -518,8 +494,8 @@ impl Robot for FiveBar {
         let ends = self.limits.limits_rad.get(joint).copied();
         JointRange::of_limits(ends.filter(|ends| *ends != FiveBarLimits::default().limits_rad[0]))
     }
-    fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
-        Some("measure every position in all working modes that reach it, and positions all around the workspace")
+    fn remedy(&self, _parameters: &[usize]) -> Option<Phrase> {
+        Some(phrase!("measure-all-working-modes"))
     }
 }
 

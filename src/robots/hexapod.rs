@@ -15,10 +15,8 @@ use etalon_base::sketch::{Sketch, StrokeKind};
 pub(super) const MODEL: Model = Model::new::<Keys>("hexapod");
 
 const LEGS: usize = 6;
-const ON_BASE: &str =
-    meaning("Centre of the leg's joint on the base, along the axis of the base that the name ends with.");
-const ON_PLATFORM: &str =
-    meaning("Centre of the leg's joint on the platform, along the axis of the platform that the name ends with.");
+const ON_BASE: &str = meaning("meaning-leg-joint-on-base");
+const ON_PLATFORM: &str = meaning("meaning-leg-joint-on-platform");
 
 /// Description of a hexapod.
 struct Keys {
@@ -113,11 +111,7 @@ impl Legs for Hexapod {
         LegParameter { name: "leg#_ax", quantity: Quantity::Length, meaning: ON_PLATFORM },
         LegParameter { name: "leg#_ay", quantity: Quantity::Length, meaning: ON_PLATFORM },
         LegParameter { name: "leg#_az", quantity: Quantity::Length, meaning: ON_PLATFORM },
-        LegParameter {
-            name: "leg#_l0",
-            quantity: Quantity::Length,
-            meaning: meaning("Length of the leg between the centres of its joints, at joint value zero."),
-        },
+        LegParameter { name: "leg#_l0", quantity: Quantity::Length, meaning: meaning("meaning-leg-length") },
     ];
     const JOINT: LegParameter = LegParameter { name: "leg#", quantity: Quantity::Length, meaning: "" };
     const COUNT: usize = LEGS;

@@ -296,9 +296,7 @@ impl<L: Legs> Robot for Parallel<L> {
         let parameters = self.nominal();
         let joints: Vec<f64> = self.limits.iter().map(|l| l.map_or(0.0, |[low, high]| 0.5 * (low + high))).collect();
         let Some(platform) = self.place(&parameters, &joints) else { return Vec::new() };
-        let title = meaning(
-            "The robot in the middle of its joints, with the parameters of leg 1; those of the other legs are alike.",
-        );
+        let title = meaning("sketch-legs");
         let mut sketch = Sketch::new(title, false);
         let values = self.values(&parameters);
         let rods = values.rods(&joints);

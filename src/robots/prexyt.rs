@@ -10,7 +10,9 @@ use super::{
     RailTable, Robot, Role,
 };
 use super::{REACH, in_plane, in_space, meaning};
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_base::scalar::{Dual, Scalar, constants, duals};
 use etalon_base::sketch::{Sketch, StrokeKind};
@@ -20,68 +22,20 @@ const PARAMETERS: usize = 16;
 /// Names, quantities, roles, nominal values and meanings (thesis, table 3.3; l_kl is twice the
 /// nominal x_C).
 const COMMON: [(&str, Quantity, Role, f64, &str); 14] = [
-    (
-        "beta",
-        Quantity::Angle,
-        Role::Robot,
-        0.0,
-        meaning("Angle of rail 3 from the y axis of the base; counterclockwise positive."),
-    ),
-    (
-        "gamma",
-        Quantity::Angle,
-        Role::Robot,
-        0.0,
-        meaning("Angle of the guide on carriage 1 from the y axis of the base; clockwise positive."),
-    ),
-    (
-        "epsilon_theta",
-        Quantity::Angle,
-        Role::Target,
-        0.0,
-        meaning("Angle from the platform's x axis to the line through the balls K and L; counterclockwise positive."),
-    ),
-    ("s", Quantity::Length, Role::Robot, 394.0, meaning("Distance of rail 3 from rail 2, along x.")),
-    ("d3", Quantity::Length, Role::Robot, 0.0, meaning("Place of carriage 3 at actuator value zero, along y.")),
-    ("d", Quantity::Length, Role::Robot, 116.0, meaning("Place of carriage 1 at actuator value zero, along x.")),
-    (
-        "x_c",
-        Quantity::Length,
-        Role::Target,
-        73.0,
-        meaning("Centre C of the platform from ball K, along the line of the balls."),
-    ),
-    (
-        "y_c",
-        Quantity::Length,
-        Role::Target,
-        -73.0,
-        meaning("Centre C of the platform from ball K, across the line of the balls."),
-    ),
-    ("x_o", Quantity::Length, Role::Base, 22.5, meaning("Origin of the base in the world, along x.")),
-    ("y_o", Quantity::Length, Role::Base, -30.5, meaning("Origin of the base in the world, along y.")),
-    (
-        "delta",
-        Quantity::Ratio,
-        Role::Robot,
-        1.0,
-        meaning("Travel of carriage 1 along x for each millimetre commanded; 1 as drawn."),
-    ),
-    (
-        "delta2",
-        Quantity::Ratio,
-        Role::Robot,
-        1.0,
-        meaning("Travel of carriage 2 for each millimetre commanded; 1 as drawn."),
-    ),
-    (
-        "delta3",
-        Quantity::Ratio,
-        Role::Robot,
-        1.0,
-        meaning("Travel of carriage 3 for each millimetre commanded; 1 as drawn."),
-    ),
-    ("l_kl", Quantity::Length, Role::Target, 146.0, meaning("Distance of the balls K and L.")),
+    ("beta", Quantity::Angle, Role::Robot, 0.0, meaning("meaning-rail-3-angle")),
+    ("gamma", Quantity::Angle, Role::Robot, 0.0, meaning("meaning-guide-angle")),
+    ("epsilon_theta", Quantity::Angle, Role::Target, 0.0, meaning("meaning-ball-line-angle")),
+    ("s", Quantity::Length, Role::Robot, 394.0, meaning("meaning-rail-3-distance")),
+    ("d3", Quantity::Length, Role::Robot, 0.0, meaning("meaning-carriage-3-place")),
+    ("d", Quantity::Length, Role::Robot, 116.0, meaning("meaning-carriage-1-place")),
+    ("x_c", Quantity::Length, Role::Target, 73.0, meaning("meaning-centre-along-balls")),
+    ("y_c", Quantity::Length, Role::Target, -73.0, meaning("meaning-centre-across-balls")),
+    ("x_o", Quantity::Length, Role::Base, 22.5, meaning("meaning-base-origin-x")),
+    ("y_o", Quantity::Length, Role::Base, -30.5, meaning("meaning-base-origin-y")),
+    ("delta", Quantity::Ratio, Role::Robot, 1.0, meaning("meaning-carriage-1-travel")),
+    ("delta2", Quantity::Ratio, Role::Robot, 1.0, meaning("meaning-carriage-2-travel")),
+    ("delta3", Quantity::Ratio, Role::Robot, 1.0, meaning("meaning-carriage-3-travel")),
+    ("l_kl", Quantity::Length, Role::Target, 146.0, meaning("meaning-ball-distance")),
 ];
 
 /// Thirteen parameters.
@@ -159,11 +113,9 @@ impl Prexyt {
             parameters[5].name = "d1".into();
             parameters[10].name = "delta1".into();
             let alpha = Parameter::new("alpha", Quantity::Angle, Role::Robot, 0.0);
-            parameters.push(
-                alpha.meaning(meaning("Angle of rail 1 from the x axis of the base; counterclockwise positive.")),
-            );
+            parameters.push(alpha.meaning(meaning("meaning-rail-1-angle")));
             let h = Parameter::new("h", Quantity::Length, Role::Robot, 0.0);
-            parameters.push(h.meaning(meaning("Distance of rail 1 from the origin of the base, along y.")));
+            parameters.push(h.meaning(meaning("meaning-rail-1-distance")));
         }
         let joints = ["rho1", "rho2", "rho3"].map(|name| Joint { name: name.into(), quantity: Quantity::Length });
         let targets = vec!["K".into(), "L".into()];
@@ -272,9 +224,7 @@ impl Robot for Prexyt {
     /// Drawing with exaggerated tilts.
     fn sketches(&self) -> Vec<Sketch> {
         use StrokeKind::{Axis, Length, Part};
-        let title = meaning(
-            "The table seen from above, with tilts drawn large: rails, carriages, platform C and balls K and L.",
-        );
+        let title = meaning("sketch-table");
         let mut sketch = Sketch::new(title, true);
         let mut p = self.nominal();
         (p[0], p[1], p[2]) = (0.14, 0.16, 0.3);
@@ -355,10 +305,9 @@ impl Robot for Prexyt {
     fn rail_table(&self) -> Option<&dyn RailTable> {
         Some(self)
     }
-    fn remedy(&self, parameters: &[usize]) -> Option<&'static str> {
+    fn remedy(&self, parameters: &[usize]) -> Option<Phrase> {
         // d (or d1) and x_c act along x and x′: only different |theta| separate them
-        (parameters.contains(&6) && parameters.contains(&5))
-            .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+        (parameters.contains(&6) && parameters.contains(&5)).then(|| phrase!("measure-different-angles"))
     }
 }
 

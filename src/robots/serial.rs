@@ -40,6 +40,8 @@ pub(super) struct Drive {
     /// Offset (rad or mm).
     pub offset: f64,
     pub prismatic: bool,
+    /// `true` if the joint value is that of another joint, which this joint mimics.
+    pub mimics: bool,
 }
 
 /// Non-geometric effects of joints, by their indices, and direction of gravity in the base frame.
@@ -80,21 +82,13 @@ enum Load {
     Moment { axis: usize, about: Vector, largest_kg_mm: f64 },
 }
 
-const GAIN: &str = meaning("Gain of the joint: by how much it moves for each unit of its logged value; 1 as drawn.");
-const BENDING: &str = meaning(
-    "Bending under gravity: the angle under the largest moment, arm stretched out level; positive as the load turns.",
-);
-const COUPLING: &str =
-    meaning("Coupling: by how much the first joint moves for each unit that the second one is moved.");
-const HARMONIC: &str = meaning(
-    "Harmonic of the transmission: by how much the joint moves for each unit of the sine or cosine that the name ends with, of once or twice the angle of the joint.",
-);
-const BACKLASH: &str = meaning(
-    "Backlash of the joint: by how much it is further, coming from above, than coming from below to the same logged value; 0 without play.",
-);
-const TILT: &str =
-    meaning("Small rotation of the joint's axis, about the axis that the name ends with; counterclockwise positive.");
-const ASIDE: &str = meaning("Small displacement of the joint's axis, along the axis that the name ends with.");
+const GAIN: &str = meaning("meaning-gain");
+const BENDING: &str = meaning("meaning-bending");
+const COUPLING: &str = meaning("meaning-coupling");
+const HARMONIC: &str = meaning("meaning-harmonic");
+const BACKLASH: &str = meaning("meaning-backlash");
+const TILT: &str = meaning("meaning-axis-rotation");
+const ASIDE: &str = meaning("meaning-axis-displacement");
 
 /// Orders of harmonics, endings of their names, and `true` for a sine.
 const ORDERS: [(f64, &str, bool); 4] =
@@ -243,9 +237,10 @@ impl ArmBuilder {
     /// Adds a gain for each axis.
     pub fn gains(&mut self) {
         for k in 0..self.axes.len() {
-            let Drive { ref label, joint, factor, offset, .. } = self.axes[k].drive;
+            let Drive { ref label, joint, factor, offset, mimics, .. } = self.axes[k].drive;
             let gain = Parameter::new(format!("gain_{label}"), Quantity::Ratio, Role::Robot, 1.0);
-            let parameter = self.add(gain.meaning(GAIN).of_joint(joint));
+            let by = mimics.then_some(joint);
+            let parameter = self.add(Parameter { by, ..gain.meaning(GAIN).of_joint(joint) });
             self.axes[k].gain = Some(parameter);
             self.moved[k].push(Term { parameter, coefficient: Coefficient::Joint { joint, factor, offset } });
         }
@@ -428,8 +423,8 @@ pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
     const OFFSET: f64 = 0.7;
     let (a, d, arc) = (160.0, 90.0, 45.0);
     let title = match modified {
-        true => meaning("A link and its modified Denavit-Hartenberg parameters."),
-        false => meaning("A link and its standard Denavit-Hartenberg parameters."),
+        true => meaning("sketch-link-mdh"),
+        false => meaning("sketch-link-dh"),
     };
     let mut sketch = Sketch::new(title, false);
     let axis = |sketch: &mut Sketch, name: &str, frame: &Pose, ends: [f64; 2]| {
@@ -611,8 +606,7 @@ impl Serial {
     /// Drawing of the arm in its base at joint values zero, with all lengths that are nominally
     /// non-zero.
     fn drawn(&self) -> Sketch {
-        let mut sketch =
-            Sketch::new(meaning("The arm at joint values zero: axes of the joints and lengths of the links."), false);
+        let mut sketch = Sketch::new(meaning("sketch-arm"), false);
         let (p, joints) = (self.nominal(), vec![0.0; self.joints().len()]);
         let state = State { joints: &joints[..], loads: &[] };
         let mut pose = Pose::identity();

@@ -331,7 +331,8 @@ impl Description for Keys {
             });
             let prismatic = joint.kind == "prismatic";
             let name = joint.name.clone();
-            let drive = Drive { label: name.clone(), name, joint: index, factor, offset, prismatic };
+            let mimics = joint.mimic.is_some();
+            let drive = Drive { label: name.clone(), name, joint: index, factor, offset, prismatic, mimics };
             // a joint that is passed upward moves in the opposite direction
             let axis = unit(joint.axis).unwrap_or_default().map(|v| if *upward { -v } else { v });
             let parallel = |along: Vector| norm(cross(along, axis)) < PARALLEL;

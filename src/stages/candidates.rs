@@ -68,7 +68,7 @@ fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> R
         }
     }
     if all.is_empty() {
-        return Err(error!("candidates-unreachable", model = robot.model()).into());
+        return Err(error!("candidate-positions-unreachable", model = robot.model()).into());
     }
     Ok(all)
 }

@@ -2,6 +2,7 @@
 //! show.
 
 use etalon_base::message::{Message, Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, centroid, minus, norm};
 use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, WorldDefinition};
@@ -157,14 +158,16 @@ pub fn not_controlled(
         let points: Vec<String> = once_measured(world, features).into_iter().filter(|name| !nominal(name)).collect();
         if !points.is_empty() {
             all.push(Uncontrolled {
-                what: "points that define the world frame without redundancy: one that is off moves the frame and nothing else".to_owned(),
+                what: phrase!("unshown-frame-points").to_string(),
+                what_phrase: Some(phrase!("unshown-frame-points")),
                 points,
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
         }
         if world.nominal_mm.is_empty() && world.each.is_some() {
             all.push(Uncontrolled {
-                what: "places of the targets that carry the world frame: they are those that were measured".to_owned(),
+                what: phrase!("unshown-frame-targets").to_string(),
+                what_phrase: Some(phrase!("unshown-frame-targets")),
                 points: world.targets.iter().flatten().map(|target| target.get_ref().clone()).collect(),
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
@@ -174,7 +177,8 @@ pub fn not_controlled(
     let missing: Vec<&str> = base(robot).filter(|name| !campaign.robot.states_nominal(name)).collect();
     if !missing.is_empty() {
         all.push(Uncontrolled {
-            what: "a shift or rotation that all readings have in common: the base takes it up".to_owned(),
+            what: phrase!("unshown-shift").to_string(),
+            what_phrase: Some(phrase!("unshown-shift")),
             points: Vec::new(),
             keys: vec![format!("[nominal] {} of robot.toml", missing.join(", "))],
         });

@@ -6,7 +6,7 @@ use super::identification::Identified;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_base::phrase;
 use etalon_base::pose::norm;
-use etalon_controllers::{Exporter, Given};
+use etalon_controllers::{Exporter, Given, Statement};
 use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
 use etalon_robots::Robot;
 
@@ -19,7 +19,7 @@ pub fn identify_again(
     formats: &[(&str, &dyn Exporter)],
 ) -> Option<ControllersDocument> {
     let (mut files, mut messages) = (Vec::<ControllerFiles>::new(), Vec::new());
-    for &(name, exporter) in formats {
+    for &(name, exporter) in formats.iter().filter(|(_, exporter)| exporter.unsuited(given).is_none()) {
         match of_format(given, robot, found, exporter) {
             Ok(None) => {}
             Ok(Some(file)) => match files.iter_mut().find(|f| f.left_out == file.left_out && f.values == file.values) {
@@ -32,15 +32,29 @@ pub fn identify_again(
             })),
         }
     }
-    let mut document = ControllersDocument::new(files, messages)?;
-    let given = Given { controllers: Some(&document), ..*given };
-    let refused = formats.iter().flat_map(|&(name, exporter)| match given.statement(exporter) {
-        Ok(statement) => statement.refusal(name).into_iter().collect(),
-        Err(problems) => problems.0,
-    });
-    let refused: Vec<Message> = refused.collect();
-    document.messages.extend(refused);
-    Some(document)
+    let document = ControllersDocument::new(files.clone(), messages.clone());
+    messages.extend(judged(&Given { controllers: document.as_ref(), ..*given }, formats));
+    ControllersDocument::new(files, messages)
+}
+
+/// Refusals of files that are worse than nominal, and warnings about those that are not clearly better; files of the same
+/// errors share a warning.
+fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
+    let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
+    for &(name, exporter) in formats {
+        match given.statement(exporter) {
+            Ok(statement) => match statement.refusal(name) {
+                Some(refusal) => refused.push(refusal),
+                None => match near.iter_mut().find(|(same, _)| same.errors == statement.errors) {
+                    Some((_, names)) => names.push(name),
+                    None => near.push((statement, vec![name])),
+                },
+            },
+            Err(problems) => refused.extend(problems.0),
+        }
+    }
+    refused.extend(near.iter().filter_map(|(statement, names)| statement.warning(names)));
+    refused
 }
 
 /// Values of a format that leaves parameters out or ties them; `None` if the format holds the

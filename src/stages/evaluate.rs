@@ -2,10 +2,10 @@
 
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
-use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
@@ -206,12 +206,6 @@ fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
 }
 
-/// Owner of the errors of a platform: parameters that shift balls and tool alike do not show in
-/// them.
-const MEASURED_CENTRE: &str = "the platform's centre as the balls measure it";
-/// Owner of the errors of other robots.
-const MEASURED_TARGETS: &str = "the targets as measured";
-
 /// Standard uncertainty (k = 1) of measured errors, by the uncertainty of the instrument. The
 /// parameters are judged, and add nothing.
 #[derive(Clone, Copy, Debug)]
@@ -293,26 +287,18 @@ pub fn evaluate(
         let expanded = uncertainty.expanded(quantity);
         verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
     }
-    let (point, error) = if robot.platform().is_some() {
-        (
-            MEASURED_CENTRE,
-            "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
-         positions are those of C in the base frame",
-        )
-    } else {
-        (
-            MEASURED_TARGETS,
-            "each target's measured position minus the one that the model predicts from the joints; orientation is the \
-         rotation that is left between measured and predicted targets; positions are those of the targets in the world",
-        )
+    let (point, error) = match robot.platform() {
+        // parameters that shift balls and tool alike do not show in these errors
+        Some(_) => (phrase!("platform-as-measured"), phrase!("error-of-platform")),
+        None => (phrase!("targets-as-measured"), phrase!("error-of-targets")),
     };
+    let definition = phrase!("error-definition", error, values = phrase!("values-of-identification"));
     Ok(AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
-        definition: format!(
-            "error: {error}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
-             poses; after: all identified parameters; statistics are of sizes, each repeat counted"
-        ),
-        point: point.to_owned(),
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
+        point: point.to_string(),
+        point_phrase: Some(point),
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,

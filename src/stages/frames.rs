@@ -3,6 +3,7 @@
 use crate::stages::gather::used_labels;
 use crate::stages::labelled_points::LabelledPoints;
 use crate::stages::repeats;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
@@ -133,14 +134,15 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
             from_targets(campaign, points, targets, each.is_some())?
         }
         Some(world) => from_plane(campaign, &Geometry::of(campaign, points, features, world), world)?,
-        None => fixed("the coordinates of the exports are those of the world".to_owned(), Pose::identity()),
+        None => fixed(phrase!("frame-as-exported"), Pose::identity()),
     })
 }
 
 /// A world frame for all poses.
-fn fixed(definition: String, export_T_world: Pose) -> WorldFrame {
+fn fixed(definition: Phrase, export_T_world: Pose) -> WorldFrame {
     WorldFrame {
-        definition,
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
         planar: false,
         poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
         common_covariance: None,
@@ -204,12 +206,14 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         .filter(|_| norm(off_axis) > OFF_AXIS * norm(side))
         .ok_or_else(|| error!("world-side-undetermined").at(campaign.world_place()))?;
     let (x, y) = if axis_name == "x" { (first, other) } else { (other, first) };
-    let definition = format!(
-        "xy plane: feature `{}`; origin: `{}`; {axis_name} axis: {}; other axis towards `{}`",
-        plane_name.get_ref(),
-        world.origin.as_ref().map_or("", |o| o.get_ref()),
-        ends.iter().map(|e| format!("`{}`", e.get_ref())).collect::<Vec<_>>().join(" to "),
-        world.towards.as_ref().map_or("", |t| t.get_ref()),
+    let definition = phrase!(
+        "frame-from-plane",
+        plane = plane_name.get_ref(),
+        origin = world.origin.as_ref().map_or("", |o| o.get_ref()),
+        axis = axis_name,
+        from = ends.first().map_or("", |e| e.get_ref()),
+        to = ends.last().map_or("", |e| e.get_ref()),
+        towards = world.towards.as_ref().map_or("", |t| t.get_ref()),
     );
     Ok(fixed(definition, from_axes(origin, x, y)))
 }
@@ -471,14 +475,14 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
         let (pose, cycle) = if each { (Some(pose), Some(cycle)) } else { (None, None) };
         poses.push(FramePose { pose, cycle, export_T_world: fitted.to_T_from, covariance });
     }
-    let definition = format!(
-        "best fit of the targets {}{}: origin at the first, x axis to the second, the third in the xy plane",
-        names.join(", "),
-        if each { ", measured again at every pose" } else { "" },
-    );
+    let definition = match each {
+        true => phrase!("frame-from-targets-each", targets = names),
+        false => phrase!("frame-from-targets", targets = names),
+    };
     let rms = (squares / (poses.len() * names.len()) as f64).sqrt();
     Ok(WorldFrame {
-        definition,
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
         planar: false,
         poses,
         common_covariance: excess.filter(|_| each),

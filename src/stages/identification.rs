@@ -23,7 +23,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
+use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
     AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
@@ -464,15 +464,16 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
         }
     }
     let numbered = || poses.iter().copied().enumerate();
-    let hint = measured(poses);
+    let without_pose = |poses_stated: &Spanned<StatedPoses>, set: &str| {
+        let hint = measured(poses);
+        error!("selection-without-pose", set).at(campaign.place(poses_stated)).hint(hint)
+    };
     if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
-        let message = error!("selection-without-pose", set = "calibration");
-        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(hint.clone()));
+        problems.0.push(without_pose(&identify.calibration, "calibration"));
     }
     if let Some(text) = &identify.validation {
         if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
-            let message = error!("selection-without-pose", set = "validation");
-            problems.0.push(message.at(campaign.place(text)).hint(hint));
+            problems.0.push(without_pose(text, "validation"));
         }
         let shared: Vec<String> = numbered()
             .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))
@@ -499,6 +500,6 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
 fn measured(poses: &BTreeSet<PoseName>) -> Phrase {
     match (poses.first(), poses.last()) {
         (Some(first), Some(last)) => phrase!("poses-measured", count = poses.len(), first, last),
-        _ => phrase!("no-pose-measured"),
+        _ => phrase!("poses-unmeasured"),
     }
 }

@@ -41,7 +41,7 @@ pub fn grouped(
             let place = Place { line: line(row), ..Place::default() };
             Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place).into())
         }
-        Err(ObservationError::Empty) => Err(error!("no-observations").into()),
+        Err(ObservationError::Empty) => Err(error!("table-without-observations").into()),
         Err(ObservationError::ArmsApart(pose, cycle)) => {
             Err(error!("arms-apart").within(phrase!("in-observation", pose, cycle)).into())
         }
@@ -141,7 +141,7 @@ fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covaria
         }
         match is_positive_definite(&covariance, dimension) {
             true => Ok(Some(covariance)),
-            false => Err(error!("covariance-not-positive-definite").at(at()).into()),
+            false => Err(error!("position-covariance-invalid").at(at()).into()),
         }
     };
     (0..table.height()).map(of_row).collect()

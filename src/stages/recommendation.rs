@@ -8,7 +8,8 @@
 use super::cross_validation::{ALL, SIGNIFICANCE, Study, Tried};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Result};
 use etalon_base::{phrase, warning};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
@@ -103,10 +104,12 @@ impl Recommendation<'_> {
         let document = parameters_document(study.robot, &settings, &study.before, &recommended.found, inputs);
         messages
             .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
+        let meaning = meaning((&chosen, together), choice, &parameters, &held_out);
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
-            meaning: meaning((&chosen, together), choice, &parameters, &held_out),
+            meaning: meaning.iter().map(Phrase::to_string).collect(),
+            meaning_phrases: meaning,
             poses: study.poses,
             folds: study.first_cut().len(),
             repeats: study.folds.len() / study.first_cut().len(),
@@ -256,41 +259,28 @@ fn meaning(
     choice: Choice,
     parameters: &[ParameterVerdict],
     errors: &HeldOutErrors,
-) -> Vec<String> {
+) -> Vec<Phrase> {
     let word = |effect: &Effect| match effect {
-        Effect::Zeros => "zeros of the joints",
-        Effect::Geometry => "geometry",
-        Effect::Gains => "gains",
-        Effect::Harmonics => "harmonics of the transmissions",
-        Effect::Backlash => "backlash",
-        Effect::Coupling => "coupling",
-        Effect::Bending => "bending",
+        Effect::Zeros => phrase!("zeros-of-the-joints"),
+        Effect::Geometry => phrase!("geometry"),
+        Effect::Gains => phrase!("gains"),
+        Effect::Harmonics => phrase!("harmonics-of-the-transmissions"),
+        Effect::Backlash => phrase!("backlash"),
+        Effect::Coupling => phrase!("coupling"),
+        Effect::Bending => phrase!("bending"),
     };
-    let words: Vec<&str> = chosen.iter().map(word).collect();
-    let load = parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count();
-    let first = match words[..] {
-        [] => "no effect makes poses better that were left out: load nothing".to_owned(),
-        _ if together => format!("identify {}: together they make poses better that were left out", words.join(", ")),
-        _ => format!("identify {}: each makes poses better that were left out", words.join(", ")),
+    let effects: Vec<Phrase> = chosen.iter().map(word).collect();
+    let (load, count) = (parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count(), parameters.len());
+    let first = match effects[..] {
+        [] => phrase!("identify-nothing"),
+        _ if together => phrase!("identify-together", effects),
+        _ => phrase!("identify-each", effects),
+    };
+    let loaded = match choice {
+        Choice::Proven => phrase!("load-proven", load, count),
+        Choice::Stable => phrase!("load-stable", load, count),
     };
     let rms = |s: &Statistics| format!("{:.4}", s.rms);
-    vec![
-        first,
-        match choice {
-            Choice::Proven => format!(
-                "load {load} of {}: their change from nominal is proven, alone or together",
-                count(parameters.len(), "parameter")
-            ),
-            Choice::Stable => format!(
-                "load {load} of {}, all that are stable: those whose change from nominal is proven leave larger errors without the others",
-                count(parameters.len(), "parameter")
-            ),
-        },
-        format!(
-            "error at poses that were left out (root mean square): {} mm with nominal parameters, {} mm with all, {} mm with those recommended",
-            rms(&errors.none),
-            rms(&errors.all),
-            rms(&errors.recommended)
-        ),
-    ]
+    let [nominal, all, recommended] = [&errors.none, &errors.all, &errors.recommended].map(rms);
+    vec![first, loaded, phrase!("error-left-out", nominal, all, recommended)]
 }

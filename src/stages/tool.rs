@@ -2,7 +2,9 @@
 
 use super::evaluate::{Sets, summarise};
 use crate::stages::remedies::remedied;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, MapNode, PredictionMap, Statistics, ToolAccuracy};
@@ -67,11 +69,10 @@ impl<'a> Expected<'a> {
             of_held += error.held_mm.powi(2) / count;
         }
         let after: Statistics = summarise(sizes);
+        let definition = phrase!("tool-error-definition", error = self.error());
         Ok(Some(ToolAccuracy {
-            definition: format!(
-                "{}; {MADE_OF}; errors of the targets do not show parameters that shift targets and tool alike",
-                self.error()
-            ),
+            definition: definition.to_string(),
+            definition_phrase: Some(definition),
             point_mm: self.prediction.point.point_mm,
             frame: self.prediction.point.frame.into(),
             set: judged.name,
@@ -87,16 +88,18 @@ impl<'a> Expected<'a> {
     }
 
     /// Description of the error.
-    fn error(&self) -> String {
+    fn error(&self) -> Phrase {
         let place = self.prediction.point.point_mm;
-        let which = match self.prediction.point.frame {
-            ToolFrame::Platform if place == [0.0; 3] => "the platform's centre C".to_owned(),
-            ToolFrame::Targets if place == [0.0; 3] => format!("the target {}", self.prediction.robot.targets()[0]),
-            ToolFrame::Platform => format!("the point {place:?} mm in the frame of the platform"),
-            ToolFrame::Flange => format!("the point {place:?} mm in the frame of the flange"),
-            ToolFrame::Targets => format!("the point {place:?} mm in the frame of the targets"),
+        let point = match self.prediction.point.frame {
+            ToolFrame::Platform if place == [0.0; 3] => phrase!("platform-centre"),
+            ToolFrame::Targets if place == [0.0; 3] => {
+                phrase!("target-named", target = self.prediction.robot.targets()[0])
+            }
+            ToolFrame::Platform => phrase!("point-in-platform", point = format!("{place:?}")),
+            ToolFrame::Flange => phrase!("point-in-flange", point = format!("{place:?}")),
+            ToolFrame::Targets => phrase!("point-in-targets", point = format!("{place:?}")),
         };
-        format!("error: the true place of {which} in the base frame minus the one that the controller computes")
+        phrase!("error-of-tool", point)
     }
 
     /// On a grid of the workspace that the calibration poses span; `None` without a covariance or
@@ -116,10 +119,7 @@ impl<'a> Expected<'a> {
         let nodes = places.par_iter().map(|at| self.node(kinematics, &poses, *at)).collect::<Result<Vec<_>>>()?;
         let nodes: Vec<MapNode> = nodes.into_iter().flatten().collect();
         Ok((nodes.len() >= FEWEST_NODES).then(|| PredictionMap {
-            definition: format!(
-                "{}; {MADE_OF}; 95 % of the errors at a node are at most p95_mm, if they are normal (Box 1954)",
-                self.error()
-            ),
+            definition: phrase!("prediction-map-definition", error = self.error()).to_string(),
             point_mm: self.prediction.point.point_mm,
             frame: self.prediction.point.frame.into(),
             spacing_mm,
@@ -161,10 +161,6 @@ impl<'a> Expected<'a> {
     }
 }
 
-/// Description of the numbers.
-const MADE_OF: &str = "nominal minus identified: difference of the positions that both sets of parameters predict; expected: size (k = 1), from \
-                       the covariance of the parameters, the tolerance of those that the data do not determine, what the model leaves out beyond the \
-                       instrument, and the place of the point on the tool";
 /// Joint values beyond those of the calibration by less than this are within them, mm or rad.
 const SAME: f64 = 1e-9;
 /// Nodes that a map has at least: with fewer it shows nothing of the workspace.

@@ -277,7 +277,7 @@ fn what_a_dialect_cannot_say_is_refused_and_not_written_otherwise() {
         (polyworks("{target}{pose}{cycle}"), |_| {}, "error[simulated-row"),
         (polyworks("{pose}_{cycle}"), |_| {}, "error[simulated-row"),
         (polyworks("{target}_{pose}_{cycle}"), |t| t.decimals = 100_000, "error[truth-decimals]"),
-        (polyworks("{target}\\\" {pose}"), |t| t.cycles = 1, "the row has 5 fields"),
+        (polyworks("{target}\\\" {pose}"), |t| t.cycles = 1, "[row-field-count]: the row has 5 fields"),
     ];
     for (export, change, part) in cases {
         let said = refused(&export, BY_POSE, change).to_string();
@@ -285,7 +285,7 @@ fn what_a_dialect_cannot_say_is_refused_and_not_written_otherwise() {
     }
     let comment = "format = { delimiter = \";\", comment = \"\", columns = [\"label\", \"x\", \"y\", \"z\"] }\nunit = \"mm\"\n\
                    label = \"{target}_{pose}_{cycle}\"";
-    assert!(refused(comment, BY_POSE, |_| {}).to_string().contains("would read as a comment"));
+    assert!(refused(comment, BY_POSE, |_| {}).to_string().contains("[row-is-comment]"));
 }
 
 /// A campaign with this log, simulated; its points are of no matter.

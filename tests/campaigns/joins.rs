@@ -223,7 +223,7 @@ fn two_files_of_one_target_number_their_rows_apart() {
     let outcome = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).unwrap();
     let found = outcome.identified.as_ref().unwrap();
     assert_eq!((found.parameters.residuals.count, found.accuracy.sets[1].poses), (8 * 4, 51));
-    assert!(outcome.report().is_met());
+    assert!(outcome.report().passes());
     // without the offset they collide, and the message states the remedy
     scratch.replace("campaign.toml", "row + 30", "row");
     let problems = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).err().unwrap().to_string();

@@ -60,7 +60,7 @@ fn a_file_with_joints_and_points_is_joined_by_its_rows() {
     for (export, more, part) in [
         (format!("{apart}\n{JOINTS}"), log, "the joints are stated twice"),
         (format!("{apart}\n{JOINTS}"), "[join]\nby = [\"pose\"]\n", "is joined by its rows"),
-        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "the header has no column `RP9`"),
+        (format!("{apart}\n{}", JOINTS.replace("RP2", "RP9")), "", "error[column-unknown]: there is no column `RP9`"),
         (format!("{apart}\n{}", JOINTS.replace("rho3_mm", "rho3_m m")), "", "all.csv"),
         (format!("{apart}\n{}", JOINTS.replace(", rho3_mm = \"RP3\"", "")), "", "has no column for joint `rho3`"),
     ] {
@@ -94,7 +94,7 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
     // with them, by their weight
     let with = campaign(&weighted.replace(", u1", ", pose = \"Pose\", u1"), "", &rows);
     add(&with, "");
-    ends(&with, "run", 0, &["all readings weigh by their own standard uncertainties, 0.0030 to 0.3000 mm"]);
+    ends(&with, "run", 0, &["[readings-weighted]", "0.0030 to 0.3000 mm"]);
     let table = std::fs::read_to_string(with.path().join("out/observations.csv")).unwrap();
     assert!(table.starts_with("pose,cycle,target,x_mm,y_mm,cxx_mm2,cxy_mm2,cyy_mm2,rho1_mm"), "{}", &table[..200]);
     for (a, b) in parameters(&without).parameters.iter().zip(&parameters(&with).parameters) {
@@ -160,7 +160,12 @@ fn a_serial_arm_touches_points_by_their_label() {
     let found = parameters(&scratch);
     assert!(found.residuals.rms < 1e-6, "{}", found.residuals.rms);
     scratch.replace("log.csv", "hole 7;", "hole seven;");
-    ends(&scratch, "check", 2, &["error[label-not-measured]: no measured point has the label `hole seven`", "log.csv:9"]);
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["error[label-not-measured]: no measured point has the label `hole seven`", "log.csv:9"],
+    );
     scratch.replace("log.csv", "hole seven;", "hole 7;");
     scratch.replace("campaign.toml", "targets = [\"tip\"]", "targets = [\"tip\", \"tap\"]");
     ends(&scratch, "check", 2, &["error[join-by-label-targets]"]);
@@ -257,10 +262,10 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
         let (code, said, _) = campaign(&proposed.replacen(from, to, 1));
         assert!(code == Some(2) && said.contains(expected), "{code:?} {said}");
     };
-    slip("\"J1\"", "\"J7\"", "the header names no `J7`");
-    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "`J1` is stated to be `q1_deg` and `q2_deg`");
+    slip("\"J1\"", "\"J7\"", "error[column-unknown]: there is no column `J7`");
+    slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "error[column-stated-twice]: the column `J1`");
     slip("delimiter =", "sheet = \"A\"\ndelimiter =", "error[key-of-text-table]: `delimiter`");
-    slip("x_mm =", "x =", "`x` is not a column of observations");
+    slip("x_mm =", "x =", "error[observation-column-unknown]: `x`");
     slip("pose = \"row\"", "", "no column `pose`");
     let spoilt = own.replacen(';', ";x", 9);
     std::fs::write(folder.path().join("cobot/own.csv"), own_head.to_owned() + &spoilt).unwrap();

@@ -178,7 +178,8 @@ fn the_same_files_by_export(folder: &Path) {
     let yaml = std::fs::read_to_string(folder.join("again").join(SAMPLE_OF_FILE)).unwrap();
     assert!(yaml.ends_with("  hash: calib_123\n") && !yaml.contains("mismatch"), "{yaml}");
     let other = etalon(folder, &[&arguments[..], &["json", "--controller-hash", "calib_123"]].concat());
-    assert!(other.status.code() == Some(2) && text(&other.stderr).contains("universal-robots"));
+    let said = text(&other.stderr);
+    assert!(other.status.code() == Some(2) && said.contains("error[hash-of-other-format]"), "{said}");
 }
 
 /// Parameters alone are conditioned by their covariance: near what was identified again.
@@ -234,6 +235,37 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
     let yaml = std::fs::read_to_string(folder.join("out").join(SAMPLE_OF_FILE)).unwrap();
     assert!(yaml.contains("NOT FIT FOR A CONTROLLER, written by force: "), "{yaml}");
     assert!(stated(&yaml, "this file ") > stated(&yaml, "nominal "));
+}
+
+/// Zeros make up for gains at the calibration poses, and miss on the other side at the validation poses.
+#[test]
+fn a_file_that_is_hardly_better_than_nominal_says_so() {
+    let twin =
+        twin(&Arm { gains: [0.0, 0.0, 0.0, 3e-3, 3e-3, 3e-3], homed_at: 0.0, poses: [[60.0, 60.0], [31.0, 5.0]] });
+    let folder = twin.folder.path();
+    let ran = etalon(&folder, &["run", "."]);
+    let said = text(&ran.stderr);
+    assert!(ran.status.code() == Some(0) && said.contains("warning[file-near-nominal]"), "{said}");
+    let yaml = std::fs::read_to_string(folder.join("out").join(SAMPLE_OF_FILE)).unwrap();
+    let [nominal, file] = ["nominal ", "this file "].map(|words| stated(&yaml, words));
+    assert!(0.9 * nominal < file && file < nominal, "{yaml}");
+    assert!(yaml.contains("# position error not clearly smaller than with nominal parameters"), "{yaml}");
+    // formats that hold gains are not meant, and both formats share a warning
+    let near = |messages: &Value| -> Vec<Value> {
+        let all = messages.as_array().unwrap().iter().filter(|m| m["id"] == "file-near-nominal");
+        all.map(|m| m["arguments"]["formats"].clone()).collect()
+    };
+    let document = json(&folder, "controllers.json");
+    assert_eq!(near(&document["messages"]), [serde_json::json!(["universal-robots", "linuxcnc"])], "{document}");
+    let code = std::fs::read_to_string(folder.join("out/etalon_kinematics.c")).unwrap();
+    assert!(!code.contains("not clearly smaller"), "{code}");
+    let arguments =
+        ["export", "out/parameters.json", "--robot", "robot.toml", "--json", "--format", "json", "--format"];
+    let exported = etalon(&folder, &[&arguments[..], &["linuxcnc"]].concat());
+    assert_eq!(exported.status.code(), Some(0), "{}", text(&exported.stderr));
+    let answer: Value = serde_json::from_slice(&exported.stdout).unwrap();
+    let [whole, reduced] = [0, 1].map(|i| &answer["controllers"][i]["messages"]);
+    assert!(whole.is_null() && near(reduced) == [serde_json::json!(["linuxcnc"])], "{answer}");
 }
 
 /// Parameters that only the format's own model would determine are held too: towers are upright, and legs equal.

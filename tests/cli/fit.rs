@@ -101,7 +101,7 @@ fn qif_features_are_set_against_what_the_file_states() {
     let outside: Vec<FitDocument> = serde_json::from_slice(&fitted(&["--probe-side", "outside"]).stdout).unwrap();
     assert!((outside[0].radius_mm.unwrap() - 10.0).abs() < 1e-9);
     for (rest, part) in [
-        (&["--unit", "inch"][..], "the unit of the file is 1 mm, and 25.4 mm was stated"),
+        (&["--unit", "inch"][..], "error[unit-differs]: the file is in mm"),
         (&["--radius-mm", "15"], "error[qif-with-columns]"),
         (&["--probe-side", "0,0,1"], "error[probe-side-needs-inside]"),
     ] {
@@ -152,7 +152,7 @@ fn a_campaign_reads_the_same_points_from_qif() {
     qif.replace("campaign.toml", "unit = \"mm\"", "unit = \"inch\"");
     let refused = etalon(qif.root(), &["check", "campaign"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("the unit of the file is 1 mm, and 25.4 mm was stated"));
+    assert!(text(&refused.stderr).contains("error[unit-differs]: the file is in mm"));
 }
 
 #[test]
@@ -228,11 +228,12 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
         );
         assert!((documents[0].radius_mm.unwrap() - 10.0).abs() < 1e-9, "{documents:?}");
         let said = text(&answered.stderr);
-        assert_eq!(said.contains("1 row left out, the first: a value without a label"), format == "inspec", "{said}");
+        assert_eq!(said.contains("warning[rows-left-out]: 1 row left out"), format == "inspec", "{said}");
     }
-    for (rest, part) in
-        [(&["--format", "inspect"][..], "--format: invalid value"), (&["--format", "dmis"], "no measured feature")]
-    {
+    for (rest, part) in [
+        (&["--format", "inspect"][..], "--format: invalid value"),
+        (&["--format", "dmis"], "error[no-measured-points]"),
+    ] {
         let refused = fit("c.csv", rest);
         assert_eq!(refused.status.code(), Some(2));
         assert!(text(&refused.stderr).contains(part), "{}", text(&refused.stderr));

@@ -39,7 +39,11 @@ fn assembly_modes_are_read_or_taken_from_the_measurement_and_told() {
     }
     let wrong = run(&table(true).replacen(",-1\n", ",2\n", 1).replacen(",1\n", ",2\n", 1));
     assert_eq!(wrong.status.code(), Some(2));
-    assert!(text_of(&wrong).contains("assembly mode 2"), "{}", text_of(&wrong));
+    assert!(
+        text_of(&wrong).contains("error[assembly-mode-invalid]: row 1: the assembly mode is 2"),
+        "{}",
+        text_of(&wrong)
+    );
 }
 
 #[test]
@@ -94,15 +98,15 @@ fn a_touched_point_that_nobody_measured_is_told_with_its_line() {
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "label = \"ball\", ", "");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
-    assert!(said.contains("a join by label needs the label of the point"), "{said}");
+    assert!(said.contains("[join-label-missing]"), "{said}");
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "by = \"label\"", "by = [\"pose\", \"cycle\"]");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
-    assert!(said.contains("`label` means nothing for this join"), "{said}");
+    assert!(said.contains("[key-of-other-join]: `label`"), "{said}");
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "repeatability_um = 15.0", "repeatability_um = 0.0");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
-    assert!(said.contains("`repeatability_um` must be positive"), "{said}");
+    assert!(said.contains("[key-not-positive]: `repeatability_um`"), "{said}");
 }
 
 #[test]

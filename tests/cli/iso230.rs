@@ -95,7 +95,7 @@ fn tables_that_are_no_test_of_an_axis_are_refused() {
             "error[iso230-few-runs]: position 0 mm has fewer than two runs in direction -1",
         ),
         ("0,0.001,2\n", "a row has no position"),
-        ("", "no rows"),
+        ("", "error[data-rows-missing]"),
         // measured in metres
         (
             "0,0.0,1\n0,0.0,1\n0,0.0,-1\n0,0.0,-1\n10,0.01,1\n10,0.01,1\n10,0.01,-1\n10,0.01,-1\n",

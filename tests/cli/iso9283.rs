@@ -70,26 +70,26 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
     std::fs::write(here.join("path.csv"), "x_mm,y_mm,c_deg\n0,0,180\n100,0,180\n").unwrap();
     let stamped = |line: &str| good.replacen("\n0.02,", line, 1);
     for (stream, options, said) in [
-        (String::new(), "", "the table has no rows"),
-        ("time_s,x_mm,y_mm\n".to_owned(), "", "the table has no rows"),
+        (String::new(), "", "error[data-rows-missing]"),
+        ("time_s,x_mm,y_mm\n".to_owned(), "", "error[data-rows-missing]"),
         ("time_s,x_mm,y_mm\n0,1,2\n".to_owned(), "", "error[stream-too-short]"),
-        (good.replacen("time_s", "clock_s", 1), "", "the recording has no time column"),
+        (good.replacen("time_s", "clock_s", 1), "", "error[recording-time-missing]"),
         (stamped("\n0.01,"), "", "stream.csv:4"),
         (stamped("\n0.005,"), "", "error[time-not-increasing]"),
         (stamped("\nNaN,"), "", "a coordinate or the time is missing"),
         (stamped("\n,"), "", "stream.csv:4"),
-        (stamped("\n0.02,1e200,0,180\n0.021,"), "", "a coordinate is missing or is not a finite number"),
-        (good.clone(), "--rate-hz 1000000", "no robot moves like this"),
+        (stamped("\n0.02,1e200,0,180\n0.021,"), "", "error[coordinate-missing]"),
+        (good.clone(), "--rate-hz 1000000", "error[recording-implausible]"),
         (good.clone(), "--rate-hz 0", "error[option-not-positive]: --rate-hz"),
         (good.clone(), "--still-mm NaN", "error[option-not-positive]: --still-mm"),
         (good.clone(), "--band-mm -1", "unexpected argument"),
         (good.clone(), "--near-mm inf", "error[option-not-positive]: --near-mm"),
         (good.clone(), "--path path.csv --path-points 1", "error[path-points-out-of-range]: --path-points"),
         (good.clone(), "--path far.csv", "error[path-without-pass]"),
-        (good.clone(), "--path spatial.csv", "different coordinates"),
+        (good.clone(), "--path spatial.csv", "error[coordinates-differ]"),
         (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
         (good.clone(), "--path nowhere.csv", "error[cannot-read-file]: cannot read `nowhere.csv`"),
-        (good.clone(), "--commanded twice.csv", "pose 1 is commanded twice"),
+        (good.clone(), "--commanded twice.csv", "error[pose-commanded-twice]: pose 1"),
         (good.clone(), "--columns x,y --delimiter comma", "error[option-unit-missing]"),
         (
             good.clone(),
@@ -138,8 +138,8 @@ fn a_loaded_robot_gives_way_by_what_the_table_says() {
         ("+x,1,10,", "up,1,10,", "error[load-direction-unknown]: `up`"),
         ("+x,1,10,", "+x,1,-10,", "error[force-not-a-number]: `-10`"),
         ("+x,1,0,", "+x,1,5,", "no row without force"),
-        ("force_n", "force", "no column `force_n`"),
-        ("+x,1,10,500.01", "+x,1,10,", "a coordinate is missing"),
+        ("force_n", "force", "error[column-unknown]: there is no column `force_n`"),
+        ("+x,1,10,500.01", "+x,1,10,", "error[coordinate-missing]"),
     ] {
         let refused = answer(&table.replacen(from, to, 1));
         assert_eq!(refused.status.code(), Some(2), "{said}");
@@ -226,9 +226,9 @@ fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle
     assert!(document.poses[0].ap_mm.unwrap() < 1e-9 && document.poses[0].rp_mm.unwrap() < 1e-9);
     assert_eq!(document.reference.iter().map(|e| (e.cycle, e.moved_mm)).collect::<Vec<_>>(), [(1, 0.0), (3, 0.5)]);
     for (rows, said) in [
-        (nests(3), "cycle 1 was measured before any reference target"),
-        (nests(1) + &nests(3).replace("3,c,", "3,d,"), "reference targets of cycle 3 are others"),
-        (nests(1) + &nests(1), "target `a` is there twice in cycle 1"),
+        (nests(3), "error[cycle-before-reference-targets]: cycle 1"),
+        (nests(1) + &nests(3).replace("3,c,", "3,d,"), "error[reference-targets-differ]"),
+        (nests(1) + &nests(1), "error[reference-target-twice]: the reference target `a`"),
         (nests(1).replace(",700,", ",0,"), "nests.csv"),
     ] {
         let refused = answer(&rows);
@@ -292,7 +292,7 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
     // without the order positions alone are carried back, and that is told
     let (half, said) = answer(&order[..2]);
     assert!((half.poses[0].ap_mm.unwrap() - still.poses[0].ap_mm.unwrap()).abs() < 1e-9);
-    assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("angles are not turned back"), "{said}");
+    assert!(half.poses[0].rp_c_deg.unwrap() > 10.0 && said.contains("warning[angles-not-compensated]"), "{said}");
 }
 
 /// The PreXYT's travel is 170, 300 and 300 mm: of a square that is wider not all is reached, and what is, is where the model says.

@@ -165,11 +165,11 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
 fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
     for (file, from, to, parts) in [
         ("commanded.csv", "\n3,300,", "\n3,three hundred,", &["commanded.csv:4", "three hundred"][..]),
-        ("commanded.csv", "\n3,300,", "\n2,300,", &["commanded.csv:4", "pose 2 is commanded twice"]),
-        ("commanded.csv", "\n5,", "\n6,", &["pose 5 is not among the commanded poses", "poses.csv:10"]),
+        ("commanded.csv", "\n3,300,", "\n2,300,", &["commanded.csv:4", "error[pose-commanded-twice]: pose 2"]),
+        ("commanded.csv", "\n5,", "\n6,", &["error[pose-not-commanded]: pose 5", "poses.csv:10"]),
         ("poses.csv", "\n2,1,1,", "\n2,1,1.5,", &[]),
         ("poses.csv", "\n2,1,1,", "\n2,,1,", &["poses.csv", "cycle"]),
-        ("reference.csv", "1,N4,", "1,N5,", &["reference.csv", "others than the first"]),
+        ("reference.csv", "1,N4,", "1,N5,", &["reference.csv", "error[reference-targets-differ]"]),
         ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "error[force-not-a-number]"]),
         ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "error[load-direction-unknown]"]),
         ("campaign.toml", "\"loads.csv\"", "\"no.csv\"", &["no.csv", "campaign.toml:"]),
@@ -204,10 +204,10 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     let good = "pose,x_mm,y_mm,z_mm\n1,95,117,42\n2,170,229,42\n3,20,229,42\n4,20,4,42\n5,170,4,42\n";
     for (from, to, parts) in [
         ("3,20,", "3,twenty,", &["positions.csv:4", "twenty"][..]),
-        ("3,20,", "2,20,", &["positions.csv:4", "pose 2 is commanded twice"]),
+        ("3,20,", "2,20,", &["positions.csv:4", "error[pose-commanded-twice]: pose 2"]),
         ("3,20,229,42\n", "", &["positions.csv", "error[commanded-pose-missing]: no position is commanded for pose 3"]),
         ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "error[commanded-angle-unmeasured]"]),
-        (good, "", &["positions.csv", "no rows"]),
+        (good, "", &["positions.csv", "error[data-rows-missing]"]),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
         std::fs::write(scratch.path().join("positions.csv"), good.replacen(from, to, 1)).unwrap();

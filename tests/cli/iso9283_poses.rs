@@ -54,7 +54,7 @@ fn readings_are_averaged_and_limits_judged_by_the_interval() {
     let (status, judged) = pose(" --rp-limit-mm 10");
     assert_eq!((status, judged.rp_conformity), (Some(1), Some(etalon::documents::Conformity::Neither)));
     std::fs::write(here.join("poses.csv"), table.replacen("reading", "label", 1)).unwrap();
-    assert!(text_of(&run(here, line)).contains("pose 1 is there twice in cycle 0"));
+    assert!(text_of(&run(here, line)).contains("error[pose-attained-twice]: pose 1"));
 }
 
 /// Two robots, each well repeatable, half a millimetre apart: what one does is not what both do together.
@@ -96,5 +96,9 @@ fn robots_approaches_and_cycles_are_told_apart() {
     // a typing error in a title is told
     let typed = table(&[("A", 0.0)], &[("east", 0.0)]).replacen("approach", "aproach", 1);
     let (_, said) = answer(&typed);
-    assert!(said.contains("not read: 1 column `aproach`") && said.contains("did you mean `approach`?"), "{said}");
+    assert!(
+        said.contains("warning[columns-not-read]: not read: column `aproach`")
+            && said.contains("did you mean `approach`?"),
+        "{said}"
+    );
 }

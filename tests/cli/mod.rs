@@ -92,7 +92,7 @@ fn init_takes_the_robot_of_a_urdf() {
     let said = text(&checked.stderr);
     assert!(
         checked.status.code() == Some(2)
-            && said.lines().filter(|l| l.starts_with("error")).count() == said.matches("there is no file").count(),
+            && said.lines().filter(|l| l.starts_with("error")).count() == said.matches("error[input-missing]").count(),
         "{said}"
     );
     std::fs::create_dir(folder.path().join("mine/exports")).unwrap();
@@ -136,7 +136,7 @@ fn init_has_the_geometry_of_robots() {
         assert!(robot.contains("# Source: "), "{robot}");
         let said = text(&etalon(folder.path(), &["check", name]).stderr);
         let errors: Vec<&str> = said.lines().filter(|l| l.starts_with("error")).collect();
-        assert!(errors.len() == 2 && errors.iter().all(|e| e.contains("there is no file")), "{name}: {said}");
+        assert!(errors.len() == 2 && errors.iter().all(|e| e.contains("[input-missing]")), "{name}: {said}");
     }
     let joints = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n2,20,-30,40,50,-60,70\n";
     std::fs::write(folder.path().join("q.csv"), joints).unwrap();
@@ -282,7 +282,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too
     let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "nowhere", "--json"], 2);
-    assert!(found.errors[0].what.contains("there is no campaign"), "{found:?}");
+    assert!(found.errors[0].what.contains("does not exist"), "{found:?}");
 }
 
 #[test]
@@ -312,7 +312,11 @@ fn formats_proposes_and_asks() {
         "mm",
     ];
     let refused = etalon(folder.path(), &table);
-    assert!(text(&refused.stderr).contains("the header states `X [in]`"), "{}", text(&refused.stderr));
+    assert!(
+        text(&refused.stderr).contains("error[unit-differs]: the file is in inch (X [in])"),
+        "{}",
+        text(&refused.stderr)
+    );
 
     // a number before the coordinates is none of them, and what is not read is told
     std::fs::write(folder.path().join("p.txt"), "1 10.1 20.2 30.3\n2 10.5 20.5 30.5\n").unwrap();
@@ -501,11 +505,11 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     assert!(said.contains("warning[instrument-too-coarse]"), "{said}");
 
     for (from, to, said) in [
-        ("1,2,", "1,1,", "pose 1 is there twice in cycle 1"),
-        ("1,2,", "7,2,", "pose 7 is not among the commanded poses"),
-        ("100.3,", ",", "a coordinate is missing"),
-        ("x_mm", "x", "no column `x_mm`"),
-        ("c_deg", "b_deg", "different coordinates"),
+        ("1,2,", "1,1,", "error[pose-attained-twice]: pose 1"),
+        ("1,2,", "7,2,", "error[pose-not-commanded]: pose 7"),
+        ("100.3,", ",", "error[coordinate-missing]"),
+        ("x_mm", "x", "error[column-unknown]: there is no column `x_mm`"),
+        ("c_deg", "b_deg", "error[coordinates-differ]"),
     ] {
         std::fs::write(folder.path().join("poses.csv"), poses.replacen(from, to, 1)).unwrap();
         let refused = run(&[]);

@@ -84,7 +84,7 @@ fn equal_uncertainties_of_rows_are_that_of_the_instrument() {
         agree(&stated, &weighted, 1e-9);
         let (a, b) = (&stated.residuals, &weighted.residuals);
         assert!((a.chi_square.unwrap() - b.chi_square.unwrap()).abs() < 1e-6 && (a.rms - b.rms).abs() < 1e-12);
-        assert!(weighted.messages.iter().any(|m| m.what.contains("all readings weigh by their own")));
+        assert!(weighted.messages.iter().any(|m| m.id == "readings-weighted"));
     }
 }
 
@@ -148,8 +148,8 @@ fn a_table_is_read_in_its_own_marks() {
     let expected = found(&text, &[]);
     let german = text.replace(',', ";").replace('.', ",");
     agree(&expected, &found(&german, &["--delimiter", "semicolon", "--decimal", "comma"]), 1e-12);
-    refused(&german, &[], &["separated by `,`, the rows have", "`;` with decimal `,` separates them"]);
-    refused(&german, &["--delimiter", "semicolon"], &["is not a number", "o.csv:2"]);
+    refused(&german, &[], &["error[delimiter-does-not-split]", "`delimiter = \";\"` and `decimal = \",\"`"]);
+    refused(&german, &["--delimiter", "semicolon"], &["[not-a-number]", "o.csv:2"]);
     refused(&german, &["--decimal", "comma"], &["o.csv"]);
 }
 
@@ -166,7 +166,7 @@ fn uncertainties_that_are_none_are_refused() {
     ] {
         refused(&with(cells), &[], &[part, "o.csv:6"]);
     }
-    refused(&with(",,"), &[], &["2 of 48 readings state no uncertainty", "--standard-uncertainty-um"]);
+    refused(&with(",,"), &[], &["[readings-without-uncertainty]: 2 of 48", "--standard-uncertainty-um"]);
     found(&with(",,"), &["--standard-uncertainty-um", "3"]);
     refused(
         &table(&rows, ",cxx_mm2,cxy_mm2,cyy_mm2", |_| ",1e-6,2e-6,1e-6".to_owned()),
@@ -175,10 +175,10 @@ fn uncertainties_that_are_none_are_refused() {
     );
     refused(&table(&rows, ",ux_mm", |_| ",0.003".to_owned()), &[], &["no column `uy_mm`"]);
     let option = ["--standard-uncertainty-um", "3", "--pose-residuals"];
-    refused(&with(",0.003,0.003"), &option, &["weigh residuals of targets"]);
+    refused(&with(",0.003,0.003"), &option, &["[own-uncertainties-unusable]"]);
     // a name that is mistaken is not read, and said
     let mistaken = found(&table(&rows, ",ux_m m,uy_nm", |_| ",0.003,0.003".to_owned()), &[]);
-    assert!(mistaken.messages.iter().any(|m| m.what.contains("not read: 2 columns")), "{:?}", mistaken.messages);
+    assert!(mistaken.messages.iter().any(|m| m.is("columns-not-read", &[("count", &2)])), "{:?}", mistaken.messages);
 }
 
 #[test]

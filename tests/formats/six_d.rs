@@ -181,15 +181,15 @@ fn refused_statements(at: &Path, campaign: &dyn Fn(&str) -> String) {
     for (format, part) in [
         (
             "{ delimiter = \",\", header = 1, columns = [\"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\", \"-\", \"-\", \"-\"] }",
-            "error[table-quaternion-length]",
+            "[quaternion-length]",
         ),
         (
             "{ delimiter = \",\", header = 1, columns = [\"x\", \"y\", \"z\", \"-\", \"-\", \"-\", \"qw\", \"qx\", \"qy\", \"-\"] }",
-            "a part of an orientation",
+            "error[column-group-incomplete]",
         ),
         (
             "{ delimiter = \",\", header = 1, columns = [\"x\", \"y\", \"z\", \"u95x\", \"u95y\", \"u95z\", \"-\", \"-\", \"-\", \"-\"] }",
-            "need their `coverage_factor`",
+            "error[coverage-factor-missing]",
         ),
     ] {
         let (code, said, _) = run(at, &campaign(format));

@@ -62,13 +62,13 @@ fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
     assert!(z[0].is_nan() && z[1].is_nan() && z[2] == 4.0, "{z:?}");
     for (stated, part) in [
         ("columns = { z_mm = \"x_mm + y_mn\" }", "did you mean `y_mm`"),
-        ("columns = { z_mm = 9 }", "there are 4 columns, none of them is number 9"),
-        ("columns = { z_mm = \"x_mm / 0\" }", "is computed as inf"),
-        ("columns = { z = 1 }", "`z` is not a column of observations"),
-        ("only = { quality = 1 }", "the header names no `quality`"),
-        ("only = { target = \"B\" }", "leave no row"),
-        ("target = \"A\"", "`target` is stated, and the table has such a column"),
-        ("missing = [\"none\"]", "`nan` is not a number"),
+        ("columns = { z_mm = 9 }", "error[column-number-unknown]: there is no column 9"),
+        ("columns = { z_mm = \"x_mm / 0\" }", "error[computed-not-finite]"),
+        ("columns = { z = 1 }", "error[observation-column-unknown]: `z`"),
+        ("only = { quality = 1 }", "error[column-unknown]: there is no column `quality`"),
+        ("only = { target = \"B\" }", "error[no-row-selected]"),
+        ("target = \"A\"", "error[stated-and-in-table]: `target`"),
+        ("missing = [\"none\"]", "[not-a-number]: `nan`"),
     ] {
         let said = said(text, stated);
         assert!(said.contains(part), "{stated}: {said}");
@@ -100,7 +100,7 @@ fn exports_have_computed_columns_and_filters_too() {
     let (_, problems) = read(format, text);
     assert!(problems.contains("did you mean `x_dif`"), "{problems}");
     let (_, problems) = read(&format.replace("x_diff", "x_dif"), &text.replace("0,5", "half"));
-    assert!(problems.contains("`half` is not a number") && problems.contains("e.csv:2"), "{problems}");
+    assert!(problems.contains("[not-a-number]: `half`") && problems.contains("e.csv:2"), "{problems}");
 }
 
 fn parameters(scratch: &Scratch) -> ParametersDocument {

@@ -62,8 +62,8 @@ fn a_wrong_unit_is_told_by_the_spread_of_the_points() {
         let scratch = copy_sample("prexyt-cmm");
         let before = "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = ";
         scratch.replace("campaign.toml", &format!("{before}\"mm\""), &format!("{before}\"{unit}\""));
-        let spread = format!("measured points spread over {} mm, the model's over 478 mm", spread);
-        run(&scratch, 2, &["no parameter is left to identify: ", &spread, named, "`unit` of the export"]);
+        let spread = format!("measured points extend over {} mm, those of the model over 478 mm", spread);
+        run(&scratch, 2, &["[nothing-to-identify]", &spread, named, "`unit` of the export"]);
     }
 }
 
@@ -97,10 +97,9 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
         &scratch,
         2,
         &[
-            "where the assembly mode puts it in pose 5",
-            "stated in mode -1",
-            "where the model is 152.0 mm from",
-            "in mode +1 6.4 mm",
+            "contradicts the assembly mode in pose 5",
+            "mode -1 is stated, which leaves 152.0 mm",
+            "mode +1 leaves 6.4 mm",
             "`assembly`",
         ],
     );
@@ -139,8 +138,7 @@ fn a_blunder_of_one_ball_is_found_with_its_size() {
         }
         None => line.to_owned(),
     });
-    let said =
-        run(&scratch, 1, &["times what the instrument's uncertainty explains", "1 of 80 readings is an outlier"]);
+    let said = run(&scratch, 1, &["[residuals-exceed-uncertainty]", "1 of 80 readings is an outlier"]);
     let most = said.split("robust fit: ").nth(1).unwrap();
     assert!(most.starts_with("1.00") && most.contains(" mm (K, pose 5, cycle 3)"), "{most}");
 }
@@ -148,8 +146,8 @@ fn a_blunder_of_one_ball_is_found_with_its_size() {
 #[test]
 fn an_uncertainty_stated_ten_times_too_large_is_remarked() {
     let scratch = copy_sample("prexyt-cmm");
-    assert!(!run(&scratch, 0, &[]).contains("the stated uncertainty is larger"));
+    assert!(!run(&scratch, 0, &[]).contains("[instrument-uncertainty-too-large]"));
     scratch.replace("campaign.toml", "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 27");
     // and it leaves open whether the limits are met
-    run(&scratch, 1, &["residuals are 0.10 times", "the stated uncertainty is larger than the residuals show"]);
+    run(&scratch, 1, &["residuals are 0.10 times", "[instrument-uncertainty-too-large]"]);
 }

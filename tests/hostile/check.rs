@@ -13,9 +13,9 @@ fn unreadable_rows_hide_nothing() {
     scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = -1.0");
     scratch.replace("robot.toml", "[nominal]", "bending = [2]\n\n[nominal]\nseven = 7.0");
     let parts = [
-        "is not a number",
+        "[not-a-number]: `1,5x",
         "exports/poses.txt:1:7",
-        "`one` is not a number",
+        "[not-a-number]: `one`",
         "encoders.csv:2:5",
         "no point has the label `rail3_b`",
         "error[selection-without-pose]: `calibration`",
@@ -78,18 +78,14 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
         &["`coverage_factor` must be positive", "campaign.toml:8:19"],
     );
     campaign("position_max_mm = 0.044", "position_max_mm = inf", &["`inf` is not a measured value", "campaign.toml:"]);
-    campaign("towards = \"rail3_a\"", "towards = \"rail3_a\"\neach = \"pose\"", &["`each` means nothing"]);
+    campaign("towards = \"rail3_a\"", "towards = \"rail3_a\"\neach = \"pose\"", &["[key-of-other-frame]: `each`"]);
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\", \"M\"]",
         &["error[not-of-this-robot]: `M`", "campaign.toml:"],
     );
-    campaign(
-        "robot = \"robot.toml\"",
-        "robot = \"robot.toml\"\noutput = \"exports\"",
-        &["the output folder holds the input"],
-    );
-    campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["`rho3_mm` states `rho3_mm` once more"]);
+    campaign("robot = \"robot.toml\"", "robot = \"robot.toml\"\noutput = \"exports\"", &["[input-in-output-folder]"]);
+    campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["error[log-column-twice]: `rho3_mm`"]);
     let arm = |from: &str, to: &str, parts: &[&str]| {
         if crate::reference_data("robots/irb120_faro_ets").is_none() {
             return;
@@ -115,9 +111,9 @@ fn logs_that_do_not_look_as_stated() {
     let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     std::fs::write(scratch.path().join("encoders.csv"), text.replace(',', ";")).unwrap();
     let (code, said) = etalon(&scratch, "check");
-    assert!(code == Some(2) && said.contains("has one column, of which the campaign names 5"), "{said}");
-    assert!(said.contains("hint: `delimiter = \";\"` and `decimal = \".\"` read its rows"), "{said}");
-    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["is not a whole number", "encoders.csv:2:1"]);
+    assert!(code == Some(2) && said.contains("error[delimiter-does-not-split]"), "{said}");
+    assert!(said.contains("hint: state `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
+    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-whole-number]: `1e300`", "encoders.csv:2:1"]);
 }
 
 #[test]
@@ -125,8 +121,8 @@ fn a_table_of_observations_is_refused_with_file_and_line() {
     let scratch = copy_sample("prexyt-cmm");
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     for (text, parts) in [
-        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "is not a number"]),
-        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "is not a whole number"]),
+        (format!("{head}1,1,K,1,2,3,4,5\n1,1,L,1,x,3,4,5\n"), ["observations.csv:3", "[not-a-number]: `x`"]),
+        (format!("{head}1.5,1,K,1,2,3,4,5\n"), ["observations.csv", "[not-whole-number]: `1.5`"]),
         (head.replace("rho2_mm", "rho2") + "1,1,K,1,2,3,4,5\n", ["observations.csv", "no column `rho2_mm`"]),
         (format!("{head}1,1,K,1,2,3,4,5\n1,1,K,1,2,3,4,5\n"), ["observations.csv:3", "occurs twice"]),
     ] {
@@ -147,9 +143,9 @@ fn conditions_that_no_test_has_are_refused() {
     let stated = |line: &str, parts: &[&str]| {
         broken("campaign.toml", "[instrument]", &format!("[conditions]\n{line}\n\n[instrument]"), parts);
     };
-    stated("load_kg = -1", &["`load_kg` must not be negative", "load_kg = -1"]);
+    stated("load_kg = -1", &["[key-negative]: `load_kg`", "load_kg = -1"]);
     stated("velocities_percent = [100, 0]", &["`velocities_percent` must be positive"]);
-    stated("humidity_percent = 101", &["`humidity_percent` must be at most 100"]);
+    stated("humidity_percent = 101", &["[key-above-maximum]: `humidity_percent`"]);
     stated("mass_kg = 1.0", &["unknown key `mass_kg`"]);
     stated("load_centre_mm = [0.0, 1.0]", &["load_centre_mm"]);
 }
@@ -162,32 +158,32 @@ fn a_report_that_cannot_be_dressed_is_refused() {
     dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
     dressed("country = \"UK\"", &["`UK` is not a country code of ISO 3166-1", "country = \"UK\""]);
     dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
-    dressed("logo = \"robot.toml\"", &["is not a picture that a report can hold", "an SVG or PNG picture"]);
+    dressed("logo = \"robot.toml\"", &["[logo-unusable]", "an SVG or PNG picture"]);
     dressed("logo = \"../logo.svg\"", &["leaves the folder of the campaign"]);
-    dressed("templates = \"exports\"", &["there is no template in `", "--write-templates"]);
-    dressed("templates = \"none\"", &["cannot read the folder `", "templates = \"none\""]);
+    dressed("templates = \"exports\"", &["[no-templates]", "--write-templates"]);
+    dressed("templates = \"none\"", &["[cannot-read-folder]", "templates = \"none\""]);
 }
 
 #[test]
 fn values_that_mean_nothing_are_refused() {
     let log = "file = \"encoders.csv\"";
-    broken("campaign.toml", log, "file = \"\"", &["the name of a file is empty", "campaign.toml:"]);
+    broken("campaign.toml", log, "file = \"\"", &["[file-name-empty]", "campaign.toml:"]);
     let first = "name = \"PreXYT, CMM (synthetic)\"";
-    let date = "`date` does not begin with a date of the calendar";
+    let date = "[date-invalid]";
     for (stated, part) in [
         ("date = \"31.02.2026\"", date),
         ("date = \"2026-02-29\"", date),
         ("date = \"2026-13-01\"", date),
         ("date = \"yesterday\"", date),
-        ("temperature_c = -500.0", "is not a temperature at which robots are measured"),
-        ("temperature_c = 293.15", "is not a temperature at which robots are measured"),
+        ("temperature_c = -500.0", "[temperature-implausible]"),
+        ("temperature_c = 293.15", "[temperature-implausible]"),
     ] {
         broken("campaign.toml", first, &format!("{first}\n{stated}"), &[part, "campaign.toml:2:"]);
     }
     let scratch = copy_sample("prexyt-geometric");
     scratch.replace("campaign.toml", "lead_mm = 5.080", "lead_mm = 0.0");
     scratch.replace("campaign.toml", "\nlength_mm = ", "\nlength_mm = -");
-    ends(&scratch, "check", 2, &["`lead_mm` = 0.0 must be positive", "`length_mm` = -"]);
+    ends(&scratch, "check", 2, &["[key-not-positive]: `lead_mm`", "[key-not-positive]: `length_mm`"]);
     for good in ["2024-02-29", "2026-03-02 to 2026-03-04"] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", first, &format!("{first}\ndate = \"{good}\""));
@@ -201,7 +197,7 @@ fn what_every_row_repeats_is_one_error_with_its_count() {
     let letters = |row: &str| format!("{row}e");
     type Change<'a> = &'a dyn Fn(&str) -> String;
     let cases: [(&str, usize, Change, &str); 3] = [
-        ("encoders.csv", 1, &quote, "there is text behind a closing quote"),
+        ("encoders.csv", 1, &quote, "text follows a closing quote"),
         ("encoders.csv", 1, &letters, "is not a number"),
         ("exports/poses.txt", 0, &letters, "is not a number"),
     ];

@@ -28,17 +28,17 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_and_not_a_long_wait() 
     // a gigabyte without a line, which takes no place on the disk
     std::fs::File::create(folder.path().join("huge.txt")).unwrap().set_len(1 << 30).unwrap();
     for (file, part) in [
-        ("empty.txt", "the file is empty"),
-        ("blank.txt", "no reading as delimited text"),
-        ("words.txt", "no reading as delimited text"),
-        ("nul.txt", "NUL byte (line 2)"),
+        ("empty.txt", "error[file-empty]"),
+        ("blank.txt", "error[no-rows-of-numbers]"),
+        ("words.txt", "error[no-rows-of-numbers]"),
+        ("nul.txt", "[nul-byte]"),
         ("random.bin", "error: "),
-        ("a.xls", "an old Excel workbook"),
-        ("cut.xlsx", "the workbook does not read"),
-        ("bomb.xml", "an XML document of no kind that is read"),
-        ("exports", "`exports` is a folder"),
-        ("huge.txt", "line 1 is longer than 1 MiB"),
-        ("nowhere.txt", "there is no file `nowhere.txt`"),
+        ("a.xls", "[file-not-text]"),
+        ("cut.xlsx", "[workbook-unreadable]"),
+        ("bomb.xml", "error[file-without-points]: this is an XML document"),
+        ("exports", "[input-is-folder]: `exports`"),
+        ("huge.txt", "[line-too-long]"),
+        ("nowhere.txt", "[input-missing]: there is no file `nowhere.txt`"),
     ] {
         let (code, said, seconds) = formats(folder.path(), file);
         assert!(code == Some(2) && said.contains(part) && said.starts_with("error"), "{file}: {code:?} {said}");

@@ -24,7 +24,7 @@ fn errors_about_files_say_what_to_do() {
     hinted(&changed("campaign.toml", "exports/world.txt", "exports/wrld.txt"), &["did you mean `world.txt`"]);
     hinted(&changed("campaign.toml", "\"encoders.csv\"", "\"q.csv\""), &["etalon simulate campaign"]);
     let scratch = changed("campaign.toml", "exports/world.txt", "exports");
-    hinted(&scratch, &["`campaign/exports` is a folder", "poses.txt"]);
+    hinted(&scratch, &["[input-is-folder]: `campaign/exports`", "poses.txt"]);
     let scratch = copy_sample("prexyt-cmm");
     std::fs::write(scratch.path().join("exports/world.txt"), "").unwrap();
     hinted(&scratch, &["holds no points"]);
@@ -40,13 +40,13 @@ fn errors_about_values_say_what_to_do() {
         &scratch,
         &["error[selection-without-pose]: `validation`", "59 poses are measured and joined, from 1 to 59"],
     );
-    for cell in ["--", ""] {
+    for (cell, id) in [("--", "[not-a-number]: `--`"), ("", "[number-empty]")] {
         let scratch = copy_sample("prexyt-cmm");
         let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
         let line = text.lines().nth(1).unwrap();
         let (head, _) = line.rsplit_once(',').unwrap();
         std::fs::write(scratch.path().join("encoders.csv"), text.replacen(line, &format!("{head},{cell}"), 1)).unwrap();
-        hinted(&scratch, &["is not a number", "encoders.csv:2"]);
+        hinted(&scratch, &[id, "encoders.csv:2"]);
     }
     hinted(&changed("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\""), &["equal counts"]);
 }
@@ -61,7 +61,7 @@ fn an_assembly_mode_that_is_none_has_its_line() {
     cells[column] = "0";
     lines[6] = cells.join(",");
     std::fs::write(scratch.path().join("encoders.csv"), lines.join("\n") + "\n").unwrap();
-    hinted(&scratch, &["0 is not an assembly mode", "encoders.csv:7:", "expected: 1 or -1"]);
+    hinted(&scratch, &["error[assembly-mode-invalid]", "encoders.csv:7:", "expected: 1 or -1"]);
 }
 
 #[test]

@@ -119,8 +119,8 @@ fn backlash_without_a_direction_is_refused_by_name() {
     let header = "pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm";
     let row = "1,1,ball,1,2,3,1,2,3";
     let text = error_of(&robot, header, row, &[]);
-    assert!(text.contains("`backlash` of joint `q2` needs the direction from which it came"), "{text}");
-    assert!(text.contains("in a column `q2_direction`"), "{text}");
+    assert!(text.contains("error[joint-direction-missing]: `backlash` of joint `q2`"), "{text}");
+    assert!(text.contains("a column `q2_direction`"), "{text}");
     for (direction, what) in
         [("", "`q2_direction` is missing"), ("0", "`q2_direction` is 0"), ("0.4", "`q2_direction` is 0.4")]
     {

@@ -41,11 +41,11 @@ const GALIL: &str = "format = \"galil\"\ncolumns = { a_mm = { name = \"A\", per_
 fn galil_holes_fractions_and_wraps_are_told_with_their_places() {
     let good = read("A,B\n1,2\n3,4\n", GALIL).unwrap();
     assert_eq!((column(&good, "a_mm"), column(&good, "b_mm")), (vec![0.5, 1.5], vec![4.0, 8.0]));
-    refused("A,B\n1,2\n,4\n5,6\n", GALIL, &["`a_mm` has a hole", "encoders.csv:3"]);
-    refused("A,B\n1,2\n3.5,4\n", GALIL, &["3.5 is not a count", "encoders.csv:3:1"]);
-    refused("A,B\n2147483000,2\n-2147483000,4\n", GALIL, &["it wrapped", "encoders.csv:3:1"]);
-    refused("A,B\n,2\n,4\n", GALIL, &["one of the arrays is empty"]);
-    refused("A,B\n1,2\n", &format!("{GALIL}\nperiod_s = 0"), &["`period_s` must be positive"]);
+    refused("A,B\n1,2\n,4\n5,6\n", GALIL, &["error[galil-array-hole]: the array of `a_mm`", "encoders.csv:3"]);
+    refused("A,B\n1,2\n3.5,4\n", GALIL, &["error[not-a-count]: 3.5", "encoders.csv:3:1"]);
+    refused("A,B\n2147483000,2\n-2147483000,4\n", GALIL, &["error[counter-wrapped]", "encoders.csv:3:1"]);
+    refused("A,B\n,2\n,4\n", GALIL, &["error[galil-array-empty]"]);
+    refused("A,B\n1,2\n", &format!("{GALIL}\nperiod_s = 0"), &["error[key-not-positive]: `period_s`"]);
 }
 
 #[test]
@@ -55,11 +55,14 @@ fn what_columns_state_and_cannot_mean_is_an_error_of_the_campaign() {
         ("columns = { a_mm = { name = \"A\", zero_count = 1 } }", "without `per_count`"),
         ("columns = { a_mm = { name = \"A\", per_count = 0 } }", "`per_count` is not 0"),
         ("columns = { a_mm = { name = \"A\", factor = 1 } }", "unknown key `factor`"),
-        ("columns = { time_s = { name = \"A\", per_count = 1 }, a_mm = \"B\" }", "means nothing for `time_s`"),
-        ("columns = { time_s = \"A\", time_ms = \"B\" }", "states `time_s` once more"),
-        ("period_s = 1\ncolumns = { time_s = \"A\" }", "states `time_s` once more"),
+        (
+            "columns = { time_s = { name = \"A\", per_count = 1 }, a_mm = \"B\" }",
+            "error[log-key-inapplicable]: `per_count`",
+        ),
+        ("columns = { time_s = \"A\", time_ms = \"B\" }", "error[log-column-twice]"),
+        ("period_s = 1\ncolumns = { time_s = \"A\" }", "error[log-column-twice]"),
         ("format = \"galli\"\ncolumns = { a_mm = \"A\" }", "galil"),
-        ("values = \"raw\"\ncolumns = { a_mm = \"A\" }", "`values` means nothing"),
+        ("values = \"raw\"\ncolumns = { a_mm = \"A\" }", "error[log-key-inapplicable]: `values`"),
     ] {
         refused("A,B\n1,2\n3,4\n", stated, &[part, "campaign.toml"]);
     }
@@ -75,7 +78,7 @@ fn times_in_ms_and_ns_are_seconds() {
     refused(
         "t,n,A\n1500,1651499784.376,2\n",
         "columns = { time_ns = \"n\" }",
-        &["not a whole number of nanoseconds", "encoders.csv:2:6"],
+        &["error[not-whole-number]", "`time_ns`", "encoders.csv:2:6"],
     );
 }
 
@@ -85,7 +88,7 @@ fn lost_telegrams_of_rsi_are_told() {
     let stated = "format = \"kuka_rsi\"\ncolumns = { time_ms = \"IPOC\", a_deg = \"A1\" }";
     let found = read(&format!("IPOC,A1\n{text}"), stated).unwrap();
     let said = &found.document.messages[0];
-    assert!(said.what.contains("1 row where `IPOC` does not go on by 4 ms"), "{said}");
+    assert!(said.is("rsi-cycles-missing", &[("count", &1), ("step_ms", &4)]), "{said}");
     assert_eq!(said.place.as_ref().and_then(|p| p.line), Some(5));
 }
 
@@ -107,9 +110,9 @@ fn rostopic_names_its_joints_in_every_row() {
     assert_eq!(column(&good, "q1_deg"), degrees(&[2.0, 4.0]));
     assert_eq!(column(&good, "q2_deg"), degrees(&[1.0, 3.0]));
     let mixed = format!("{head}1000000000,elbow,shoulder,1,2,9\n2000000000,shoulder,elbow,3,4,9\n");
-    refused(&mixed, stated, &["joint 0 is `shoulder` here, and `elbow` in the first row", "encoders.csv:3"]);
+    refused(&mixed, stated, &["error[ros-joints-change]: joint 0 is `shoulder`", "encoders.csv:3"]);
     let velocity = "format = \"ros\"\ncolumns = { q1_rad = \"field.velocity0\" }";
-    refused(&format!("{head}1,elbow,shoulder,1,2,9\n"), velocity, &["is in rad/s"]);
+    refused(&format!("{head}1,elbow,shoulder,1,2,9\n"), velocity, &["error[column-unit-differs]", "rad/s"]);
 }
 
 /// A TwinCAT export with one channel in degrees and one in mm, the latter at every other time.
@@ -122,9 +125,17 @@ fn twincat_channels_meet_at_equal_times_with_their_scale_and_unit() {
     let good = read(SCOPE, CHANNELS).unwrap();
     assert_eq!((column(&good, "time_s"), column(&good, "b_mm")), (vec![0.0, 0.002], vec![5.0, 6.0]));
     assert_eq!(column(&good, "a_deg"), [1.5, 3.5]);
-    refused(SCOPE, &CHANNELS.replace("a_deg", "a_rad"), &["`a` is in deg", "write `a_deg"]);
-    refused(SCOPE, &CHANNELS.replace("\"raw\"", "\"scaled\"").replace("b_mm", "b_deg"), &["`b` is in mm"]);
-    refused(SCOPE, &CHANNELS.replace("values = \"raw\"\n", ""), &["does not state whether it is applied"]);
+    refused(
+        SCOPE,
+        &CHANNELS.replace("a_deg", "a_rad"),
+        &["error[column-unit-differs]", "`a` is in deg", "write `a_deg"],
+    );
+    refused(
+        SCOPE,
+        &CHANNELS.replace("\"raw\"", "\"scaled\"").replace("b_mm", "b_deg"),
+        &["error[column-unit-differs]", "`b` is in mm"],
+    );
+    refused(SCOPE, &CHANNELS.replace("values = \"raw\"\n", ""), &["error[twincat-scale-undecided]: channel `b`"]);
 }
 
 #[test]
@@ -133,22 +144,24 @@ fn twincat_holes_and_clocks_that_stand_are_told_at_once() {
     refused(
         &wrong,
         CHANNELS,
-        &[
-            "time of channel `a` does not go on",
-            "encoders.csv:11:1",
-            "`4,5`",
-            "encoders.csv:13:3",
-            "after it has ended",
-        ],
+        &["error[time-not-increasing]", "encoders.csv:11:1", "`4,5`", "encoders.csv:13:3", "error[channel-resumes]"],
     );
-    refused(&SCOPE.replace("3\t4.5\n", "3\t4.5\t\t\t9\n"), CHANNELS, &["the row has 5 fields"]);
-    refused("no scope\n", CHANNELS, &["not a TwinCAT 3 Scope export"]);
-    refused("Name\tx\n", CHANNELS, &["no row names the channels"]);
-    refused(&SCOPE.replace("Offset\t0\tOffset\t0\n\n", "Offset\t0\tOffset\t0\n"), CHANNELS, &["does not end"]);
-    refused(SCOPE, &CHANNELS.replace("\"b\"", "\"c\""), &["the export has no channel `c`"]);
-    refused(SCOPE, &format!("delimiter = \";\"\n{CHANNELS}"), &["separated by '\\t'"]);
-    refused(SCOPE, &format!("period_s = 1\n{CHANNELS}"), &["bring their own times"]);
-    refused(SCOPE, &format!("header = false\n{CHANNELS}"), &["`header = false` means nothing"]);
+    refused(&SCOPE.replace("3\t4.5\n", "3\t4.5\t\t\t9\n"), CHANNELS, &["error[row-field-count]", "at most 4"]);
+    refused("no scope\n", CHANNELS, &["error[twincat-head-malformed]"]);
+    refused("Name\tx\n", CHANNELS, &["error[twincat-head-malformed]", "names the channels"]);
+    refused(
+        &SCOPE.replace("Offset\t0\tOffset\t0\n\n", "Offset\t0\tOffset\t0\n"),
+        CHANNELS,
+        &["error[twincat-head-malformed]", "empty line"],
+    );
+    refused(SCOPE, &CHANNELS.replace("\"b\"", "\"c\""), &["error[column-unknown]", "`c`"]);
+    refused(
+        SCOPE,
+        &format!("delimiter = \";\"\n{CHANNELS}"),
+        &["error[delimiter-differs]: the export is separated by '\\t'"],
+    );
+    refused(SCOPE, &format!("period_s = 1\n{CHANNELS}"), &["error[log-key-inapplicable]: `period_s`"]);
+    refused(SCOPE, &format!("header = false\n{CHANNELS}"), &["error[log-key-inapplicable]: `header`"]);
 }
 
 /// A sound log of each format: what the campaign states, and its text.

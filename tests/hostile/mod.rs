@@ -62,7 +62,7 @@ fn a_missing_file_points_at_the_campaign() {
         "campaign.toml",
         "exports/world.txt",
         "exports/wrld.txt",
-        &["there is no file `campaign/exports/wrld.txt`", "campaign.toml:12:8"],
+        &["[input-missing]", "`campaign/exports/wrld.txt`", "campaign.toml:12:8"],
     );
 }
 
@@ -88,17 +88,22 @@ fn a_path_may_not_leave_the_folder() {
 
 #[test]
 fn a_decimal_comma_is_not_read_as_something_else() {
-    broken("exports/world.txt", ".", ",", &["is not a number", "exports/world.txt:1", "decimal"]);
+    broken("exports/world.txt", ".", ",", &["[not-a-number]", "exports/world.txt:1", "decimal"]);
 }
 
 #[test]
 fn a_column_that_the_log_does_not_have() {
-    broken("encoders.csv", "RP3", "RP33", &["the header has no column `RP3`", "did you mean `RP33`?", "campaign.toml"]);
+    broken(
+        "encoders.csv",
+        "RP3",
+        "RP33",
+        &["error[column-unknown]: there is no column `RP3`", "did you mean `RP33`?", "campaign.toml"],
+    );
 }
 
 #[test]
 fn words_in_a_log_are_reported_with_their_rows() {
-    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["`x` is not a number", "encoders.csv:2"]);
+    broken("encoders.csv", "\n1,1,0.000000", "\n1,1,x", &["[not-a-number]: `x`", "encoders.csv:2"]);
     broken(
         "encoders.csv",
         "\n1,1,",
@@ -145,7 +150,10 @@ fn every_repeat_needs_its_row_in_the_log_and_only_one() {
     std::fs::write(scratch.path().join("encoders.csv"), log.replacen(&row, "", 1)).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("warning[keys-unmatched]: 1 key of measured points") && said.contains("(pose, cycle): [3, 1]"), "{said}");
+    assert!(
+        said.contains("warning[keys-unmatched]: 1 key of measured points") && said.contains("(pose, cycle): [3, 1]"),
+        "{said}"
+    );
     std::fs::write(scratch.path().join("encoders.csv"), log + &row).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(2));
@@ -250,7 +258,7 @@ fn log_rows_of_another_width_are_refused() {
         "encoders.csv",
         ".",
         ",",
-        &["the row has 8 fields", "encoders.csv:2", "5, as the first row", "decimal comma"],
+        &["error[row-field-count]: the row has 8 fields", "encoders.csv:2", "5, as the first row", "decimal comma"],
     );
 }
 

@@ -48,17 +48,17 @@ fn the_base_is_sound() {
 fn entity_bombs_and_document_types_are_refused() {
     let bomb =
         "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY a \"lol\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\">]>\n";
-    error(&format!("{bomb}{}", plane(WHOLE, SET)), &["document type", "f.qif:2", "hint:"]);
-    error(&plane(WHOLE, &SET.replace("0 0 0", "&b; 0 0")), &["the entity `&b;` is not known", "f.qif:4"]);
+    error(&format!("{bomb}{}", plane(WHOLE, SET)), &["[xml-doctype]", "f.qif:2", "hint:"]);
+    error(&plane(WHOLE, &SET.replace("0 0 0", "&b; 0 0")), &["[xml-malformed]", "`&b;`", "f.qif:4"]);
     let external = "<!DOCTYPE q SYSTEM \"file:///etc/passwd\">";
-    error(&format!("{external}{}", plane(WHOLE, SET)), &["document type"]);
+    error(&format!("{external}{}", plane(WHOLE, SET)), &["[xml-doctype]"]);
 }
 
 #[test]
 fn deep_nesting_ends_at_once() {
     let deep = "<a>".repeat(1_000_000);
-    error(&format!("{HEAD}{deep}"), &["nested 65 elements deep"]);
-    error(&format!("{HEAD}<Product>{deep}"), &["nested 65 elements deep"]);
+    error(&format!("{HEAD}{deep}"), &["[nested-too-deep]", "65 levels"]);
+    error(&format!("{HEAD}<Product>{deep}"), &["[nested-too-deep]", "65 levels"]);
 }
 
 #[test]
@@ -72,12 +72,12 @@ fn every_truncation_is_an_error_and_none_panics() {
             panic!("cut at {end} of {} it was read", whole.len());
         }
     }
-    error(&whole[..whole.len() - "</QIFDocument>".len()], &["never closed", "hint:"]);
+    error(&whole[..whole.len() - "</QIFDocument>".len()], &["[file-cut-off]", "`</QIFDocument>`", "hint:"]);
     // within an element that is not read
     let product = whole.replacen("<Results>", "<Product><Part>1 2 3</Part></Product><Results>", 1);
     let end = product.find("</Part>").unwrap();
     (product.find("<Product>").unwrap() + 9..end + 20).for_each(|end| drop(qif::read("f.qif", &product[..end], None)));
-    error(&product[..end], &["`QIFDocument` is never closed"]);
+    error(&product[..end], &["[file-cut-off]", "`</QIFDocument>`"]);
 }
 
 #[test]
@@ -94,13 +94,13 @@ fn every_byte_may_be_damaged() {
             }
         }
     }
-    error(&whole.replace("0 1 0", "0 \0 0"), &["NUL byte", "f.qif:4"]);
+    error(&whole.replace("0 1 0", "0 \0 0"), &["[nul-byte]", "f.qif:4"]);
 }
 
 #[test]
 fn numbers_that_are_none_are_errors_with_their_line() {
     for wrong in ["nan", "INF", "1,5", "1e999", "0x10", "1.2.3", "--1"] {
-        error(&plane(WHOLE, &SET.replace("1 0 0", &format!("{wrong} 0 0"))), &[wrong, "is not a number", "f.qif:4"]);
+        error(&plane(WHOLE, &SET.replace("1 0 0", &format!("{wrong} 0 0"))), &[wrong, "[not-a-number]", "f.qif:4"]);
     }
 }
 
@@ -108,7 +108,7 @@ fn numbers_that_are_none_are_errors_with_their_line() {
 fn units_are_never_guessed() {
     let text = plane(WHOLE, SET);
     let without = text.replace("LinearUnit>", "AreaUnit>");
-    error(&without, &["does not state its unit of length", "--unit"]);
+    error(&without, &["[file-unit-missing]", "unit of length", "--unit"]);
     // stated by the user, or by the point set itself
     let inches = qif::read("f.qif", &without, Some(25.4)).unwrap();
     assert_eq!(inches.features[0].points_mm[1], [25.4, 0.0, 0.0]);
@@ -116,12 +116,12 @@ fn units_are_never_guessed() {
     let own = without.replace("<Points>", &format!("{own}<Points>"));
     assert_eq!(qif::read("f.qif", &own, None).unwrap().features[0].points_mm[2], [0.0, 25.4, 0.0]);
     let contradicted = qif::read("f.qif", &text, Some(25.4)).unwrap_err().to_string();
-    assert!(contradicted.contains("the unit of the file is 1 mm, and 25.4 mm was stated"), "{contradicted}");
+    assert!(contradicted.contains("[unit-differs]: the file is in mm (FileUnits)"), "{contradicted}");
     for (from, to, said) in [
-        ("<Factor>0.001</Factor>", "<Factor>0</Factor>", "factor 0"),
+        ("<Factor>0.001</Factor>", "<Factor>0</Factor>", "[unit-factor-invalid]"),
         ("<Factor>0.001</Factor>", "<Factor>0.001</Factor><Offset>1</Offset>", "offset 1"),
-        ("<UnitConversion><Factor>0.001</Factor></UnitConversion>", "", "has no factor"),
-        ("<UnitName>mm", "<SIUnitName>foot</SIUnitName><UnitName>mm", "`foot` is no SI unit"),
+        ("<UnitConversion><Factor>0.001</Factor></UnitConversion>", "", "[record-missing]: `mm`"),
+        ("<UnitName>mm", "<SIUnitName>foot</SIUnitName><UnitName>mm", "[unit-unknown]: `foot`"),
     ] {
         error(&text.replace(from, to), &[said]);
     }
@@ -136,7 +136,7 @@ fn a_value_may_bear_its_own_unit() {
     let text = HEAD.replace("</PrimaryUnits>", other) + sphere;
     let stated = qif::read("f.qif", &text, None).unwrap().features[0].stated;
     assert_eq!((stated.point_mm, stated.radius_mm), (Some([1.0, 2.0, 3.0]), Some(25.4)));
-    error(&text.replace("\"inch\"", "\"cubit\""), &["`cubit` is not a unit of this file", "hint:"]);
+    error(&text.replace("\"inch\"", "\"cubit\""), &["[unit-unknown]: `cubit`", "inch, mm"]);
 }
 
 #[test]
@@ -147,46 +147,50 @@ fn references_and_ranges_that_lead_nowhere_are_reported() {
     for wrong in ["0 2", "1 4", "3 2", "-1 2", "", "1 2 3", "99999999999999999999 1", "a b"] {
         let (points, said) = read(&plane(&range(wrong), SET));
         assert_eq!(points, 0, "{wrong}");
-        assert!(said.contains("is not part of point set 2") && said.contains("f.qif:3"), "{wrong}: {said}");
+        assert!(
+            said.contains("[point-range-invalid]") && said.contains("point set 2") && said.contains("f.qif:3"),
+            "{wrong}: {said}"
+        );
     }
     let (points, said) = read(&plane("<WholePointSetId>3</WholePointSetId>", SET));
     assert!(
-        points == 0 && said.contains("there is no point set 3") && said.contains("is point set 2 meant?"),
+        points == 0
+            && said.contains("[reference-broken]: `WholePointSetId` refers to 3")
+            && said.contains("did you mean `2`"),
         "{said}"
     );
     let (points, said) = read(&plane("<WholePointSetId xId=\"7\">2</WholePointSetId>", SET));
-    assert!(points == 0 && said.contains("another document"), "{said}");
+    assert!(points == 0 && said.contains("[reference-external]"), "{said}");
     let item = "<PointList n=\"1\">";
     let (_, said) = read(&plane(WHOLE, SET).replace(item, &format!("<FeatureItemId>9</FeatureItemId>{item}")));
-    assert!(said.contains("`FeatureItemId` 9 leads to no FeatureItem"), "{said}");
+    assert!(said.contains("[reference-broken]: `FeatureItemId` refers to 9"), "{said}");
     let (_, said) = read(&plane(WHOLE, &SET.repeat(2)));
-    assert!(said.contains("id 2 is there twice"), "{said}");
+    assert!(said.contains("[id-repeated]: id 2"), "{said}");
 }
 
 #[test]
 fn point_sets_that_contradict_themselves_give_no_points() {
     for (from, to, expected) in [
-        ("count=\"3\"", "count=\"4\"", "states count 4 and holds 9 numbers"),
+        ("count=\"3\"", "count=\"4\"", "[stated-count-differs]: `1` has no usable points: `Points` has 9 values"),
         ("count=\"3\"", "count=\"99999999999999999999\"", ""),
-        ("count=\"3\"", "count=\"6148914691236517206\"", "holds 9 numbers"),
-        ("0 1 0</", "0 1</", "holds 8 numbers"),
-        ("<Compensated>true</Compensated>", "", "does not state whether"),
-        ("<Compensated>true", "<Compensated>maybe", "neither true nor false"),
-        (
-            "<Compensated>true</Compensated>",
-            "<Compensations>true true</Compensations>",
-            "`Compensations` has 2 entries",
-        ),
-        ("<Compensated>true</Compensated>", "<Compensations>true true false</Compensations>", "some are not"),
-        ("<Points>", "<TranformId>5</TranformId><Points>", "which is not applied"),
-        ("<Points>", "<BinaryPoints/><Points>", "is not read"),
+        ("count=\"3\"", "count=\"6148914691236517206\"", "`Points` has 9 values"),
+        ("0 1 0</", "0 1</", "`Points` has 8 values"),
+        ("<Compensated>true</Compensated>", "", "[record-missing]"),
+        ("<Compensated>true", "<Compensated>maybe", "`maybe`"),
+        ("<Compensated>true</Compensated>", "<Compensations>true true</Compensations>", "`Compensations` has 2 values"),
+        ("<Compensated>true</Compensated>", "<Compensations>true true false</Compensations>", "[compensation-mixed]"),
+        ("<Points>", "<TranformId>5</TranformId><Points>", "`TranformId` is not supported"),
+        ("<Points>", "<BinaryPoints/><Points>", "`BinaryPoints` is not supported"),
     ] {
         let (points, said) = read(&plane(WHOLE, &SET.replace(from, to)));
         let sound = expected.is_empty();
         assert!(said.contains(expected) && (points == 0) != sound, "{to}: {points} points, {said}");
     }
     let (points, said) = read(&plane(WHOLE, SET).replace("<PointList n=\"1\">", "<PointList n=\"2\">"));
-    assert!(points == 0 && said.contains("states 2 entries and holds 1"), "{said}");
+    assert!(
+        points == 0 && said.contains("[stated-count-differs]") && said.contains("`PointList` has 1 value"),
+        "{said}"
+    );
     let empty = "<MeasuredPointSet id=\"2\" count=\"0\"><Points/><Compensations/><ProbeRadii/></MeasuredPointSet>";
     assert_eq!(read(&plane(WHOLE, empty)).0, 0);
 }
@@ -208,11 +212,11 @@ fn one_set_that_many_features_share_does_not_fill_the_memory() {
 
 #[test]
 fn other_documents_are_told_apart() {
-    error("<html/>", &["no QIF document", "QIFDocument"]);
-    error("", &["no QIF document"]);
-    error(&plane(WHOLE, SET).replace("3.0.0", "4.0.0"), &["QIF version `4.0.0` is not read"]);
-    error(&format!("{}<b></b>", plane(WHOLE, SET)), &["second element"]);
-    error(&format!("{}<b/>", plane(WHOLE, SET)), &["second element"]);
+    error("<html/>", &["[format-differs]", "`QIFDocument`"]);
+    error("", &["[format-differs]"]);
+    error(&plane(WHOLE, SET).replace("3.0.0", "4.0.0"), &["[version-unsupported]", "`4.0.0`"]);
+    error(&format!("{}<b></b>", plane(WHOLE, SET)), &["[xml-malformed]", "second root element"]);
+    error(&format!("{}<b/>", plane(WHOLE, SET)), &["[xml-malformed]", "second root element"]);
 }
 
 #[test]

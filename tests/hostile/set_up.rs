@@ -64,7 +64,12 @@ fn excluded_readings_have_a_reason_that_the_report_repeats() {
     assert_eq!(etalon(&scratch, "run").0, Some(0));
     let all = parameters(&scratch).residuals.count;
     add(&scratch, "campaign.toml", rule);
-    ends(&scratch, "run", 0, &["[excluded-readings]: excluded: 1 reading, pose 3, cycle 2, target `K`: stylus slipped"]);
+    ends(
+        &scratch,
+        "run",
+        0,
+        &["[excluded-readings]: excluded: 1 reading, pose 3, cycle 2, target `K`: stylus slipped"],
+    );
     assert_eq!(parameters(&scratch).residuals.count, all - 2);
     assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
     for (from, to, said) in [

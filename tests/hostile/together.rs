@@ -31,7 +31,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\"");
     let parts = [
         "no point has the label `R_no`",
-        "no point or feature is called `rail9_a`",
+        "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
         "feature `rails`: ",
         "error[world-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
@@ -50,7 +50,12 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("campaign.toml", "[log]", rigid);
     said(
         &scratch,
-        &["`x` is not a number", "tolerance_mm = -0.1", "error[limit-not-positive]: `tolerance_mm`", "error[rigid-targets]"],
+        &[
+            "[not-a-number]: `x`",
+            "tolerance_mm = -0.1",
+            "error[limit-not-positive]: `tolerance_mm`",
+            "error[rigid-targets]",
+        ],
     );
 }
 
@@ -90,14 +95,18 @@ fn statements_that_count_for_nothing_are_refused() {
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\"]",
-        &["`targets` leaves out `L`", "campaign.toml:", "all its targets count"],
+        &["[targets-incomplete]: `targets` omits `L`", "campaign.toml:"],
     );
-    campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["`tolerance_s` means nothing", "campaign.toml:"]);
-    campaign("\"cycle\"]", "\"cycle\"]\nclock_offset_s = 1.0", &["`clock_offset_s` means nothing", "campaign.toml:"]);
+    campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["[key-of-other-join]: `tolerance_s`", "campaign.toml:"]);
+    campaign(
+        "\"cycle\"]",
+        "\"cycle\"]\nclock_offset_s = 1.0",
+        &["[key-of-other-join]: `clock_offset_s`", "campaign.toml:"],
+    );
     campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
     campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["both calibration and validation: 13", ":43:14"]);
     campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["a join by time needs", "campaign.toml:28:6"]);
-    campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["exactly one element", ".toml:3"]);
+    campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["[feature-element]", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";
     campaign(
         "format = \"polyworks\"",
@@ -110,7 +119,7 @@ fn statements_that_count_for_nothing_are_refused() {
 fn a_target_that_nobody_measured_points_at_the_campaign() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/poses.txt", "L_", "M_");
-    said(&scratch, &["no export brings the target `L`", "--> campaign/campaign.toml"]);
+    said(&scratch, &["[target-not-exported]: no export contains the target `L`", "--> campaign/campaign.toml"]);
 }
 
 #[test]
@@ -119,14 +128,17 @@ fn a_log_in_another_dialect_is_told_which() {
     let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     std::fs::write(scratch.path().join("encoders.csv"), text.replace('.', "#").replace(',', ";").replace('#', ","))
         .unwrap();
-    said(&scratch, &["has one column", "hint: `delimiter = \";\"` and `decimal = \",\"`", "encoders.csv:1"]);
+    said(
+        &scratch,
+        &["error[delimiter-does-not-split]", "hint: state `delimiter = \";\"` and `decimal = \",\"`", "encoders.csv:1"],
+    );
 }
 
 #[test]
 fn a_numbered_column_beyond_the_width_is_said_once() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho3_mm = 9");
-    let said = said(&scratch, &["the log has 5 columns, none of them is number 9", "campaign.toml:25"]);
+    let said = said(&scratch, &["error[column-number-unknown]: there is no column 9", "campaign.toml:25"]);
     assert_eq!(said.lines().filter(|l| l.starts_with("error")).count(), 1, "{said}");
 }
 
@@ -163,12 +175,15 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
     let head = "pose,cycle,target,x_mm,y_mm,rho1_mm,rho2_mm,rho3_mm\n";
     let good = "1,1,K,1,2,3,4,5\n";
     for (rows, parts) in [
-        ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "`1.5` is not a whole number"]),
-        ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "`1e300` is not a whole number"]),
-        ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "`x` is not a number"]),
-        ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "`inf` is not a number"]),
-        ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "the row has 7 fields"]),
-        ("1,1,L,1,2,3,4,5,6\n", ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "the row has 9 fields"]),
+        ("1.5,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1.5,1,L,1,2,3,4,5", "[not-whole-number]: `1.5`"]),
+        ("1e300,1,L,1,2,3,4,5\n", ["observations.csv:3:1", "| 1e300,1,L,1,2,3,4,5", "[not-whole-number]: `1e300`"]),
+        ("\n\n1,1,L,1,x,3,4,5\n", ["observations.csv:5:9", "| 1,1,L,1,x,3,4,5", "[not-a-number]: `x`"]),
+        ("1,1,L,inf,2,3,4,5\n", ["observations.csv:3:7", "| 1,1,L,inf,2,3,4,5", "[not-a-number]: `inf`"]),
+        ("1,1,L,1,2,3,4\n", ["observations.csv:3", "| 1,1,L,1,2,3,4", "error[row-field-count]: the row has 7 fields"]),
+        (
+            "1,1,L,1,2,3,4,5,6\n",
+            ["observations.csv:3", "| 1,1,L,1,2,3,4,5,6", "error[row-field-count]: the row has 9 fields"],
+        ),
         ("1,1,K,1,2,3,4,5\n", ["observations.csv:3", "| 1,1,K,1,2,3,4,5", "occurs twice"]),
     ] {
         let said = refused(PREXYT, &format!("{head}{good}{rows}"));
@@ -188,7 +203,10 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         "{said}"
     );
     let said = refused(PREXYT, &(head.replace("rho2_mm", "rho1_mm") + good));
-    assert!(said.contains("the header names `rho1_mm` twice") && said.contains("observations.csv:1"), "{said}");
+    assert!(
+        said.contains("error[heading-twice]: the header names `rho1_mm`") && said.contains("observations.csv:1"),
+        "{said}"
+    );
 }
 
 #[test]

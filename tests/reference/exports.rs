@@ -254,7 +254,7 @@ fn trap_8_columns_called_xyz_that_hold_angles_are_refused_until_someone_says_so(
         )
     };
     let said = read(&path, &named("x", "y", "z", ""), "mm").unwrap_err().to_string();
-    assert!(said.contains("look like azimuth and zenith") && said.contains("coordinates = \"cartesian\""), "{said}");
+    assert!(said.contains("[coordinates-look-spherical]") && said.contains("coordinates = \"cartesian\""), "{said}");
     assert!(read(&path, &named("x", "y", "z", ", coordinates = \"cartesian\""), "mm").is_ok());
     let said = read(&path, &named("azimuth", "zenith", "distance", ""), "mm").unwrap_err().to_string();
     assert!(said.contains("`angle_unit`"), "{said}");

@@ -60,9 +60,9 @@ fn galil_counts_without_a_scale_or_by_position_are_refused() {
     if crate::reference_data("exports/galil").is_none() {
         return;
     }
-    refused(&format!("{GALIL}columns = {{ a_mm = \"one\" }}"), &["holds counts", "per_count"]);
+    refused(&format!("{GALIL}columns = {{ a_mm = \"one\" }}"), &["error[count-value-missing]", "per_count"]);
     let by_number = "columns = { a_mm = { number = 1, per_count = 1 } }";
-    refused(&format!("{GALIL}{by_number}"), &["alphabetical order", "campaign.toml:"]);
+    refused(&format!("{GALIL}{by_number}"), &["error[column-by-number]", "campaign.toml:"]);
 }
 
 const UR: &str = "file = \"$ETALON_REFERENCE/exports/ur_rtde/robot_data.csv\"\nformat = \"ur_rtde\"\n";
@@ -88,7 +88,7 @@ fn trap_9_ur_rtde_names_that_occur_twice_are_refused_until_the_campaign_says_whi
     }
     let generic = UR.replace("format = \"ur_rtde\"\n", "");
     for i in 0..6 {
-        let parts = ["the header names", "2 times", "occurrence = 1", "campaign.toml:"];
+        let parts = ["error[heading-repeated]: the header has 2 columns", "occurrence = 1", "campaign.toml:"];
         refused(&format!("{generic}columns = {{ a_mm = \"target_current_{i}\" }}"), &parts);
     }
     // columns 26 and 44 of the header: cut -d, -f26,44
@@ -97,7 +97,7 @@ fn trap_9_ur_rtde_names_that_occur_twice_are_refused_until_the_campaign_says_whi
     assert_eq!(of("{ name = \"target_current_0\", occurrence = 2 }"), of("44"));
     refused(
         &format!("{generic}columns = {{ a_mm = {{ name = \"target_current_0\", occurrence = 3 }} }}"),
-        &["no number 3"],
+        &["error[heading-repeated]", "from 1 to 2"],
     );
 }
 
@@ -106,9 +106,15 @@ fn trap_8_ur_rtde_knows_its_units_and_what_is_no_joint() {
     if crate::reference_data("exports/ur_rtde").is_none() {
         return;
     }
-    refused(&format!("{UR}columns = {{ q1_deg = \"actual_q_0\" }}"), &["is in rad", "write `q1_rad = \"actual_q_0\"`"]);
-    refused(&format!("{UR}columns = {{ x_mm = \"actual_TCP_pose_0\" }}"), &["is in m", "x_m"]);
-    refused(&format!("{UR}columns = {{ q1_rad = \"actual_current_0\" }}"), &["is in A", "expected: a column in rad"]);
+    refused(
+        &format!("{UR}columns = {{ q1_deg = \"actual_q_0\" }}"),
+        &["error[column-unit-differs]", "write `q1_rad = \"actual_q_0\"`"],
+    );
+    refused(&format!("{UR}columns = {{ x_mm = \"actual_TCP_pose_0\" }}"), &["error[column-unit-differs]", "x_m"]);
+    refused(
+        &format!("{UR}columns = {{ q1_rad = \"actual_current_0\" }}"),
+        &["error[column-unit-differs]", "expected: a column in rad"],
+    );
 }
 
 const KUKA: &str = "file = \"$ETALON_REFERENCE/exports/kuka_rsi/robot_data.csv\"\nformat = \"kuka_rsi\"\n";
@@ -134,8 +140,14 @@ fn trap_16_kuka_rsi_refuses_the_wall_clock_of_whole_seconds_and_the_counter_as_s
     if crate::reference_data("exports/kuka_rsi").is_none() {
         return;
     }
-    refused(&format!("{KUKA}columns = {{ time_s = \"Timestamp\", x_mm = \"X_RIst\" }}"), &["wall clock", "`IPOC`"]);
-    refused(&format!("{KUKA}columns = {{ time_s = \"IPOC\" }}"), &["is in ms", "write `time_ms = \"IPOC\"`"]);
+    refused(
+        &format!("{KUKA}columns = {{ time_s = \"Timestamp\", x_mm = \"X_RIst\" }}"),
+        &["error[column-unit-differs]", "`IPOC`"],
+    );
+    refused(
+        &format!("{KUKA}columns = {{ time_s = \"IPOC\" }}"),
+        &["error[column-unit-differs]", "write `time_ms = \"IPOC\"`"],
+    );
 }
 
 /// Every variant of the one recording, with its options.
@@ -219,15 +231,18 @@ fn twincat_variants_that_read_two_ways_are_refused() {
         return;
     }
     let columns = "values = \"scaled\"\ncolumns = { a_mm = \"var_REAL64\" }";
-    refused(&format!("{}{columns}", scope("-Seperator_1")), &["separated by blanks", "missing value", "_1.csv:1"]);
-    let comma = ["row `SampleTime[ms]` of the head has 25 fields", "expected: 24", "_4.csv:10"];
+    refused(&format!("{}{columns}", scope("-Seperator_1")), &["error[twincat-separated-by-blanks]", "_1.csv:1"]);
+    let comma = [
+        "error[twincat-head-ragged]: row `SampleTime[ms]` of the head has 25 fields, the row of names 24",
+        "_4.csv:10",
+    ];
     refused(&format!("{}{columns}", scope("-Seperator_4")), &comma);
     let raw = "columns = { a_mm = \"func_scaled\" }";
-    refused(&format!("{}{raw}", scope("-default")), &["does not state whether it is applied", "values = \"raw\""]);
+    refused(&format!("{}{raw}", scope("-default")), &["error[twincat-scale-undecided]", "values = \"raw\""]);
     let point = "values = \"raw\"\ncolumns = { a_mm = \"func_OS\" }";
     refused(
         &format!("{}{point}", scope("-default")),
-        &["`0,2` is not a number", "decimal = \",\"", "-default.csv:26:"],
+        &["[not-a-number]: `0,2`", "decimal = \",\"", "-default.csv:26:"],
     );
 }
 
@@ -241,7 +256,11 @@ fn twincat_channels_of_other_sample_times_meet_where_both_have_a_value() {
     assert_eq!(table.height(), 1000);
     // at whole milliseconds: var_REAL64 counts them
     assert!(column(&table, "time_s").iter().zip(column(&table, "b_mm")).all(|(t, b)| (t * 1000.0 - b).abs() < 1e-9));
-    assert!(document.messages.iter().any(|m| m.what.contains("3996 samples at times")), "{:?}", document.messages);
+    assert!(
+        document.messages.iter().any(|m| m.is("channel-samples-unused", &[("count", &3996)])),
+        "{:?}",
+        document.messages
+    );
 }
 
 const ROS: &str = "file = \"$ETALON_REFERENCE/exports/ros_csv/joint_states.csv\"\nformat = \"ros\"\n";
@@ -259,7 +278,7 @@ fn trap_15_ros_joints_in_scrambled_order_are_found_by_name_alone() {
     for (i, expected) in first.iter().enumerate() {
         assert!((column(&table, &format!("q{i}_deg"))[0] - expected.to_degrees()).abs() < 1e-13, "joint {i}");
     }
-    refused(&format!("{ROS}columns = {{ q0_rad = 1 }}"), &["the order of joints is arbitrary"]);
+    refused(&format!("{ROS}columns = {{ q0_rad = 1 }}"), &["error[column-by-number]"]);
 }
 
 #[test]
@@ -269,7 +288,7 @@ fn trap_15_the_partner_without_a_header_would_be_one_row_off_and_is_refused() {
     }
     let poses = "file = \"$ETALON_REFERENCE/exports/ros_csv/poses.csv\"\n";
     let columns = "columns = { x_m = 1, y_m = 2, z_m = 3 }";
-    refused(&format!("{poses}{columns}"), &["holds numbers alone", "header = false", "one off", "poses.csv:1"]);
+    refused(&format!("{poses}{columns}"), &["error[header-holds-numbers]", "header = false", "poses.csv:1"]);
     // as it is: 136 rows, and a join by row with the 135 of joint_states.csv is refused by their counts
     let (table, _) = read(&format!("{poses}header = false\n{columns}")).unwrap();
     assert_eq!(table.height(), 136);
@@ -290,7 +309,10 @@ fn trap_20_joints_of_the_hl6_are_separated_by_tabs_and_in_39_rows_by_a_blank_too
     // the README says one row
     let said = read(&log(angles, "tab", six)).unwrap_err();
     // 39 rows: the first, two that are named, and 36
-    assert!(said.contains("the row has 6 fields; also in lines 9, 10 and 36 more rows"), "{said}");
+    assert!(
+        said.contains("error[row-field-count]: the row has 6 fields; also in lines 9, 10 and 36 more rows"),
+        "{said}"
+    );
     assert!(said.contains("c_angles.txt:5\n") && said.contains("expected: 7, as the first row"), "{said}");
     let (table, _) = read(&log(angles, "blank", six)).unwrap();
     assert_eq!(table.height(), 46);

@@ -2,6 +2,7 @@
 //!
 //! Expected numbers are what the files themselves state of their features, as computed by the program that measured.
 
+use etalon::base::phrase;
 use etalon::base::pose::{Vector, cross, dot, minus, norm};
 use etalon::documents::{FitDocument, FitStated};
 use etalon::fit::{self, Element, FitSettings};
@@ -71,9 +72,11 @@ fn the_dangling_reference_of_the_sample_is_reported_with_its_line() {
     let dangling = &third.messages[0];
     // grep -n '>828<': the reference in line 1068 means set 829
     assert_eq!(dangling.place.as_ref().and_then(|p| p.line), Some(1068));
-    assert!(dangling.to_string().contains("there is no point set 828") && dangling.to_string().contains("829 meant?"));
-    let said: Vec<&str> = third.messages[1..].iter().map(|m| m.what.as_str()).collect();
-    assert_eq!(said, ["no feature refers to point set 777", "no feature refers to point set 829"]);
+    let hint = phrase!("did-you-mean", name = "829");
+    assert!(dangling.is("reference-broken", &[("id", &"828"), ("hint", &hint)]), "{dangling}");
+    let unused = &third.messages[1..];
+    assert_eq!(unused.len(), 2);
+    assert!(unused.iter().zip(["777", "829"]).all(|(message, id)| message.is("point-set-unused", &[("id", &id)])));
 }
 
 #[test]

@@ -28,6 +28,10 @@ impl Notation for C {
 }
 
 impl Exporter for C99 {
+    fn name(&self) -> &'static str {
+        "c-kinematics"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.c"
     }

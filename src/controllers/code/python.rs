@@ -26,6 +26,10 @@ impl Notation for Python {
 }
 
 impl Exporter for PythonCode {
+    fn name(&self) -> &'static str {
+        "python-kinematics"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.py"
     }

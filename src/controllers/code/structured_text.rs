@@ -265,6 +265,10 @@ fn declarations(unit: &Unit, siemens: bool) -> String {
 }
 
 impl Exporter for StructuredText {
+    fn name(&self) -> &'static str {
+        "structured-text"
+    }
+
     fn file_name(&self) -> &'static str {
         "etalon_kinematics.st"
     }

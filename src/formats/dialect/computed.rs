@@ -1,27 +1,30 @@
-//! Columns that are computed from others of their row: `x_t - x_dif`, `(low + high) / 2`, `25.4 * $3`.
+//! Columns computed from other columns of the row: `x_t - x_dif`, `(low + high) / 2`, `25.4 * $3`.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 use std::borrow::Cow;
 
-/// Longest text of an expression.
+/// Maximum length of an expression (bytes).
 const LONGEST: usize = 1000;
-/// Deepest nesting of an expression.
+/// Characters of an expression that is too long to be shown whole.
+const SHOWN: usize = 40;
+/// Maximum nesting depth of an expression.
 const DEEPEST: usize = 40;
 
-/// An expression of numbers and columns of a row.
+/// Expression of numbers and columns of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Expression {
-    /// A number.
+    /// Number.
     Number(f64),
-    /// The column of this index.
+    /// Column of this index.
     Column(usize),
-    /// Minus.
+    /// Negated expression.
     Negative(Box<Expression>),
     /// Two expressions and `+`, `-`, `*` or `/` between them.
     Pair(Box<Expression>, char, Box<Expression>),
 }
 
-/// What is left of a text that is parsed.
+/// State of the parser.
 struct Parser<'a> {
     whole: &'a str,
     rest: &'a str,
@@ -30,26 +33,29 @@ struct Parser<'a> {
 }
 
 impl Expression {
-    /// Reads an expression. A name is the longest heading that begins there, `$3` the third column.
+    /// Parses an expression. A name is the longest heading that begins at its place; `$3` is the
+    /// third column.
     ///
     /// # Errors
-    /// A name that is no heading, or a text that is no expression.
+    /// If a name is not a heading, or the text is malformed.
     pub fn parse(text: &str, header: &[Cow<str>]) -> Result<Self, Message> {
         if text.len() > LONGEST {
-            return Err(Message::error("the expression of a column is longer than 1000 characters"));
+            let start: String = text.chars().take(SHOWN).collect();
+            let expression = format!("{start}...");
+            return Err(error!("expression-malformed", expression, fault = "too-long", rest = ""));
         }
         let mut parser = Parser { whole: text, rest: text, header, depth: 0 };
         let expression = parser.sum()?;
         match parser.rest.trim() {
             "" => Ok(expression),
-            rest => Err(parser.wrong(&format!("`{rest}` is left over"))),
+            rest => Err(parser.wrong("left-over", rest)),
         }
     }
 
-    /// Its value in a row; `None` if a cell was not measured.
+    /// Returns the value in a row; `None` if a cell was not measured.
     ///
     /// # Errors
-    /// The index of the cell that does not read.
+    /// If a cell is not a number: its index and the message.
     pub fn value(&self, cell: &dyn Fn(usize) -> Result<Option<f64>, Message>) -> Result<Option<f64>, (usize, Message)> {
         Ok(match self {
             Self::Number(number) => Some(*number),
@@ -67,16 +73,15 @@ impl Expression {
         })
     }
 
-    /// Whether a text can be an expression, and is not only a name.
+    /// `true` if a text looks like an expression and not like a heading alone.
     pub fn is_likely(text: &str) -> bool {
         text.starts_with('$') || text.contains(['+', '-', '*', '/', '\u{d7}', '\u{f7}', '\u{2212}', '(', ')'])
     }
 }
 
 impl Parser<'_> {
-    fn wrong(&self, what: &str) -> Message {
-        Message::error(format!("the expression `{}` does not read: {what}", self.whole))
-            .expected("headings, `$3` for the third column, and numbers, with + - * / and brackets between them")
+    fn wrong(&self, fault: &str, rest: &str) -> Message {
+        error!("expression-malformed", expression = self.whole, fault, rest)
     }
 
     fn next(&mut self) -> Option<char> {
@@ -94,7 +99,7 @@ impl Parser<'_> {
     fn sum(&mut self) -> Result<Expression, Message> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(self.wrong("its brackets are nested too deeply"));
+            return Err(self.wrong("brackets-too-deep", ""));
         }
         let mut left = self.product()?;
         while let Some(operator) = self.take(&[('+', '+'), ('-', '-'), ('\u{2212}', '-')]) {
@@ -119,7 +124,7 @@ impl Parser<'_> {
         if self.take(&[('-', '-'), ('\u{2212}', '-')]).is_some() {
             self.depth += 1;
             if self.depth > DEEPEST {
-                return Err(self.wrong("it has too many signs"));
+                return Err(self.wrong("too-many-signs", ""));
             }
             let of = self.factor()?;
             self.depth -= 1;
@@ -129,21 +134,19 @@ impl Parser<'_> {
             let inner = self.sum()?;
             return match self.take(&[(')', ')')]) {
                 Some(_) => Ok(inner),
-                None => Err(self.wrong("a bracket is not closed")),
+                None => Err(self.wrong("bracket-open", "")),
             };
         }
         if self.take(&[('$', '$')]).is_some() {
             let digits = self.rest.bytes().take_while(u8::is_ascii_digit).count();
             let number = self.rest[..digits].parse().ok().and_then(|n: usize| n.checked_sub(1));
             self.rest = &self.rest[digits..];
-            return number
-                .map(Expression::Column)
-                .ok_or_else(|| self.wrong("behind `$` is the number of a column, from 1"));
+            return number.map(Expression::Column).ok_or_else(|| self.wrong("column-number", ""));
         }
         self.number()
     }
 
-    /// The longest heading that begins here.
+    /// Takes the longest heading that begins here.
     fn heading(&mut self) -> Option<usize> {
         self.rest = self.rest.trim_start();
         let ends = |name: &str| !self.rest[name.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
@@ -175,10 +178,10 @@ impl Parser<'_> {
         }
         let name = rest.split(['+', '*', '/', '(', ')']).next().unwrap_or("").trim();
         if name.is_empty() {
-            return Err(self.wrong("a column or a number is missing"));
+            return Err(self.wrong("incomplete", ""));
         }
         let names = self.header.iter().map(|name| name.as_ref());
-        Err(Message::error(format!("the header names no `{name}`")).hint_names(name, names))
+        Err(error!("column-unknown", column = name).hint_names(name, names))
     }
 }
 
@@ -217,12 +220,27 @@ mod tests {
     #[test]
     fn what_is_no_expression_is_refused() {
         let header: Vec<Cow<str>> = ["x_t", "x_dif"].map(Cow::from).to_vec();
-        let said = |text: &str| Expression::parse(text, &header).unwrap_err().to_string();
-        assert!(said("x_t - x_dff").contains("did you mean `x_dif`"));
-        for wrong in ["", "x_t -", "(x_t", "x_t x_dif", "$0", "$", "x_t ^ 2", "1..2", "x_t)"] {
-            assert!(Expression::parse(wrong, &header).is_err(), "{wrong}");
+        let refused = |text: &str| Expression::parse(text, &header).unwrap_err();
+        let unknown = refused("x_t - x_dff");
+        assert!(unknown.is("column-unknown", &[("column", &"x_dff")]), "{unknown}");
+        assert!(unknown.hint.is_some_and(|hint| hint.contains("`x_dif`")));
+        let (brackets, signs, long) = ("(".repeat(900), "-".repeat(900), "x".repeat(1001));
+        for (wrong, fault, rest) in [
+            ("", "incomplete", ""),
+            ("x_t -", "incomplete", ""),
+            ("(x_t", "bracket-open", ""),
+            ("x_t x_dif", "left-over", "x_dif"),
+            ("$0", "column-number", ""),
+            ("$", "column-number", ""),
+            ("x_t ^ 2", "left-over", "^ 2"),
+            ("x_t)", "left-over", ")"),
+            (&brackets, "brackets-too-deep", ""),
+            (&signs, "too-many-signs", ""),
+            (&long, "too-long", ""),
+        ] {
+            let message = refused(wrong);
+            assert!(message.is("expression-malformed", &[("fault", &fault), ("rest", &rest)]), "{message}");
         }
-        assert!(Expression::parse(&"(".repeat(900), &header).is_err());
-        assert!(Expression::parse(&"-".repeat(900), &header).is_err());
+        assert!(refused("1..2").is("column-unknown", &[]));
     }
 }

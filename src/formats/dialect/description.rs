@@ -1,22 +1,24 @@
-//! How a delimited text is to be read: stated by the campaign, never guessed in silence.
+//! Dialect of delimited text. The campaign states it; it is never guessed in silence.
 
 use super::columns::{ColumnAt, ColumnRole, Columns};
 use super::source::Cells;
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
 use etalon_base::angle_order::AngleOrder;
+use etalon_base::error;
 use etalon_base::message::{Message, printable, printable_character};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A table of text, or a sheet of a workbook. Exactly one of `delimiter`, `widths` and `sheet` states what separates the columns.
+/// Format of a table of text or of a sheet of a workbook, with exactly one of `delimiter`, `widths`
+/// and `sheet`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Dialect {
-    /// What separates columns.
+    /// Delimiter of the columns.
     pub delimiter: Option<Delimiter>,
-    /// Width of each column in characters, where nothing separates the columns.
+    /// Width of each column (characters), for columns without a delimiter.
     pub widths: Vec<usize>,
     /// Name of the sheet of an Excel workbook.
     pub sheet: Option<String>,
@@ -24,17 +26,20 @@ pub struct Dialect {
     pub decimal: Decimal,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// What each column contains: from the left, or by the names of the header.
+    /// Role of each column: from the left, or by the names of the header.
     pub columns: Columns,
-    /// For files of several coordinate types: what `c1`, `c2`, `c3` are, by the content of the column `type`.
+    /// Meaning of `c1`, `c2`, `c3` for each content of the column `type`, in files of several
+    /// coordinate types.
     pub types: BTreeMap<String, Vec<ColumnRole>>,
     /// Unit of azimuth, zenith and elevation; required with them.
     pub angle_unit: Option<AngleUnit>,
-    /// Confirms the coordinate type of `columns` where the values look like another one.
+    /// Coordinate type of `columns`, stated as a confirmation if the values look like another type.
     pub coordinates: Option<CoordinateType>,
-    /// Coverage factor of `u95x`, `u95y` and `u95z`, and of `u1`, `u2` and `u3` where these are expanded.
+    /// Coverage factor of `u95x`, `u95y` and `u95z`, and of `u1`, `u2` and `u3` if these are
+    /// expanded uncertainties.
     pub coverage_factor: Option<f64>,
-    /// Order in which three angles `rx_deg`, `ry_deg`, `rz_deg` turn the body, as `orientation` of tables; without it they are a rotation vector.
+    /// Order of the rotations of three angles `rx_deg`, `ry_deg`, `rz_deg`, like `orientation` of
+    /// tables; without it they are a rotation vector.
     pub rotation: Option<String>,
     /// Number of rows before the data, or words of the row before the data.
     pub header: Header,
@@ -42,15 +47,16 @@ pub struct Dialect {
     pub comment: Option<String>,
     /// Cells that mean "not measured".
     pub missing: Missing,
-    /// Row that ends the data.
+    /// First cell of the row that ends the data.
     pub end: Option<String>,
-    /// Rows that are read: those with one of these cells in each of these columns (a heading, or `$3`); others are listed as left out.
+    /// Filter of the rows: only rows with one of these cells in each of these columns (a heading,
+    /// or `$3`) are read. Other rows are listed as left out.
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     pub without: BTreeMap<String, Cells>,
 }
 
-/// What separates columns.
+/// Delimiter of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Delimiter {
@@ -77,7 +83,7 @@ pub enum Delimiter {
 }
 
 impl Delimiter {
-    /// The byte, for delimiters that are one.
+    /// Returns the byte of the delimiter; `None` for blanks.
     pub fn byte(self) -> Option<u8> {
         match self {
             Self::Blank => None,
@@ -88,7 +94,7 @@ impl Delimiter {
         }
     }
 
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Blank => "blank",
@@ -104,19 +110,19 @@ impl Delimiter {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Decimal {
-    /// `1.5`
+    /// Point: `1.5`.
     #[default]
     #[serde(rename = ".", alias = "point")]
     #[schemars(extend("aliases" = ["point"]))]
     Point,
-    /// `1,5`
+    /// Comma: `1,5`.
     #[serde(rename = ",", alias = "comma")]
     #[schemars(extend("aliases" = ["comma"]))]
     Comma,
 }
 
 impl Decimal {
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         if self == Self::Point { "." } else { "," }
     }
@@ -142,7 +148,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Millimetres in one of the unit.
+    /// Length of the unit (mm).
     pub fn in_mm(self) -> f64 {
         match self {
             Self::Millimetre => 1.0,
@@ -152,12 +158,12 @@ impl Unit {
         }
     }
 
-    /// The unit of this name.
+    /// Returns the unit with this name.
     pub fn named(name: &str) -> Option<Self> {
         [Self::Millimetre, Self::Metre, Self::Micrometre, Self::Inch].into_iter().find(|unit| unit.name() == name)
     }
 
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Millimetre => "mm",
@@ -167,8 +173,9 @@ impl Unit {
         }
     }
 
-    /// The unit of a heading, in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`. A bare `_m` may mean "measured" and
-    /// is none.
+    /// Returns the unit of a heading, in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`.
+    ///
+    /// A bare `_m` is not taken as a unit, because it may mean "measured".
     pub fn of_heading(name: &str) -> Option<Self> {
         let bracketed = name.split_once(['[', '(']).and_then(|(_, rest)| rest.split([']', ')']).next());
         let behind = || name.rsplit_once(['_', ' ']).and_then(|(_, last)| unit(last)).filter(|u| *u != Self::Metre);
@@ -191,7 +198,7 @@ fn unit(word: &str) -> Option<Unit> {
 }
 
 impl Dialect {
-    /// Everything that is wrong with the dialect itself, whatever the file holds.
+    /// Returns all errors of the dialect itself, independent of the file.
     pub fn check(&self) -> Vec<Message> {
         let mut wrong = self.separation();
         wrong.extend(self.marks());
@@ -201,43 +208,39 @@ impl Dialect {
         wrong
     }
 
-    /// What is wrong with the columns of an orientation and of uncertainties.
+    /// Returns the errors of the columns of orientations and uncertainties.
     fn orientation(&self) -> Vec<Message> {
         let roles = self.columns.roles();
         let mut wrong = Vec::new();
         let count = |form: &&&[ColumnRole]| form.iter().filter(|role| roles.contains(role)).count();
         let forms: Vec<&&[ColumnRole]> = ColumnRole::ORIENTATIONS.iter().filter(|form| count(form) > 0).collect();
         if forms.len() > 1 {
-            wrong.push(Message::error("`columns` names an orientation in two forms").hint("leave one of them out"));
+            wrong.push(error!("columns-in-two-forms", quantity = "orientation"));
         }
         for form in forms.iter().filter(|form| count(form) < form.len()) {
             let names: Vec<&str> = form.iter().map(|role| role.name()).collect();
-            let message = Message::error("`columns` names a part of an orientation");
-            wrong.push(message.expected(format!("{}, or none of them", names.join(", "))));
+            wrong.push(error!("column-group-incomplete", names));
         }
         if let Some(order) = &self.rotation {
             if !roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad)) {
-                wrong.push(Message::error("`rotation` means nothing without columns rx_deg, ry_deg, rz_deg"));
+                wrong.push(error!("key-needs-columns", key = "rotation", columns = ["rx_deg", "ry_deg", "rz_deg"]));
             }
             wrong.extend(order.parse::<AngleOrder>().err());
         }
         let expanded = roles.iter().filter(|role| role.is_expanded()).count();
         if expanded > 0 && self.coverage_factor.is_none() {
-            let message = Message::error("expanded uncertainties need their `coverage_factor`");
-            wrong.push(message.hint("state it in `format`: `coverage_factor = 2`"));
+            wrong.push(error!("coverage-factor-missing"));
         }
         let of_axes = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].iter().filter(|role| roles.contains(role)).count();
         if expanded > 0 && expanded != of_axes {
-            let what = format!("`columns` names {expanded} expanded uncertainties of {of_axes} coordinates x, y, z");
-            wrong.push(Message::error(what).expected("u95x, u95y and u95z with x, y and z, or none of them"));
+            let names = ["u95x", "u95y", "u95z"];
+            wrong.push(error!("uncertainty-column-count", stated = expanded, coordinates = of_axes, names));
         }
         if expanded > 0 && roles.iter().any(|role| role.is_uncertainty()) {
-            wrong.push(
-                Message::error("`columns` names standard and expanded uncertainties").hint("leave one of them out"),
-            );
+            wrong.push(error!("columns-in-two-forms", quantity = "uncertainty"));
         }
         if self.coverage_factor.is_some_and(|factor| !(factor > 0.0 && factor.is_finite())) {
-            wrong.push(Message::error("`coverage_factor` must be positive"));
+            wrong.push(error!("key-not-positive", key = "coverage_factor"));
         }
         wrong
     }
@@ -246,19 +249,14 @@ impl Dialect {
         let stated = [self.delimiter.is_some(), !self.widths.is_empty(), self.sheet.is_some()];
         let mut wrong = Vec::new();
         if stated.iter().filter(|s| **s).count() != 1 {
-            wrong.push(
-                Message::error("the format does not state what separates columns, or states it twice")
-                    .expected("one of `delimiter`, `widths` and `sheet`")
-                    .hint("`etalon formats FILE` proposes how to read the file"),
-            );
+            wrong.push(error!("column-separation-unclear", stated = stated.iter().filter(|s| **s).count()));
         }
         if self.widths.contains(&0) {
-            wrong.push(Message::error("a column of `widths` is 0 characters wide"));
+            wrong.push(error!("column-width-zero"));
         }
         let columns = self.columns.roles().len();
         if !self.widths.is_empty() && matches!(self.columns, Columns::InOrder(_)) && columns > self.widths.len() {
-            let what = format!("`columns` names {columns} columns, and `widths` has {}", self.widths.len());
-            wrong.push(Message::error(what));
+            wrong.push(error!("more-columns-than-widths", columns, widths = self.widths.len()));
         }
         wrong
     }
@@ -273,10 +271,8 @@ impl Dialect {
         let delimiter = self.delimiter.is_some_and(|d| d.name() == thousands.name())
             || (thousands == Thousands::Blank && self.delimiter == Some(Delimiter::Blank));
         if decimal || delimiter {
-            let other = if decimal { "decimal mark" } else { "delimiter" };
-            let what =
-                format!("the thousands mark `{}` is the {other} as well: no number has one meaning", thousands.name());
-            wrong.push(Message::error(what).hint("export the file with other marks"));
+            let other = if decimal { "decimal" } else { "delimiter" };
+            wrong.push(error!("thousands-mark-ambiguous", mark = thousands.name(), other));
         }
         wrong
     }
@@ -286,32 +282,29 @@ impl Dialect {
         let mut wrong = Vec::new();
         for (n, role) in roles.iter().enumerate().filter(|(_, r)| !matches!(r, ColumnRole::Label | ColumnRole::Skip)) {
             if roles[..n].contains(role) {
-                wrong.push(Message::error(format!("`columns` names `{}` twice", role.name())));
+                wrong.push(error!("column-role-twice", role = role.name()));
             }
         }
         let typed = roles.iter().any(|r| r.is_typed());
         let coordinates: Vec<ColumnRole> = roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         match (typed, coordinates.is_empty()) {
-            (true, false) => wrong.push(
-                Message::error("`columns` names coordinates, and others whose kind each row states")
-                    .expected("either x, y, z and the like, or c1, c2, c3"),
-            ),
+            (true, false) => wrong.push(error!("coordinates-of-two-kinds")),
             (true, true) => wrong.extend(self.row_types(&roles)),
-            _ => wrong.extend(self.coordinates_of("`columns`", &coordinates)),
+            _ => wrong.extend(self.coordinates_of("columns", &coordinates)),
         }
         if !typed && (!self.types.is_empty() || roles.contains(&ColumnRole::Type)) {
-            let message = Message::error("`type` and `types` mean nothing without columns c1, c2, c3");
-            wrong.push(message.hint("name the columns whose meaning they state `c1`, `c2`, `c3`"));
+            let key = if self.types.is_empty() { "type" } else { "types" };
+            wrong.push(error!("key-needs-columns", key, columns = ["c1", "c2", "c3"]));
         }
         let of = |set: [ColumnRole; 3]| set.into_iter().filter(|r| roles.contains(r)).count();
         if !matches!(of([ColumnRole::I, ColumnRole::J, ColumnRole::K]), 0 | 3) {
-            wrong.push(Message::error("`columns` names a part of a direction").expected("i, j and k, or none of them"));
+            wrong.push(error!("column-group-incomplete", names = ["i", "j", "k"]));
         }
         let uncertain = of([ColumnRole::U1, ColumnRole::U2, ColumnRole::U3]);
         let axes = if typed { 3 } else { coordinates.len() };
         if uncertain != 0 && uncertain != axes {
-            let what = format!("`columns` names {uncertain} standard uncertainties of {axes} coordinates");
-            wrong.push(Message::error(what).expected("one each, u1, u2, u3 in the order of the coordinates, or none"));
+            let names = ["u1", "u2", "u3"];
+            wrong.push(error!("uncertainty-column-count", stated = uncertain, coordinates = axes, names));
         }
         wrong
     }
@@ -319,70 +312,55 @@ impl Dialect {
     fn row_types(&self, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         if !roles.contains(&ColumnRole::Type) || self.types.is_empty() {
-            let message =
-                Message::error("columns c1, c2, c3 need a column `type`, and `types` that state what they are");
-            wrong.push(
-                message.hint("e.g. types = { 0 = [\"x\", \"y\", \"z\"], 7 = [\"azimuth\", \"zenith\", \"distance\"] }"),
-            );
+            wrong.push(error!("row-types-missing"));
         }
         for (name, meant) in &self.types {
-            let place = format!("type `{name}`");
+            let key = format!("types.{name}");
             if meant.len() != 3 || roles.iter().filter(|r| r.is_typed()).count() != 3 {
-                wrong.push(Message::error(format!("{place} needs three coordinates: what c1, c2 and c3 are")));
+                wrong.push(error!("row-type-incomplete", key));
             }
-            wrong.extend(self.coordinates_of(&place, meant));
+            wrong.extend(self.coordinates_of(&key, meant));
         }
         wrong
     }
 
-    /// What is wrong with coordinates that are stated together.
-    fn coordinates_of(&self, place: &str, roles: &[ColumnRole]) -> Vec<Message> {
+    /// Returns the errors of the coordinates of one point.
+    fn coordinates_of(&self, key: &str, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         let kind = coordinate_type(roles);
         if kind.is_none() {
             let names: Vec<&str> = roles.iter().map(|r| r.name()).collect();
-            let what = match names.is_empty() {
-                true => format!("{place} names no coordinates"),
-                false => format!("{place}: {} are not the coordinates of one point", names.join(", ")),
-            };
-            wrong.push(Message::error(what).expected(
-                "x and y, and z in space; radius, azimuth, and z; or azimuth, zenith or elevation, and distance",
-            ));
+            wrong.push(error!("not-coordinates", key, count = names.len(), names));
         }
         if roles.iter().any(|r| r.is_angle()) && self.angle_unit.is_none() {
-            let message = Message::error(format!("{place} names angles, and the format does not state their unit"));
-            wrong.push(message.expected("`angle_unit`: deg, rad or gon").hint("it is never guessed"));
+            wrong.push(error!("angle-unit-missing", key));
         }
         if let (Some(stated), Some(kind), true) = (self.coordinates, kind, self.types.is_empty())
             && stated != kind
         {
-            let what = format!("`coordinates` states {}, and {place} names {} ones", stated.name(), kind.name());
-            wrong.push(Message::error(what));
+            wrong.push(error!("coordinate-type-differs", stated = stated.name(), key, named = kind.name()));
         }
         wrong
     }
 
     fn header(&self) -> Vec<Message> {
         let Columns::Named(named) = &self.columns else { return Vec::new() };
-        let heading = |column: &ColumnAt| matches!(column, ColumnAt::Name(name) if !name.contains('$'));
-        let by_name = named.iter().any(|(_, column)| heading(column));
-        match by_name && self.header == Header::Rows(0) {
-            true => vec![
-                Message::error("`columns` names columns of a header, and the format states none")
-                    .hint("state `header = 1`, or words of the header's row"),
-            ],
-            false => Vec::new(),
-        }
+        let heading = |column: &'_ ColumnAt| match column {
+            ColumnAt::Name(name) if !name.contains('$') => Some(name.clone()),
+            _ => None,
+        };
+        let by_name = named.iter().find_map(|(_, column)| heading(column));
+        let stated = by_name.filter(|_| self.header == Header::Rows(0));
+        stated.map(|column| error!("header-not-stated", column)).into_iter().collect()
     }
 }
 
-/// A comma that separates columns and marks decimals.
+/// Returns the error that a comma separates columns and marks decimals.
 pub fn two_commas() -> Message {
-    Message::error("a comma cannot both separate columns and mark decimals: `1,25` would be one number or two")
-        .hint("export the file with semicolons or tabs, or with a decimal point")
+    error!("comma-ambiguous")
 }
 
-/// What coordinates of these kinds are, if they are those of a point.
+/// Returns the coordinate type of these columns, if they are the coordinates of a point.
 pub fn coordinate_type(roles: &[ColumnRole]) -> Option<CoordinateType> {
     let only = |allowed: &[ColumnRole], needed: &[ColumnRole]| {
         roles.iter().all(|r| allowed.contains(r)) && needed.iter().all(|r| roles.contains(r))
@@ -406,12 +384,12 @@ pub fn coordinate_type(roles: &[ColumnRole]) -> Option<CoordinateType> {
     }
 }
 
-/// Names in quotes between brackets.
+/// Returns quoted names as a TOML array.
 fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     format!("[{}]", names.map(quoted).collect::<Vec<_>>().join(", "))
 }
 
-/// Text as TOML reads it, and as a terminal may show it.
+/// Returns a text as a TOML string with printable characters only.
 pub(crate) fn quoted(text: &str) -> String {
     if printable(text) == text {
         return toml::Value::from(text).to_string();
@@ -451,8 +429,8 @@ fn columns(columns: &Columns) -> String {
     }
 }
 
-/// As TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x", "y", "z"] }`. What has its default is left out,
-/// but for the decimal mark.
+/// Writes the dialect as TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x"] }`.
+/// Keys with their default are left out, except the decimal mark.
 impl fmt::Display for Dialect {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let mut keys: Vec<(&str, String)> = Vec::new();
@@ -540,6 +518,49 @@ mod tests {
         assert_eq!(read(text).to_string(), text);
         let text = "{ widths = [8, 10], decimal = \".\", columns = [\"azimuth\", \"elevation\", \"distance\"], angle_unit = \"gon\" }";
         assert_eq!(read(text).to_string(), text);
+    }
+
+    #[test]
+    fn each_contradiction_of_a_dialect_has_its_message() {
+        for (stated, id) in [
+            (
+                "delimiter = ';', columns = ['x', 'y', 'qw', 'qx', 'qy', 'qz', 'rx_deg', 'ry_deg', 'rz_deg']",
+                "columns-in-two-forms",
+            ),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j']", "column-group-incomplete"),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'qw', 'qx', 'qy']", "column-group-incomplete"),
+            ("delimiter = ';', columns = ['x', 'y'], rotation = 'zyx'", "key-needs-columns"),
+            ("delimiter = ';', columns = ['x', 'y'], types = { 1 = ['x', 'y', 'z'] }", "key-needs-columns"),
+            ("delimiter = ';', columns = ['x', 'y', 'u95x', 'u95y']", "coverage-factor-missing"),
+            ("delimiter = ';', columns = ['x', 'y', 'u95x'], coverage_factor = 2.0", "uncertainty-column-count"),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'u1', 'u2']", "uncertainty-column-count"),
+            ("delimiter = ';', columns = ['x', 'y'], coverage_factor = 0.0", "key-not-positive"),
+            ("columns = ['x', 'y']", "column-separation-unclear"),
+            ("delimiter = ';', sheet = 'A', columns = ['x', 'y']", "column-separation-unclear"),
+            ("widths = [8, 0], columns = ['x', 'y']", "column-width-zero"),
+            ("widths = [8], columns = ['x', 'y']", "more-columns-than-widths"),
+            ("delimiter = ',', decimal = ',', columns = ['x', 'y']", "comma-ambiguous"),
+            ("delimiter = ';', thousands = '.', columns = ['x', 'y']", "thousands-mark-ambiguous"),
+            ("delimiter = ' ', thousands = ' ', columns = ['x', 'y']", "thousands-mark-ambiguous"),
+            ("delimiter = ';', columns = ['x', 'y', 'y']", "column-role-twice"),
+            ("delimiter = ';', columns = ['x', 'y', 'c1']", "coordinates-of-two-kinds"),
+            ("delimiter = ';', columns = ['c1', 'c2', 'c3']", "row-types-missing"),
+            (
+                "delimiter = ';', columns = ['type', 'c1', 'c2', 'c3'], types = { 1 = ['x', 'y'] }",
+                "row-type-incomplete",
+            ),
+            ("delimiter = ';', columns = ['x', 'z']", "not-coordinates"),
+            ("delimiter = ';', columns = ['label']", "not-coordinates"),
+            ("delimiter = ';', columns = ['azimuth', 'zenith', 'distance']", "angle-unit-missing"),
+            ("delimiter = ';', columns = ['x', 'y'], coordinates = 'spherical'", "coordinate-type-differs"),
+            ("delimiter = ';', columns = { x = 'X', y = 'Y' }", "header-not-stated"),
+        ] {
+            let ids: Vec<_> = read(&format!("{{ {stated} }}")).check().into_iter().map(|message| message.id).collect();
+            assert_eq!(ids, [id], "{stated}");
+        }
+        let sound =
+            "{ delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j', 'k', 'u1', 'u2', 'u3', 'qw', 'qx', 'qy', 'qz'] }";
+        assert_eq!(read(sound).check(), []);
     }
 
     #[test]

@@ -1,18 +1,22 @@
 //! Q-DAS ASCII transfer format (AQDEF), `.dfq`: K fields `Knnnn/characteristic value`, one a line.
 //!
-//! Every coordinate is a characteristic of its own. A point is what the coordinates X, Y and Z of one name have measured on one
-//! piece: the n-th values of `Ball 1.X`, `Ball 1.Y`, `Ball 1.Z`, or of the elements of a group (`K2030` and `K2031`, or nodes
-//! `K5112` with `K5102` and `K5103`), whose point is called as the group and whose axes their names state. Values are K fields
-//! (`K0001/n`) or rows of pieces without keys: characteristics separated by the character 15, fields of a value (value,
-//! attribute, time, ..) by the character 20. A value counts where its attribute `K0002` is 0. Index 0 means all
-//! characteristics, and none the first. Source: defined contents of K fields, Q-DAS data format (Hexagon), and ISO/TR 11462-5.
+//! Every coordinate is a characteristic of its own. A point consists of the values of the
+//! coordinates X, Y and Z of one name on one piece: the n-th values of `Ball 1.X`, `Ball 1.Y` and
+//! `Ball 1.Z`, or of the elements of a group (`K2030` and `K2031`, or nodes `K5112` with `K5102`
+//! and `K5103`). The point has the name of the group; the names of the elements state the axes.
+//!
+//! Values are K fields (`K0001/n`) or rows of pieces without keys: the character 15 separates
+//! characteristics, the character 20 the fields of a value (value, attribute, time, ..). A value
+//! counts if its attribute `K0002` is 0. Index 0 means all characteristics; no index means the
+//! first. Source: defined contents of K fields, Q-DAS data format (Hexagon), and ISO/TR 11462-5.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
 use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Files `.dfq` of measuring systems with a Q-DAS interface.
@@ -55,16 +59,16 @@ impl ExportFormat for Aqdef {
     }
 }
 
-/// What a file states, as it is read.
+/// Contents of a file that is being read.
 #[derive(Default)]
 struct File<'a> {
     decimal: Decimal,
-    /// How many characteristics `K0100` states.
+    /// Number of characteristics (`K0100`).
     stated: Option<usize>,
-    /// The part that characteristics belong to which follow.
+    /// Part of the characteristics that follow.
     part: usize,
     characteristics: BTreeMap<usize, Characteristic<'a>>,
-    /// What index 0 states, of all.
+    /// Statements with index 0, which hold for all characteristics.
     common: Characteristic<'a>,
     groups: Groups<'a>,
     order: Order,
@@ -73,15 +77,15 @@ struct File<'a> {
 /// The order of values in the file.
 #[derive(Default)]
 struct Order {
-    /// Of the piece that is being read, from 0, and the characteristics that it has values of.
+    /// Index of the piece that is being read, from 0, and the characteristics with values.
     piece: usize,
     of_piece: BTreeSet<usize>,
     last: usize,
-    /// Whether values of one characteristic are apart from each other: then the file goes piece by piece.
+    /// `true` if values of one characteristic are not adjacent: the file is ordered by pieces.
     by_piece: bool,
 }
 
-/// A characteristic, and what was measured of it.
+/// A characteristic with its values.
 #[derive(Default)]
 struct Characteristic<'a> {
     line: usize,
@@ -90,7 +94,7 @@ struct Characteristic<'a> {
     name: &'a str,
     /// Line and words.
     unit: Option<(usize, &'a str)>,
-    /// Of its values: 0 variable, 1 attributive, 5 and 6 lists of errors.
+    /// Kind of the values: 0 variable, 1 attributive, 5 and 6 lists of errors.
     kind: &'a str,
     values: Vec<Value>,
 }
@@ -101,10 +105,10 @@ impl<'a> Characteristic<'a> {
     }
 }
 
-/// What was measured of a characteristic on a piece.
+/// Value of a characteristic on a piece.
 struct Value {
     line: usize,
-    /// That it belongs to where the file goes piece by piece.
+    /// Index of the piece, if the file is ordered by pieces.
     piece: usize,
     /// None: the row has no value of this characteristic.
     value: Option<f64>,
@@ -112,7 +116,7 @@ struct Value {
     attribute: u64,
 }
 
-/// Which characteristics are elements of which group.
+/// Groups of characteristics.
 #[derive(Default)]
 struct Groups<'a> {
     /// `K2030`: the characteristic that is a group, by the number of the group.
@@ -138,15 +142,13 @@ impl<'a> File<'a> {
     fn line(&mut self, line: usize, text: &'a str) -> Result<(), Message> {
         let Some((key, index, content)) = field(text) else { return self.piece(line, text) };
         if self.stated.is_none() && key != 100 {
-            return Err(Message::error(format!("the first field is K{key:04}, not K0100"))
-                .hint("a .dfd file has no values and a .dfx file no names: export both in one .dfq"));
+            return Err(no_aqdef().hint(phrase!("export-one-dfq")));
         }
         let all = index == Some(0);
         let index = index.unwrap_or(1);
         match key {
             100 if self.stated.is_some() => {
-                return Err(Message::error("a second K0100: the file has several data sets")
-                    .hint("divide it into one file for each, with an `[[export]]` of its own"));
+                return Err(error!("several-data-sets", record = "K0100"));
             }
             100 => self.stated = Some(whole(content)?),
             1 => self.value(line, self.known(index)?, content, None)?,
@@ -155,8 +157,9 @@ impl<'a> File<'a> {
                 let ones: Vec<usize> = if all { self.characteristics.keys().copied().collect() } else { vec![index] };
                 for one in ones {
                     let last = self.characteristics.get_mut(&one).and_then(|known| known.values.last_mut());
-                    last.ok_or_else(|| Message::error("K0002 before a value of the characteristic"))?.attribute =
-                        attribute;
+                    let early =
+                        || error!("record-too-early", record = format!("K0002/{one}"), needed = format!("K0001/{one}"));
+                    last.ok_or_else(early)?.attribute = attribute;
                 }
             }
             1001 => self.part = index,
@@ -184,25 +187,21 @@ impl<'a> File<'a> {
 
     /// An index that is a characteristic of the file.
     fn known(&self, index: usize) -> Result<usize, Message> {
-        let most = self.stated.unwrap_or(0);
-        let what =
-            || Message::error(format!("the field is of characteristic {index}, and K0100 states {most} of them"));
-        if (1..=most).contains(&index) { Ok(index) } else { Err(what().hint("was the file cut off or put together?")) }
+        let count = self.stated.unwrap_or(0);
+        let known = (1..=count).contains(&index);
+        known.then_some(index).ok_or_else(|| error!("characteristic-beyond-count", index, count))
     }
 
     fn value(&mut self, line: usize, index: usize, value: &str, attribute: Option<&str>) -> Result<(), Message> {
         let decimal = self.decimal;
         let Some(one) = self.characteristics.get_mut(&index) else {
-            return Err(Message::error(format!("characteristic {index} has a value and no name"))
-                .expected(format!("K2001/{index} or K2002/{index} before it")));
+            let needed = format!("K2002/{index}");
+            return Err(error!("record-too-early", record = format!("K0001/{index}"), needed));
         };
-        let value =
-            match value.trim() {
-                "" => None,
-                value => Some(number(value, decimal).map_err(|message| {
-                    message.hint("a decimal comma? Then state `format = \"aqdef, decimal comma\"`")
-                })?),
-            };
+        let value = match value.trim() {
+            "" => None,
+            value => Some(number(value, decimal).map_err(|message| decimal_comma(message, value, "aqdef"))?),
+        };
         let attribute = attribute.map(str::trim).filter(|words| !words.is_empty()).map_or(Ok(0), whole)? as u64;
         let order = &mut self.order;
         order.by_piece |= order.last != index && !one.values.is_empty();
@@ -218,11 +217,12 @@ impl<'a> File<'a> {
     /// A row of values without keys: one of each characteristic, in their order.
     fn piece(&mut self, line: usize, text: &str) -> Result<(), Message> {
         if self.stated.is_none() {
-            return Err(Message::error("the file does not begin with K0100"));
+            return Err(no_aqdef());
         }
         let is_value = |c: char| c.is_ascii_digit() || "+-.,eE \t".contains(c);
         if !text.contains([CHARACTERISTICS, FIELDS]) && !text.chars().all(is_value) {
-            return Err(Message::error("the line is neither a K field nor a row of values"));
+            let valid = phrase!("k-field-or-values");
+            return Err(error!("record-invalid", text = text.trim(), format = "aqdef", valid));
         }
         if !self.order.of_piece.is_empty() {
             self.order.piece += 1;
@@ -272,7 +272,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Whether other characteristics are elements of this one.
+    /// `true` if other characteristics are elements of this one.
     fn is_group(&self, index: usize) -> bool {
         let groups = &self.groups;
         let below =
@@ -286,8 +286,8 @@ impl<'a> File<'a> {
         let mut others = Vec::new();
         let values = self.characteristics.values().map(|one| one.values.len()).sum::<usize>();
         if values == 0 && problems.0.is_empty() {
-            let what = "the file has no values: it describes characteristics alone";
-            problems.0.push(Message::error(what).at(text.place(1)).hint("export description and values in one .dfq"));
+            let message = error!("no-measured-points", contents = "none", records = "K0001");
+            problems.0.push(message.hint(phrase!("export-one-dfq")).at(text.place(1)));
         }
         let mut coordinates = Vec::new();
         let mut counts = BTreeMap::new();
@@ -321,19 +321,18 @@ impl<'a> File<'a> {
         points
     }
 
-    /// An error where values of the characteristic do not belong to the pieces that those of the point's other axes belong to.
+    /// Error if the values of the characteristic belong to other pieces than those of the other
+    /// axes of the point.
     fn missing(&self, one: &Characteristic, count: usize) -> Option<(usize, Message)> {
-        let hint = "a value that was not measured keeps its place with the attribute 255 (K0002)";
         let name = one.called();
         if let Some((i, value)) =
             one.values.iter().enumerate().find(|(i, value)| self.order.by_piece && value.piece != *i)
         {
-            let what =
-                format!("the value {} of `{name}` is of piece {}: one before it is missing", i + 1, value.piece + 1);
-            return Some((value.line, Message::error(what).hint(hint)));
+            let message = error!("value-of-piece-missing", name, number = i + 1, piece = value.piece + 1);
+            return Some((value.line, message));
         }
-        let what = || format!("`{name}` has {} values, and another coordinate of the point {count}", one.values.len());
-        (one.values.len() != count).then(|| (one.line, Message::error(what()).hint(hint)))
+        let found = one.values.len();
+        (found != count).then(|| (one.line, error!("coordinate-counts-differ", name, found, count)))
     }
 
     /// An error where the characteristic is in another unit than the campaign.
@@ -342,10 +341,10 @@ impl<'a> File<'a> {
             return Ok(());
         };
         let Some(unit) = Unit::of_heading(&format!("[{words}]")) else {
-            let message = Message::error(format!("`{words}` is not a unit of a coordinate")).at(text.place(line));
-            return Err(message.expected("mm, m, um or inch"));
+            let message = error!("unit-unknown", unit = words, units = ["mm", "m", "um", "inch"]);
+            return Err(message.at(text.place(line)));
         };
-        unit_agrees(stated, unit, "K2142", text.place(line))
+        unit_agrees(stated, unit, &"K2142", text.place(line))
     }
 }
 
@@ -375,8 +374,14 @@ fn field(text: &str) -> Option<(usize, Option<usize>, &str)> {
     Some((key.parse().ok()?, index.map(str::parse).transpose().ok()?, content.trim()))
 }
 
+/// Error for a file without `K0100` in its first field.
+fn no_aqdef() -> Message {
+    not_this_format("aqdef", &phrase!("begins-with", text = "K0100"))
+}
+
 fn whole(content: &str) -> Result<usize, Message> {
-    content.parse().map_err(|_| Message::error(format!("`{content}` is not a whole number")))
+    let valid = || phrase!("whole-number");
+    content.parse().map_err(|_| error!("record-invalid", text = content, format = "aqdef", valid = valid()))
 }
 
 fn axis(word: &str) -> Option<usize> {

@@ -1,16 +1,18 @@
-//! Zeiss Calypso table files, separated by tabs: characteristics (`_chr`), features (`_fet`), and the head of a run (`_hdr`).
+//! Zeiss Calypso table files, separated by tabs: characteristics (`_chr`), features (`_fet`), and
+//! the head of a run (`_hdr`).
 //!
-//! Columns are found by their names, whose order and number change with the version. Rows are ragged: a row may end where
-//! its last value is, though the header goes on. The last row is the word `END`. Of characteristics a point is what
-//! `xValue`, `yValue` and `zValue` of one feature in one run state. The names of a `_fet` file are not documented: `x`, `y`,
-//! `z` and `featureid` or `id` are taken.
+//! Columns are found by their names; their order and number change with the version. A row may be
+//! shorter than the header. The last row is the word `END`. In a `_chr` file, a point consists of
+//! `xValue`, `yValue` and `zValue` of one feature in one run. The names of a `_fet` file are not
+//! documented: `x`, `y`, `z` and `featureid` or `id` are read.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
 use etalon_base::message::{Message, Place, Problems};
+use etalon_base::{error, phrase};
 use std::borrow::Cow;
 
 /// Table files of Zeiss Calypso.
@@ -79,21 +81,23 @@ fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
     }
 }
 
-/// What is wrong with a file that has no points.
+/// Error for a file without points.
 fn no_table(table: &Table) -> Message {
     let head = ["planid", "lengthunit", "temperatureworkpiece"];
     if head.iter().any(|name| table.column(name).is_none()) {
-        return Message::error("the first row names no columns of a Calypso table")
-            .expected("`featureid`, `idsymbol` and `actual`, or `x`, `y`, `z` and `featureid`, separated by tabs");
+        let names = "`featureid`, `idsymbol`, `actual`; `featureid`, `x`, `y`, `z`";
+        return not_this_format("calypso", &phrase!("header-in-tabs", names));
     }
-    let said = |name: &str| match table.cell(table.rows.first(), table.column(name)) {
-        "" => "not stated".to_owned(),
+    let stated = |name: &str| match table.cell(table.rows.first(), table.column(name)) {
+        "" => "?".to_owned(),
         value => value.to_owned(),
     };
-    let (unit, temperature) = (said("lengthunit"), said("temperatureworkpiece"));
-    Message::error("this is the head of a run: it holds no points")
-        .expected("the `_chr` or `_fet` file beside it")
-        .hint(format!("its length unit is {unit}, the workpiece had {temperature} degrees: state both in the campaign"))
+    let (unit, temperature) = (stated("lengthunit"), stated("temperatureworkpiece"));
+    error!("no-measured-points", contents = phrase!("head-of-a-run"), records = "_chr, _fet").hint(phrase!(
+        "calypso-head",
+        unit,
+        temperature
+    ))
 }
 
 /// Splits the file; surplus fields and rows after the end are reported.
@@ -105,22 +109,21 @@ fn table<'a>(text: &'a Text, problems: &mut Problems) -> Table<'a> {
     let names = split(1);
     let again = |(at, name): &(usize, &Cow<str>)| !name.is_empty() && names.fields[..*at].contains(name);
     for (at, name) in names.fields.iter().enumerate().filter(again) {
-        let message = Message::error(format!("the header names `{name}` twice"));
-        problems.0.push(message.at(names.cell(text.file, at)));
+        problems.0.push(error!("heading-twice", column = **name).at(names.cell(text.file, at)));
     }
     let mut table = Table { text, names, rows: Vec::new() };
     let mut ended = false;
     for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
         let row = split(i + 1);
         if ended {
-            problems.0.push(Message::error("the table goes on after its `END`").at(text.place(i + 1)));
+            problems.0.push(error!("rows-after-end", end = "END").at(text.place(i + 1)));
             return table;
         }
         if line.trim() == "END" {
             ended = true;
         } else if row.fields.iter().skip(table.names.fields.len()).any(|f| !f.is_empty()) {
-            let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
-            problems.0.push(message.expected(format!("at most {}, as the header", table.names.fields.len())));
+            let expected = phrase!("fields-like", like = "header", width = table.names.fields.len());
+            problems.0.push(error!("row-field-count", fields = row.fields.len(), expected).at(text.place(i + 1)));
         } else {
             table.rows.push(row);
         }
@@ -138,8 +141,8 @@ fn characteristics(table: &Table, decimal: Decimal, unit: Unit, problems: &mut P
         let (label, symbol) = (cell(feature), cell(symbol));
         let run = format!("{}\t{}", cell(column("planid")), cell(column("partnb")));
         if label.is_empty() || symbol.is_empty() {
-            let message = Message::error("the row does not state which characteristic of which feature it is");
-            problems.0.push(message.at(row.place(table.text.file)).hint("was the file cut off?"));
+            let column = if label.is_empty() { "featureid" } else { "idsymbol" };
+            problems.0.push(error!("cell-empty", column).at(row.place(table.text.file)));
             continue;
         }
         let said = match ["xValue", "yValue", "zValue"].iter().position(|axis| *axis == symbol) {
@@ -185,13 +188,13 @@ fn features(table: &Table, decimal: Decimal, unit: Unit, problems: &mut Problems
 }
 
 fn coordinate(table: &Table, row: &Fields, at: Option<usize>, decimal: Decimal) -> Result<f64, Message> {
-    number(table.cell(Some(row), at), decimal).map_err(|message| {
+    let cell = table.cell(Some(row), at);
+    number(cell, decimal).map_err(|message| {
         let place = match at {
             Some(at) if at < row.fields.len() => table.place(row, at),
             _ => row.place(table.text.file),
         };
-        let hint = "a decimal comma? Then state `format = \"calypso, decimal comma\"`; a row may also be cut off";
-        message.at(place).hint(hint)
+        decimal_comma(message, cell, "calypso").at(place)
     })
 }
 
@@ -205,9 +208,9 @@ fn unit_of(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
         "m" => Unit::Metre,
         "um" | "µm" | "μm" => Unit::Micrometre,
         other => {
-            let message = Message::error(format!("`{other}` is not a unit of a coordinate"));
-            return Err(message.at(table.place(row, at)).expected("mm, m, um or inch"));
+            let message = error!("unit-unknown", unit = other, units = ["mm", "m", "um", "inch"]);
+            return Err(message.at(table.place(row, at)));
         }
     };
-    unit_agrees(stated, of_file, "column `unit`", table.place(row, at))
+    unit_agrees(stated, of_file, &"unit", table.place(row, at))
 }

@@ -12,6 +12,7 @@ use crate::points::{Line, Names, Point};
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
+use etalon_base::{error, phrase};
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
@@ -99,7 +100,7 @@ pub(super) fn columns_in(delimiter: Delimiter, columns: &[ColumnRole]) -> Dialec
 /// numpy.savetxt and most viewers of point clouds.
 pub(super) const XYZ: NamedDialect =
     NamedDialect::simple("xyz", || columns_in(Delimiter::Blank, &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]));
-/// The same with directions.
+/// Columns of [`XYZ`] with directions.
 pub(super) const XYZIJK: NamedDialect = NamedDialect::simple("xyzijk", || {
     columns_in(
         Delimiter::Blank,
@@ -115,10 +116,10 @@ pub(super) const TRACKER: NamedDialect = NamedDialect::simple("tracker-semicolon
     columns_in(Delimiter::Semicolon, &[ColumnRole::Label, ColumnRole::X, ColumnRole::Y, ColumnRole::Z])
 });
 
-/// A direction whose length leaves 1 by more is none.
+/// Largest difference from 1 of the length of a direction.
 const DIRECTION: f64 = 0.01;
 
-/// Points of a text, in millimetres, and what does not read.
+/// Points of a text (mm), with its problems.
 pub(crate) fn point_rows(file: &str, text: &Arc<str>, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
     let wrong = Problems(dialect.check());
     if !wrong.0.is_empty() {
@@ -143,7 +144,8 @@ pub(crate) fn point_rows(file: &str, text: &Arc<str>, dialect: &Dialect, unit: U
     (points, problems)
 }
 
-/// The points of the data rows between header and end, and what is wrong with them; what is wrong with the header.
+/// Reads the points of the data rows between header and end, with their problems; an error of the
+/// header stops the reading.
 fn points<'t>(
     file: &str,
     text: &Arc<str>,
@@ -160,8 +162,9 @@ fn points<'t>(
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
         let other = |(_, name): &(&ColumnRole, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
-            let what = format!("the header states `{name}`, and the campaign states `unit = \"{}\"`", unit.name());
-            problems.0.push(Message::error(what).at(header.place(file)).hint("state the unit of the file"));
+            let of_file = Unit::of_heading(name).map_or("", Unit::name);
+            let message = error!("unit-differs", of_file, how = **name, stated = unit.name());
+            problems.0.push(message.at(header.place(file)));
         }
     }
     let reader = Reader { file, text, dialect, unit, roles, filter };
@@ -170,8 +173,7 @@ fn points<'t>(
         let ends = |end: &String| row.field(0) == end && row.fields[1..].iter().all(|f| f.is_empty());
         if let Some(end) = dialect.end.as_ref().filter(|end| ends(end)) {
             if let Some(row) = rows.next() {
-                let message = Message::error(format!("there are rows behind `{end}`, which ends the data"));
-                problems.0.push(message.at(row.place(file)));
+                problems.0.push(error!("rows-after-end", end).at(row.place(file)));
             }
             break;
         }
@@ -194,13 +196,12 @@ fn header<'t>(
         Header::Rows(count) => Ok(rows.take(*count).last()),
         Header::Words(words) => {
             let found = rows.find(|row| words.iter().all(|word| row.text.contains(word.as_str())));
-            let what = || format!("no line holds the words of the header: {}", words.join(", "));
-            found.map(Some).ok_or_else(|| vec![Message::error(what()).at(Place::file(file))])
+            found.map(Some).ok_or_else(|| vec![error!("header-words-missing", words).at(Place::file(file))])
         }
     }
 }
 
-/// What each column holds; columns that are computed are behind those of the file.
+/// Roles of the columns; computed columns follow the columns of the file.
 struct Resolved {
     roles: Vec<ColumnRole>,
     computed: Vec<Expression>,
@@ -235,13 +236,11 @@ fn resolved(
         };
         match (&found[..], column) {
             ([one], _) if *one >= width => {
-                wrong.push(
-                    Message::error(format!("there are {width} columns, none of them is number {}", one + 1)).at(at()),
-                );
+                wrong.push(error!("column-number-unknown", number = one + 1, columns = width).at(at()));
             }
             ([one], _) if roles[*one] != ColumnRole::Skip => {
-                let what = format!("column {} would be `{}` and `{}`", one + 1, roles[*one].name(), role.name());
-                wrong.push(Message::error(what).at(at()));
+                let (first, second) = (roles[*one].name(), role.name());
+                wrong.push(error!("column-stated-twice", column = format!("${}", one + 1), first, second).at(at()));
             }
             ([one], _) => roles[*one] = *role,
             ([], ColumnAt::Name(text)) if Expression::is_likely(text) => match Expression::parse(text, fields) {
@@ -249,13 +248,13 @@ fn resolved(
                 Err(message) => wrong.push(message.at(at())),
             },
             ([], ColumnAt::Name(name)) => {
-                let message = Message::error(format!("the header has no column `{name}`")).at(at());
-                wrong.push(message.hint_names(name, fields.iter().map(Cow::as_ref)));
+                let message = error!("column-unknown", column = name).hint_names(name, fields.iter().map(Cow::as_ref));
+                wrong.push(message.at(at()));
             }
             (_, column) => {
                 let name = if let ColumnAt::Name(name) = column { name.as_str() } else { "" };
-                let message = Message::error(format!("the header names `{name}` {} times", found.len())).at(at());
-                wrong.push(message.hint("give the number of the column instead of its name"));
+                let message = error!("heading-twice", column = name);
+                wrong.push(message.hint(phrase!("state-column-number")).at(at()));
             }
         }
     }
@@ -267,7 +266,7 @@ fn resolved(
     Ok(Resolved { roles, computed, width })
 }
 
-/// Adds the cells that are computed from others of the row: empty where one of these was not measured.
+/// Adds the computed cells of a row; a computed cell is empty if one of its terms was not measured.
 fn computed_cells(
     file: &str,
     row: &mut Row,
@@ -315,7 +314,7 @@ impl<'a> Filter<'a> {
         if wrong.is_empty() { Ok(Self { cells }) } else { Err(wrong) }
     }
 
-    /// Why a row is left out.
+    /// Reason for leaving out a row.
     fn refuses(&self, row: &Row) -> Option<String> {
         let fails =
             |(column, _, cells, read): &&(usize, &str, &Cells, bool)| cells.contain(row.field(*column)) != *read;
@@ -344,15 +343,15 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// One point. Numbers that do not read are reported, and leave it without a place; a row that is not a row of the
-    /// stated columns is reported, and gives none.
+    /// Reads one point. Invalid numbers are reported and leave the point without a place; a row
+    /// with other columns than the stated ones is reported and gives no point.
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
         if surplus || row.fields.len() < self.roles.iter().rposition(|r| *r != ColumnRole::Skip).map_or(0, |i| i + 1) {
-            let message = Message::error(format!("the row has {} columns", row.fields.len())).at(line());
-            let expected = format!("{} columns, as `columns` states", self.roles.len());
-            problems.0.push(message.expected(expected).hint("`etalon formats FILE` proposes how to read the file"));
+            let expected = phrase!("fields-of-columns", count = self.roles.len());
+            let message = error!("row-field-count", fields = row.fields.len(), expected).at(line());
+            problems.0.push(message.hint(phrase!("propose-format")));
             return None;
         }
         let roles = match self.of_this_row(row) {
@@ -369,7 +368,7 @@ impl Reader<'_> {
         let mut value = |i: usize, field: &str| {
             let read = marked(field, self.dialect.decimal, self.dialect.thousands);
             let hinted = |message: Message| match field.is_empty() && self.dialect.sheet.is_some() {
-                true => message.hint("a formula without a value? save the workbook in the program that computes it"),
+                true => message.hint(phrase!("save-computed-workbook")),
                 false => message,
             };
             read.map_err(|message| wrong(hinted(message), i)).unwrap_or(f64::NAN)
@@ -421,7 +420,7 @@ impl Reader<'_> {
         Some(point)
     }
 
-    /// Pose, cycle and time of a point; what does not read, and in which cell.
+    /// Sets pose, cycle and time of a point; returns errors with the indices of their cells.
     fn names(
         &self,
         point: &mut Point,
@@ -445,7 +444,7 @@ impl Reader<'_> {
             }
             point.cycle = field.parse().ok().filter(|v: &i64| v.abs() <= WHOLE as i64);
             if point.cycle.is_none() {
-                wrong.push((Message::error(format!("`{field}` is not a whole number")), i));
+                wrong.push((error!("not-whole-number", value = field, column = role.name()), i));
             }
         }
         wrong
@@ -481,7 +480,8 @@ impl Reader<'_> {
         }
     }
 
-    /// What the columns hold in this row, where each row states it; or what is wrong, and in which cell.
+    /// Roles of the columns in this row, if rows state their coordinate type; otherwise an error
+    /// with the index of its cell.
     fn of_this_row(&self, row: &Row) -> Result<Cow<'_, [ColumnRole]>, (Message, usize)> {
         let Some(at) = self.roles.iter().position(|r| *r == ColumnRole::Type) else {
             return Ok(Cow::Borrowed(&self.roles));
@@ -489,8 +489,7 @@ impl Reader<'_> {
         let name = row.field(at);
         let Some(meant) = self.dialect.types.get(name) else {
             let known: Vec<&str> = self.dialect.types.keys().map(String::as_str).collect();
-            let message = Message::error(format!("`types` does not state what coordinates of type `{name}` are"));
-            return Err((message.expected(known.join(", ")), at));
+            return Err((error!("coordinate-type-unknown", name, known), at));
         };
         let of = |role: &ColumnRole| {
             match role {
@@ -512,7 +511,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Why the row was not measured, if it states that. Empty cells do only where no coordinate is there.
+    /// Reason if the row states that it was not measured. Empty cells count only if all coordinates
+    /// are empty.
     fn not_measured<'r>(&self, cells: impl Iterator<Item = (ColumnRole, &'r str)>) -> Option<String> {
         let cells: Vec<(ColumnRole, &str)> = cells.collect();
         let says = |cell: &str| self.dialect.missing.says(cell);
@@ -533,20 +533,17 @@ impl Reader<'_> {
         let first = measured().nth(2).and(measured().next())?;
         let angles = |p: &Point| {
             let [x, y, z] = p.xyz_mm.map(|v| v / self.unit.in_mm());
-            // points in m that are near the instrument have such x and y too: a distance is one by its number
+            // points in m near the instrument have such x and y too: the number of a distance is
+            // large
             x.abs() <= TAU && (0.0..=PI).contains(&y) && z > 100.0
         };
-        measured().all(angles).then(|| {
-            let what = "x, y and z look like azimuth and zenith in rad, and distance: all rows hold two small angles and one length";
-            Message::error(what).at(Place::line(self.file, first.line, &first.text)).hint(
-                "state them: columns \"azimuth\", \"zenith\", \"distance\" with `angle_unit = \"rad\"`; \
-                 or `coordinates = \"cartesian\"` if they are x, y and z after all",
-            )
-        })
+        measured()
+            .all(angles)
+            .then(|| error!("coordinates-look-spherical").at(Place::line(self.file, first.line, &first.text)))
     }
 }
 
-/// Whether a cell marks its row as deleted.
+/// `true` if a cell marks its row as deleted.
 fn is_deleted(cell: &str) -> bool {
     ["1", "true", "yes", "y", "x", "deleted", "ja", "oui", "si"].iter().any(|mark| cell.eq_ignore_ascii_case(mark))
 }
@@ -558,16 +555,13 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Res
     let form = ColumnRole::ORIENTATIONS.iter().find(|form| form.contains(first)).copied().unwrap_or(&[]);
     let values: Vec<f64> = numbers.iter().map(|(_, value)| *value).collect();
     if values.len() < form.len() {
-        return Err(
-            Message::error("the orientation lacks a number").hint("leave the whole orientation empty, or complete it")
-        );
+        return Err(error!("orientation-incomplete", found = values.len(), needed = form.len()));
     }
     let pose = match values[..] {
         [w, x, y, z] => {
             let length = (w * w + x * x + y * y + z * z).sqrt();
             if !length.is_finite() || (length - 1.0).abs() >= QUATERNION {
-                let message = Message::error(format!("the quaternion has the length {length:.4}"));
-                return Err(message.expected("1: qw, qx, qy, qz, the scalar first"));
+                return Err(error!("quaternion-length", target = "`qw`, `qx`, `qy`, `qz`", length));
             }
             Pose::from_quaternion([w, x, y, z])
         }
@@ -590,8 +584,9 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Res
 /// Largest difference from 1 of the length of a quaternion with three digits.
 const QUATERNION: f64 = 2e-3;
 
-/// Place of a point in mm, from coordinates in mm and rad in the order of their columns, and its standard uncertainties
-/// in x, y and z from theirs: each independent of the others, to first order; what is common to x, y and z is left out.
+/// Place of a point (mm) from coordinates (mm and rad) in the order of their columns, and its
+/// standard uncertainties in x, y and z. Coordinates are independent, to first order; covariances
+/// of x, y and z are left out.
 fn cartesian(of: &[(ColumnRole, f64)], uncertain: Option<&[f64]>) -> (Vector, Option<Vector>) {
     let get = |role: ColumnRole| of.iter().find(|(r, _)| *r == role).map(|(_, value)| *value);
     let turn = if get(ColumnRole::AzimuthClockwise).is_some() { -1.0 } else { 1.0 };
@@ -644,25 +639,20 @@ fn unit_vector(ijk: Vector) -> Result<Vector, Message> {
         return Ok(ijk);
     }
     let [i, j, k] = ijk;
-    let message = Message::error(format!("the direction ({i}, {j}, {k}) has length {length:.3}, and not 1"));
+    let message = error!("direction-not-unit", i, j, k, length);
     let of_angles = norm(ijk.map(|angle| angle.to_radians().cos()));
-    Err(match (of_angles - 1.0).abs() <= DIRECTION {
-        true => {
-            message.hint("these are the angles of the direction in degrees, not i, j, k: leave them out with \"-\"")
-        }
-        false => message.hint("leave the columns out with \"-\" if they are something else"),
-    })
+    let is_angles = (of_angles - 1.0).abs() <= DIRECTION;
+    let hint = if is_angles { phrase!("skip-direction-angles") } else { phrase!("skip-columns") };
+    Err(message.hint(hint))
 }
 
 /// Header rows, the last of which names the columns, and the data.
 fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
     let (dialect, decimals) = (how.dialect, how.decimals);
     let columns = named_columns(&dialect.columns)?;
-    let delimiter = dialect.delimiter.ok_or_else(|| {
-        Message::error("simulate writes neither fixed widths nor workbooks").hint("state a `delimiter` for this export")
-    })?;
+    let delimiter = dialect.delimiter.ok_or_else(|| error!("format-not-simulated", kind = "fixed"))?;
     if !dialect.types.is_empty() {
-        return Err(Message::error("simulate writes no coordinates whose kind each row states"));
+        return Err(error!("format-not-simulated", kind = "types"));
     }
     let line = |field: &mut dyn FnMut(&ColumnRole, &str) -> String| {
         let fields: Vec<String> = columns.iter().map(|(role, name)| field(role, name)).collect();
@@ -711,14 +701,14 @@ fn write(rows: &[ExportRow], how: &Writing) -> Result<String, Message> {
     Ok(all)
 }
 
-/// What each column holds, and what the header calls it.
+/// Role of each column, with its name in the header.
 fn named_columns(stated: &Columns) -> Result<Vec<(ColumnRole, String)>, Message> {
     match stated {
         Columns::InOrder(roles) => Ok(roles.iter().map(|role| (*role, role.name().to_owned())).collect()),
         Columns::Named(named) => {
             let name = |(role, column): &(ColumnRole, ColumnAt)| match column {
                 ColumnAt::Name(name) => Ok((*role, name.clone())),
-                ColumnAt::Number(_) => Err(Message::error("simulate writes no columns that only a number names")),
+                ColumnAt::Number(_) => Err(error!("format-not-simulated", kind = "numbers")),
             };
             named.iter().map(name).collect()
         }

@@ -1,14 +1,17 @@
 //! DMIS output (ISO 22093): measured features `FA(label) = FEAT/kind, ...`; sizes are diameters.
 //!
-//! The dialect of Mitutoyo GEOPAK writes the three angles of a direction in degrees where DMIS has a unit vector. Their
-//! cosines are the vector, so that a file shows which it has; the campaign must state the same.
+//! The dialect of Mitutoyo GEOPAK writes the three angles (deg) of a direction instead of a unit
+//! vector. Their cosines are the vector, so that a file shows its notation; the campaign must state
+//! the same notation.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Vector, norm};
+use etalon_base::{error, phrase};
 
 /// DMIS output, by how it writes directions.
 pub(super) struct Dmis {
@@ -57,7 +60,7 @@ impl ExportFormat for Dmis {
     }
 }
 
-/// How directions are written.
+/// Notation of directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DirectionNotation {
     /// Unit vectors, as ISO 22093 has them.
@@ -83,10 +86,10 @@ pub struct DmisFeature {
     pub diameter_mm: Option<f64>,
 }
 
-/// What the numbers of a kind of feature are.
+/// Meaning of the numbers of a kind of feature.
 struct Kind {
     name: &'static str,
-    /// How many there may be.
+    /// Possible numbers of numbers.
     counts: &'static [usize],
     /// A direction follows the point.
     directed: bool,
@@ -134,12 +137,12 @@ fn rows(text: &Text, directions: DirectionNotation, unit: Unit) -> (Vec<Point>, 
     points.sort_by_key(|point| point.line);
     if points.is_empty() && problems.0.is_empty() {
         let program = text.lines.iter().find(|line| line.trim_start().to_uppercase().starts_with("MEAS/"));
-        let what = match program {
-            Some(_) => "this is a DMIS program: it states what is to be measured, and contains nothing measured",
-            None => "the file holds no measured feature",
+        let contents = match program {
+            Some(_) => phrase!("measuring-program").argument(),
+            None => "none".argument(),
         };
-        let message = Message::error(what).at(text.place(1)).expected("records `FA(label) = FEAT/kind, ...`");
-        problems.0.push(message.hint("take the output file that the program writes"));
+        let message = error!("no-measured-points", contents, records = "FA(label) = FEAT/kind, ...");
+        problems.0.push(message.hint(phrase!("output-of-program")).at(text.place(1)));
     }
     (points, problems)
 }
@@ -181,11 +184,10 @@ fn units(record: &Record, length: &Part, stated: Unit) -> std::result::Result<()
         "M" => Unit::Metre,
         "INCH" => Unit::Inch,
         other => {
-            let message = Message::error(format!("the file is in {other}")).at(place);
-            return Err(message.expected("MM, M or INCH").hint("write it in mm"));
+            return Err(error!("unit-unknown", unit = other, units = ["MM", "M", "INCH"]).at(place));
         }
     };
-    unit_agrees(stated, of_file, "UNITS", place)
+    unit_agrees(stated, of_file, &"UNITS", place)
 }
 
 /// A feature from the fields after its kind, without its label.
@@ -199,8 +201,8 @@ fn feature(
     let is_word = |part: &&Part| part.text.starts_with(|c: char| c.is_ascii_alphabetic());
     let words: Vec<&Part> = fields.iter().take_while(is_word).collect();
     if let Some(word) = words.iter().find(|word| word.text.eq_ignore_ascii_case("POL")) {
-        let message = Message::error("the feature is in polar coordinates").at(record.place(word));
-        return Err(message.expected("CART").hint("write the output in Cartesian coordinates").into());
+        let message = error!("coordinates-not-cartesian", found = word.text, cartesian = "CART");
+        return Err(message.at(record.place(word)).into());
     }
     let mut problems = Problems::default();
     let mut numbers = Vec::new();
@@ -212,10 +214,8 @@ fn feature(
     }
     problems.check()?;
     if !kind.counts.contains(&numbers.len()) {
-        let counts: Vec<String> = kind.counts.iter().map(usize::to_string).collect();
-        let message = Message::error(format!("the {} has {} numbers", kind.name, numbers.len())).at(record.start());
-        let message = message.expected(counts.join(" or "));
-        return Err(message.hint("was the file cut off? A record goes on only after a line that ends in `$`").into());
+        let message = error!("number-count-differs", name = kind.name, found = numbers.len(), counts = kind.counts);
+        return Err(message.hint(phrase!("dmis-continuation")).at(record.start()).into());
     }
     let written = [3, 4, 5].map(|i| numbers.get(i).copied().unwrap_or(0.0));
     let direction = match kind.directed {
@@ -247,14 +247,15 @@ fn direction(written: Vector, directions: DirectionNotation) -> std::result::Res
         (DirectionNotation::Vectors, true, _) => Ok(Some(written)),
         (DirectionNotation::Angles, false, true) => Ok(Some(cosines)),
         (DirectionNotation::Vectors, false, true) => {
-            Err(Message::error("the direction is written as angles in degrees")
-                .expected("a unit vector, as DMIS has it")
-                .hint("state `format = \"geopak_dmis\"` if Mitutoyo's GEOPAK wrote the file"))
+            Err(error!("direction-notation-differs", found = "angles", format = "geopak_dmis"))
         }
-        (DirectionNotation::Angles, true, _) => Err(Message::error("the direction is written as a unit vector")
-            .expected("angles in degrees, as GEOPAK writes them")
-            .hint("state `format = \"dmis\"`")),
-        _ => Err(Message::error("the direction is neither a unit vector nor angles to the axes in degrees")),
+        (DirectionNotation::Angles, true, _) => {
+            Err(error!("direction-notation-differs", found = "vector", format = "dmis"))
+        }
+        _ => {
+            let [i, j, k] = written;
+            Err(error!("direction-not-unit", i, j, k, length = norm(written)))
+        }
     }
 }
 
@@ -262,7 +263,7 @@ fn direction(written: Vector, directions: DirectionNotation) -> std::result::Res
 struct Record<'t> {
     file: &'t Text<'t>,
     text: String,
-    /// Where pieces of it stand: byte of the record, line, byte of the line.
+    /// Places of its pieces: byte of the record, line, byte of the line.
     pieces: Vec<(usize, usize, usize)>,
 }
 
@@ -318,12 +319,12 @@ impl Record<'_> {
         (label, major.trim(), fields)
     }
 
-    /// Where the record begins.
+    /// Place of the beginning of the record.
     fn start(&self) -> Place {
         self.file.place(self.line())
     }
 
-    /// Where a part is.
+    /// Place of a part.
     fn place(&self, part: &Part) -> Place {
         let before = self.pieces.partition_point(|piece| piece.0 <= part.at);
         let (start, line, byte) = self.pieces.get(before.saturating_sub(1)).copied().unwrap_or((0, 1, 0));

@@ -1,15 +1,17 @@
 //! Mitutoyo GEOPAK-Win scanning, `.gws`: records `#nn:` anywhere on a line.
 //!
-//! `#02:` name of the contour, `#04:` plane, `#05:` open or closed, `#06:` unit, `#03:` a point, `#12:` a point with its
-//! probing direction. The plane gives the order of the coordinates: `YZ(X)` has Y, Z, X. Heads are optional: without them
-//! the plane is XY(Z) and the unit MM. Source: format sheet of R. Boesch, Mitutoyo, 1999.
+//! `#02:` name of the contour, `#04:` plane, `#05:` open or closed, `#06:` unit, `#03:` a point,
+//! `#12:` a point with its probing direction. The plane gives the order of the coordinates: `YZ(X)`
+//! has Y, Z, X. Heads are optional: without them the plane is XY(Z) and the unit MM. Source: format
+//! sheet of R. Boesch, Mitutoyo, 1999.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 
 /// Scans of GEOPAK-Win.
 pub(super) struct GeopakGws;
@@ -35,7 +37,10 @@ impl ExportFormat for GeopakGws {
     }
 }
 
-/// What is between one `#nn:` and the next.
+/// Planes of contours in Cartesian coordinates.
+const PLANES: [&str; 3] = ["XY(Z)", "YZ(X)", "ZX(Y)"];
+
+/// Text between one `#nn:` and the next.
 struct Record<'a> {
     code: &'a str,
     content: &'a str,
@@ -59,20 +64,18 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                 "YZ(X)" => order = [1, 2, 0],
                 "ZX(Y)" => order = [2, 0, 1],
                 "RZ(P)" | "PZ(R)" => {
-                    wrong(
-                        Message::error("the contour is in polar coordinates").hint("scan it in XY(Z), YZ(X) or ZX(Y)"),
-                    );
+                    wrong(error!("coordinates-not-cartesian", found = content, cartesian = PLANES));
                 }
-                _ => wrong(Message::error(format!("`{content}` is not a plane")).expected("XY(Z), YZ(X) or ZX(Y)")),
+                _ => wrong(error!("record-invalid", text = content, format = "geopak_gws", valid = PLANES)),
             },
             "06" => {
                 unit_stated = true;
                 let of_file = match content {
                     "MM" => Ok(Unit::Millimetre),
                     "Inch" => Ok(Unit::Inch),
-                    _ => Err(Message::error(format!("`{content}` is not a unit")).expected("MM or Inch")),
+                    _ => Err(error!("unit-unknown", unit = content, units = ["MM", "Inch"])),
                 };
-                let agrees = of_file.and_then(|of_file| unit_agrees(unit, of_file, "#06", record.place.clone()));
+                let agrees = of_file.and_then(|of_file| unit_agrees(unit, of_file, &"#06", record.place.clone()));
                 agrees.err().into_iter().for_each(&mut wrong);
             }
             code @ ("03" | "12") => {
@@ -80,8 +83,12 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                 let read: Vec<Result<f64, Message>> =
                     content.split_whitespace().map(|n| number(n, Decimal::Point)).collect();
                 if read.len() != count {
-                    let message = Message::error(format!("the point has {} numbers", read.len()));
-                    wrong(message.expected(format!("{count} after `#{code}:`")).hint("was the file cut off?"));
+                    wrong(error!(
+                        "number-count-differs",
+                        name = format!("#{code}:"),
+                        found = read.len(),
+                        counts = [count]
+                    ));
                     continue;
                 }
                 let mut xyz: Vector = [f64::NAN; 3];
@@ -95,12 +102,16 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                 }
                 points.push(text.point(record.line, label, xyz, unit));
             }
-            code => wrong(Message::error(format!("`#{code}:` is not a record of a GEOPAK scan"))),
+            code => {
+                let valid = ["#00:", "#02:", "#03:", "#04:", "#05:", "#06:", "#12:"];
+                wrong(error!("record-invalid", text = format!("#{code}:"), format = "geopak_gws", valid));
+            }
         }
     }
     if !unit_stated && !points.is_empty() {
         // the default of the format
-        let agrees = unit_agrees(unit, Unit::Millimetre, "no #06: MM is the default of the format", text.place(1));
+        let how = phrase!("default-of-format", record = "#06");
+        let agrees = unit_agrees(unit, Unit::Millimetre, &how, text.place(1));
         problems.0.extend(agrees.err());
     }
     (points, problems)
@@ -116,8 +127,8 @@ fn records<'a>(text: &Text<'a>, problems: &mut Problems) -> Vec<Record<'a>> {
     };
     let starts: Vec<usize> = whole.match_indices('#').map(|(i, _)| i).filter(|&i| is_code(i)).collect();
     if !whole[..starts.first().copied().unwrap_or(whole.len())].trim().is_empty() {
-        let message = Message::error("this is no GEOPAK scan").at(text.place(1));
-        problems.0.push(message.expected("records that begin with `#` and two digits, like `#03: 1.0 2.0 3.0`"));
+        let signature = phrase!("records-like", example = "#03: 1.0 2.0 3.0");
+        problems.0.push(not_this_format("geopak_gws", &signature).at(text.place(1)));
         return Vec::new();
     }
     let mut lines = vec![0];

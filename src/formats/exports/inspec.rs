@@ -1,13 +1,16 @@
-//! Micro-Vu InSpec export: rows `"feature: property",value`, and points `"feature: 3D MCS Points",x,y,z` or the same label
-//! alone with unlabelled rows `x,y,z` behind it. Measured points bear the name of the feature; a location or centre that the
-//! machine computed bears it with the property: `Circle OD: Center`. A real file has single values without a label: they are
-//! refused.
+//! Micro-Vu InSpec export: rows `"feature: property",value`, and points
+//! `"feature: 3D MCS Points",x,y,z` or this label alone, followed by unlabelled rows `x,y,z`.
+//!
+//! Measured points have the name of the feature; a location or centre that the machine computed has
+//! the name with the property: `Circle OD: Center`. A real file has single values without a label:
+//! they are refused.
 
 use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, ExportRow, Text, Writing};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::{Row as Fields, number};
+use crate::lexer::{Row as Fields, number, parsed};
+use etalon_base::error;
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Vector;
 
@@ -37,7 +40,7 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     for (i, line) in text.lines.iter().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let at = || text.place(i + 1);
         let Some((label, values)) = labelled(line) else {
-            if number(line.trim(), Decimal::Point).is_ok() {
+            if parsed(line.trim(), Decimal::Point, None).is_some() {
                 points.push(text.no_point(i + 1, "", "a value without a label"));
                 continue;
             }
@@ -45,23 +48,23 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
                 (Some(feature), Ok(xyz)) => points.push(text.point(i + 1, feature, xyz, unit)),
                 (_, Err(more)) => problems.0.extend(more),
                 (None, Ok(_)) => {
-                    let message = Message::error("the row belongs to no feature").at(at());
-                    problems.0.push(message.expected("a row `\"feature: 3D MCS Points\"` before it"));
+                    let needed = "\"feature: 3D MCS Points\"";
+                    problems.0.push(error!("record-too-early", record = line.trim(), needed).at(at()));
                 }
             }
             continue;
         };
         open = None;
         let Some((feature, property)) = label.rsplit_once(": ") else {
-            let message = Message::error(format!("`{label}` names no property of a feature")).at(at());
-            problems.0.push(message.expected("`\"feature: property\"`"));
+            let valid = "\"feature: property\"";
+            problems.0.push(error!("record-invalid", text = label, format = "inspec", valid).at(at()));
             continue;
         };
         if let Some(kind) = property.strip_suffix(" Points") {
             let known = *system.get_or_insert(kind);
             if !kind.starts_with("3D ") || kind != known {
-                let message = Message::error(format!("the points of `{feature}` are `{kind}`")).at(at());
-                problems.0.push(message.expected(format!("`{}`, as the first ones", known.replace("2D", "3D"))));
+                let needed = known.replace("2D", "3D");
+                problems.0.push(error!("coordinate-system-differs", feature, found = kind, needed).at(at()));
             } else if values.is_empty() {
                 open = Some(feature);
             } else {
@@ -95,8 +98,8 @@ fn labelled(line: &str) -> Option<(&str, &str)> {
 fn numbers(text: &Text, line: usize, values: &str) -> Result<Vector, Vec<Message>> {
     let row = Fields::of(line, text.shown(line), values.split(',').map(str::trim));
     if row.fields.len() != 3 {
-        let message = Message::error(format!("the row has {} values", row.fields.len())).at(text.place(line));
-        return Err(vec![message.expected("x, y and z").hint("was the file cut off?")]);
+        let message = error!("row-field-count", fields = row.fields.len(), expected = "x, y, z");
+        return Err(vec![message.at(text.place(line))]);
     }
     let read: Vec<Result<f64, Message>> = row.fields.iter().map(|f| number(f, Decimal::Point)).collect();
     if let [Ok(x), Ok(y), Ok(z)] = read[..] {

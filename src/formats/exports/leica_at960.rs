@@ -1,4 +1,5 @@
-//! Table exports of Leica AT960 and AT930: coordinates, expanded uncertainties and, with a probe of six degrees of freedom, a quaternion.
+//! Table exports of Leica AT960 and AT930: coordinates, expanded uncertainties and, with a probe of
+//! six degrees of freedom, a quaternion.
 
 use super::Recognised;
 use super::delimited::NamedDialect;
@@ -36,7 +37,8 @@ pub(super) const LEICA_AT960: NamedDialect = NamedDialect {
     },
 };
 
-/// The line that names these columns and no others: a table with names or times is read by its own columns.
+/// Line that names these columns and no others: a table with names or times is read by its own
+/// columns.
 fn header(text: &str) -> Option<&str> {
     let names =
         ["X  [mm]", "Y  [mm]", "Z  [mm]", "U(95) X  [mm]", "U(95) Y  [mm]", "U(95) Z  [mm]", "Q0", "Q1", "Q2", "Q3"];

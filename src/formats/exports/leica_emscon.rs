@@ -15,8 +15,8 @@ pub(super) const LEICA_EMSCON: NamedDialect = NamedDialect {
     dialect,
 };
 
-/// Rows state their coordinate type: 0 is right-handed Cartesian, 7 spherical counter-clockwise (horizontal angle, zenith
-/// angle, distance), angles in rad.
+/// Rows state their coordinate type: 0 is right-handed Cartesian, 7 spherical counter-clockwise
+/// (horizontal angle, zenith angle, distance), angles in rad.
 fn dialect() -> Dialect {
     let names = [
         (ColumnRole::Label, "point_name"),

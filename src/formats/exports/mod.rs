@@ -1,6 +1,7 @@
 //! Formats of exports, one file each: its name, what it recognises, how it reads and how it writes.
 //!
-//! A file that states its unit must state the campaign's; one that does not is read in the campaign's.
+//! A file that states its unit must state the unit of the campaign; a file without a unit is read
+//! in the unit of the campaign.
 
 mod aqdef;
 mod calypso;
@@ -25,9 +26,11 @@ mod vda_fs;
 use super::lexer::written;
 use super::points::{Line, Point};
 use crate::dialect::{Decimal, Dialect, Unit};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -62,10 +65,10 @@ const FORMATS: [&dyn ExportFormat; 21] = [
 
 /// A format of exports.
 pub(crate) trait ExportFormat: Sync {
-    /// What it is called, and of what kind it is.
+    /// Name and properties.
     fn about(&self) -> About;
 
-    /// What of a text states that it is in this format.
+    /// Evidence that a text is in this format.
     fn recognise(&self, _text: &str) -> Option<Recognised> {
         None
     }
@@ -75,13 +78,13 @@ pub(crate) trait ExportFormat: Sync {
         Dialect::default()
     }
 
-    /// Rows of an export, and what does not read.
+    /// Rows of an export, with their problems.
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems);
 
     /// The text of an export of these rows.
     fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, Message>;
 
-    /// What the fast reader needs to know of a file that begins like this, if it may read it.
+    /// Layout for the fast reader of a file that begins like this, if the fast reader may read it.
     fn plain(&self, _dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
         None
     }
@@ -92,37 +95,38 @@ pub(crate) trait ExportFormat: Sync {
     }
 }
 
-/// What the fast reader needs to know of a table of plain rows.
+/// Layout of a table of plain rows for the fast reader.
 #[derive(Clone, Copy)]
 pub(crate) struct Plain {
     /// None: blanks and tabs.
     pub delimiter: Option<u8>,
     pub labelled: bool,
-    /// Whether columns called x, y, z that hold two angles and a distance are the strict reader's matter.
+    /// `true` if the strict reader decides whether columns x, y, z hold two angles and a distance.
     pub may_be_angles: bool,
 }
 
-/// What a format is called, and of what kind it is.
+/// Name and properties of a format.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct About {
-    /// As `format` of a campaign states it.
+    /// Name, as in `format` of a campaign.
     pub name: &'static str,
-    /// In words; none of a delimited text, which its dialect describes.
+    /// Name in words; empty for delimited text, which its dialect describes.
     pub title: &'static str,
-    /// Whether a campaign may state `NAME, decimal comma`.
+    /// `true` if a campaign may state `NAME, decimal comma`.
     pub decimal_comma: bool,
-    /// Whether files may be binary: then a character of the text is a byte.
+    /// `true` if files may be binary: a character of the text is then a byte.
     pub binary: bool,
-    /// Whether a row that is not a point is an error where only points are wanted, and not left out with a warning.
+    /// `true` if a row that is not a point is an error where points are needed; otherwise the row
+    /// is left out with a warning.
     pub points_only: bool,
 }
 
-/// What states that a text is in a format.
+/// Evidence that a text is in a format.
 #[derive(Clone, Copy)]
 pub(crate) struct Recognised {
     /// From 0 to 1: 1 for a signature at a fixed place.
     pub score: f64,
-    /// What the file is, and by what it is recognised.
+    /// Kind of file, and the feature by which it is recognised.
     pub what: &'static str,
     /// The unit that the file states.
     pub unit: Option<&'static str>,
@@ -135,7 +139,7 @@ impl Recognised {
     }
 }
 
-/// Where a document states what it is: its first characters.
+/// First characters of a text, where a document states its kind.
 pub(crate) fn head(text: &str) -> &str {
     let end = text.char_indices().nth(4000).map_or(text.len(), |(i, _)| i);
     &text[..end]
@@ -170,7 +174,7 @@ pub(super) fn recognise(text: &str) -> Option<(&'static str, Recognised)> {
 #[derive(Clone)]
 pub struct Format {
     kind: &'static dyn ExportFormat,
-    /// Of delimited text; of other formats only the decimal mark counts.
+    /// Dialect of delimited text; for other formats only its decimal mark counts.
     pub dialect: Box<Dialect>,
 }
 
@@ -195,7 +199,7 @@ impl Format {
         FORMATS.iter().map(|format| format.about().name)
     }
 
-    /// Whether coordinates that are all zero mean "not measured".
+    /// `true` if coordinates that are all zero mean "not measured".
     pub fn origin_is_missing(&self) -> bool {
         self.dialect.missing.origin()
     }
@@ -204,7 +208,7 @@ impl Format {
         self.kind.about()
     }
 
-    /// Rows of a text, and what does not read.
+    /// Rows of a text, with their problems.
     pub fn read(&self, file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
         self.kind.read(&Text::new(file, text), &self.dialect, unit)
     }
@@ -310,14 +314,14 @@ pub struct ExportRow {
     pub xyz: Vector,
 }
 
-/// How an export is written.
+/// Settings of an export to write.
 pub(crate) struct Writing<'a> {
     pub about: About,
     pub dialect: &'a Dialect,
     pub unit: Unit,
     /// Digits behind the decimal mark.
     pub decimals: usize,
-    /// What columns hold that are not read; `-` behind the last of them.
+    /// Contents of the columns that are not read; further columns hold `-`.
     pub skipped: &'a [String],
 }
 
@@ -332,13 +336,12 @@ impl Writing<'_> {
         row.xyz.map(|value| self.number(value)).join(separator)
     }
 
-    /// What the format calls the unit; an error where its files are never in it.
+    /// Name of the unit in the format; an error if the format cannot have the unit.
     pub fn unit_in(&self, known: &[(Unit, &'static str)]) -> Result<&'static str, Message> {
         let words = known.iter().find(|(unit, _)| *unit == self.unit).map(|(_, words)| *words);
         words.ok_or_else(|| {
-            let names: Vec<&str> = known.iter().map(|(unit, _)| unit.name()).collect();
-            Message::error(format!("{} is never in {}", self.about.title, self.unit.name()))
-                .expected(names.join(" or "))
+            let units: Vec<&str> = known.iter().map(|(unit, _)| unit.name()).collect();
+            error!("format-without-unit", format = self.about.name, unit = self.unit.name(), units)
         })
     }
 }
@@ -382,17 +385,27 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// A row at a line that is not a point, with that rule.
+    /// A row at a line that is not a point, with the reason.
     fn no_point(&self, line: usize, label: &str, reason: impl Into<String>) -> Point {
         Point { refused: Some(reason.into()), ..self.point(line, label, [0.0; 3], Unit::Millimetre) }
     }
 }
 
-/// An error where the file states another unit than the campaign.
-fn unit_agrees(stated: Unit, of_file: Unit, how: &str, place: Place) -> Result<(), Message> {
+/// Error if the file states another unit than the campaign; `how` is the record of the file that
+/// states it.
+fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Place) -> Result<(), Message> {
     if stated == of_file {
         return Ok(());
     }
-    let what = format!("the file is in {} ({how}), and the campaign states {}", of_file.name(), stated.name());
-    Err(Message::error(what).at(place).hint(format!("state `unit = \"{}\"` for this export", of_file.name())))
+    Err(error!("unit-differs", of_file = of_file.name(), how, stated = stated.name()).at(place))
+}
+
+/// Error for a file that is not in its stated format; `signature` is how files of the format begin.
+fn not_this_format(format: &str, signature: &impl IntoArgument) -> Message {
+    error!("format-differs", format, signature)
+}
+
+/// Adds to the error of a number the hint that the format has a variant with decimal commas.
+fn decimal_comma(message: Message, number: &str, format: &str) -> Message {
+    if number.contains(',') { message.hint(phrase!("format-with-decimal-comma", format)) } else { message }
 }

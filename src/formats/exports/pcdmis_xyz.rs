@@ -1,12 +1,17 @@
-//! PC-DMIS `.xyz`: a first line `XYZIJK`, `METRIC` in its columns 11 to 16 (without it the file is in inch), then numbers
-//! separated by commas: 3 are a point, 4 a point and a diameter, 6 a point and a vector, 7 both and a diameter; 5, 8 and more
-//! have numbers that mean nothing. Source: PC-DMIS 2019 R1, "Notes on XYZ Files".
+//! PC-DMIS `.xyz`: a first line `XYZIJK` with `METRIC` in columns 11 to 16 (without it the file is
+//! in inches), then numbers separated by commas.
+//!
+//! Three numbers are a point, four a point and a diameter, six a point and a vector, seven both and
+//! a diameter; rows of five, eight and more numbers have numbers without meaning. Source: PC-DMIS
+//! 2019 R1, "Notes on XYZ Files".
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, unit_agrees};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format, unit_agrees};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
+use etalon_base::catalogue::{Argument, IntoArgument};
 use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
 
 /// Files `.xyz` of PC-DMIS.
 pub(super) struct PcdmisXyz;
@@ -35,7 +40,7 @@ impl ExportFormat for PcdmisXyz {
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     match head(text.shown(1)) {
-        Ok((of_file, how)) => problems.0.extend(unit_agrees(unit, of_file, how, text.place(1)).err()),
+        Ok((of_file, how)) => problems.0.extend(unit_agrees(unit, of_file, &how, text.place(1)).err()),
         Err(message) => {
             problems.0.push(message.at(text.place(1)));
             return (Vec::new(), problems);
@@ -45,9 +50,9 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     for (i, line) in text.lines.iter().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty()) {
         let row = Fields::of(i + 1, line, line.split(',').map(str::trim));
         if row.fields.len() < 3 {
-            let message = Message::error(format!("the row has {} fields", row.fields.len())).at(text.place(i + 1));
-            let message = message.expected("three to eight numbers separated by commas");
-            problems.0.push(message.hint("a file with names or tabs is not a PC-DMIS xyz: state it as delimited text"));
+            let expected = phrase!("three-to-eight-numbers");
+            let message = error!("row-field-count", fields = row.fields.len(), expected).at(text.place(i + 1));
+            problems.0.push(message.hint(phrase!("state-as-delimited")));
             continue;
         }
         let mut values = Vec::new();
@@ -64,19 +69,14 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
 }
 
 /// The unit of the file by its first line.
-fn head(line: &str) -> Result<(Unit, &'static str), Message> {
-    let expected = "`XYZIJK` in columns 1 to 6, and `METRIC` in columns 11 to 16 of a metric file";
+fn head(line: &str) -> Result<(Unit, Argument), Message> {
     let Some(rest) = line.strip_prefix("XYZIJK") else {
-        return Err(Message::error("this is not a PC-DMIS xyz file").expected(expected));
+        return Err(not_this_format("pcdmis_xyz", &phrase!("begins-with", text = "XYZIJK")));
     };
     match (rest.get(..4), rest.get(4..).map(str::trim_end), rest.trim()) {
-        (_, _, "") => Ok((Unit::Inch, "no METRIC in line 1")),
-        (Some("    "), Some("METRIC"), _) => Ok((Unit::Millimetre, "METRIC in line 1")),
-        (.., "METRIC") => Err(Message::error(
-            "`METRIC` is not in columns 11 to 16: by PC-DMIS' rule the file is in inch, by its word in mm",
-        )
-        .expected(expected)
-        .hint("ask who wrote it, then correct line 1, or state it as delimited text with its unit")),
-        _ => Err(Message::error(format!("`{}` means nothing after `XYZIJK`", rest.trim())).expected(expected)),
+        (_, _, "") => Ok((Unit::Inch, phrase!("default-of-format", record = "METRIC").argument())),
+        (Some("    "), Some("METRIC"), _) => Ok((Unit::Millimetre, "METRIC".argument())),
+        (.., "METRIC") => Err(error!("metric-misplaced")),
+        (.., text) => Err(error!("record-invalid", text, format = "pcdmis_xyz", valid = "XYZIJK    METRIC")),
     }
 }

@@ -1,4 +1,4 @@
-//! Coordinates that stand in rows of their own, put together by the name of the point.
+//! Points from files with one coordinate a row, combined by the name of the point.
 
 use super::Text;
 use crate::Point;
@@ -19,11 +19,11 @@ struct Pivoted {
     label: String,
     line: usize,
     xyz: [Option<f64>; 3],
-    /// What else was there under the name.
+    /// Other values of the same name.
     other: Vec<String>,
 }
 
-/// What a row states of a point.
+/// Statement of a row about a point.
 pub(super) enum Said {
     /// A coordinate: index of the axis, value.
     Coordinate(usize, f64),

@@ -1,11 +1,13 @@
 //! PLY, text or binary: its vertices are points without labels. Their unit is nowhere in the file.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, not_this_format};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::{Row as Fields, number};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase};
 
 /// Vertices of PLY.
 pub(super) struct Ply;
@@ -35,7 +37,7 @@ impl ExportFormat for Ply {
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let (mut points, mut problems) = (Vec::new(), Problems::default());
     let Some(bytes) = text.whole.chars().map(|c| u8::try_from(u32::from(c)).ok()).collect::<Option<Vec<u8>>>() else {
-        problems.0.push(Message::error("a PLY file has no such characters").at(Place::file(text.file)));
+        problems.0.push(no_ply().at(Place::file(text.file)));
         return (points, problems);
     };
     let read = read(text.file, &bytes).and_then(|header| match header.encoding {
@@ -49,22 +51,22 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
 /// The elements up to the vertices, and where x, y and z of a vertex are.
 fn vertices(header: &Header, place: Place) -> Result<(&[Element], &Element, [usize; 3]), Message> {
     let Some(at) = header.elements.iter().position(|e| e.name == "vertex") else {
-        return Err(Message::error("the file has no vertices").at(place).expected("`element vertex n`"));
+        return Err(error!("no-measured-points", contents = "none", records = "element vertex n").at(place));
     };
     let vertex = &header.elements[at];
     let axis = |name: &str| {
         let mut own = vertex.properties.iter().enumerate();
         let is = |(_, p): &(usize, &Property)| matches!(p, Property::Number(n, _) if n == name);
-        let missing = || Message::error(format!("a vertex has no `{name}`")).at(place.clone());
+        let record = format!("property float {name}");
+        let missing = || error!("record-missing", parent = "element vertex", record).at(place.clone());
         own.find(is).map(|(i, _)| i).ok_or_else(missing)
     };
     Ok((&header.elements[..at], vertex, [axis("x")?, axis("y")?, axis("z")?]))
 }
 
 fn cut_off(vertex: &Element, found: usize, place: Place) -> Message {
-    Message::error(format!("the head states {} of `{}`, and the file ends after {found}", vertex.count, vertex.name))
-        .at(place)
-        .hint("it was cut off: export it again")
+    let missing = phrase!("item-of-count", name = vertex.name, number = found + 1, count = vertex.count);
+    error!("file-cut-off", missing).at(place)
 }
 
 /// Text: a line for each vertex.
@@ -84,12 +86,11 @@ fn ascii(
         let row = Fields::of(i + 1, line, line.split_whitespace());
         let lists = vertex.properties.iter().any(|p| matches!(p, Property::List(..)));
         if !lists && row.fields.len() != vertex.properties.len() {
-            let message = Message::error(format!("the vertex has {} values", row.fields.len())).at(text.place(i + 1));
-            problems.0.push(message.expected(vertex.properties.len().to_string()));
+            let (found, counts) = (row.fields.len(), [vertex.properties.len()]);
+            problems.0.push(error!("number-count-differs", name = "vertex", found, counts).at(text.place(i + 1)));
         }
         if lists {
-            let message = Message::error("a vertex with a list is not read").at(text.place(vertex.line));
-            return Err(message.hint("export the points without lists"));
+            return Err(list_of_vertex(text.place(vertex.line)));
         }
         let mut value = |at: usize| {
             number(row.field(at), Decimal::Point).unwrap_or_else(|message| {
@@ -106,6 +107,16 @@ fn ascii(
     }
 }
 
+/// Error for a list among the properties of a vertex.
+fn list_of_vertex(place: Place) -> Message {
+    error!("element-unsupported", element = "property list").at(place).hint(phrase!("export-without-lists"))
+}
+
+/// Error for a file that does not begin as PLY.
+fn no_ply() -> Message {
+    not_this_format("ply", &phrase!("begins-with", text = "ply"))
+}
+
 /// Numbers of fixed sizes, one vertex behind the other.
 fn binary(text: &Text, header: &Header, body: &[u8], unit: Unit, points: &mut Vec<Point>) -> Result<(), Message> {
     let (before, vertex, axes) = vertices(header, text.place(1))?;
@@ -118,8 +129,7 @@ fn binary(text: &Text, header: &Header, body: &[u8], unit: Unit, points: &mut Ve
     let mut size = 0usize;
     for property in &vertex.properties {
         let Property::Number(_, kind) = property else {
-            let message = Message::error("a vertex with a list is not read").at(place());
-            return Err(message.hint("export the points without lists"));
+            return Err(list_of_vertex(place()));
         };
         offsets.push((size, *kind));
         size += kind.size();
@@ -137,15 +147,14 @@ fn binary(text: &Text, header: &Header, body: &[u8], unit: Unit, points: &mut Ve
         };
         let xyz = axes.map(|axis| value(axis).unwrap_or(f64::NAN));
         if xyz.iter().any(|v| !v.is_finite()) {
-            let what = format!("vertex {} is {} {} {}: no point", i + 1, xyz[0], xyz[1], xyz[2]);
-            return Err(Message::error(what).at(place()));
+            return Err(error!("vertex-not-finite", number = i + 1, coordinates = xyz).at(place()));
         }
         points.push(Point { text: format!("vertex {}", i + 1).into(), ..text.point(vertex.line, "", xyz, unit) });
     }
     Ok(())
 }
 
-/// Where an element that is not wanted ends.
+/// End of an element that is not read (bytes).
 fn skip(element: &Element, encoding: Encoding, body: &[u8], mut at: usize) -> Option<usize> {
     let fixed: Option<usize> = element.properties.iter().try_fold(0usize, |sum, property| match property {
         Property::Number(_, kind) => Some(sum + kind.size()),
@@ -176,7 +185,7 @@ fn skip(element: &Element, encoding: Encoding, body: &[u8], mut at: usize) -> Op
 /// Lines of a head; real ones have some twenty.
 const MOST_LINES: usize = 2000;
 
-/// How numbers are written.
+/// Encoding of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Encoding {
     Ascii,
@@ -196,6 +205,9 @@ enum Kind {
     F32,
     F64,
 }
+
+/// Names of the types of numbers.
+const TYPES: [&str; 8] = ["char", "uchar", "short", "ushort", "int", "uint", "float", "double"];
 
 impl Kind {
     fn named(name: &str) -> Option<Self> {
@@ -244,14 +256,14 @@ impl Kind {
     }
 }
 
-/// What an element has: a number, or a list (type of its length, type of its numbers).
+/// Property of an element: a number, or a list (type of its length, type of its numbers).
 #[derive(Clone, Debug, PartialEq)]
 enum Property {
     Number(String, Kind),
     List(Kind, Kind),
 }
 
-/// So many of a kind.
+/// Items of one kind with their number.
 #[derive(Clone, Debug, PartialEq)]
 struct Element {
     pub name: String,
@@ -280,44 +292,46 @@ fn read(file: &str, bytes: &[u8]) -> Result<Header, Message> {
         let Some(end) = rest.iter().take(4096).position(|b| *b == b'\n') else { break };
         let text = String::from_utf8_lossy(&rest[..end]).trim().to_owned();
         at += end + 1;
-        let wrong = |what: String| Message::error(what).at(Place::line(file, line, text.as_str()));
+        let place = || Place::line(file, line, text.as_str());
+        let wrong = |text: &str, valid: &dyn IntoArgument| {
+            error!("record-invalid", text, format = "ply", valid = valid.argument()).at(place())
+        };
         let words: Vec<&str> = text.split_whitespace().collect();
         match (line, &words[..]) {
             (1, ["ply"]) => {}
-            (1, _) => return Err(wrong("this is no PLY file".to_owned()).expected("a first line `ply`")),
+            (1, _) => return Err(no_ply().at(place())),
             (_, [] | ["comment" | "obj_info", ..]) => {}
             (_, ["format", name, "1.0"]) => {
                 encoding = match *name {
                     "ascii" => Some(Encoding::Ascii),
                     "binary_little_endian" => Some(Encoding::LittleEndian),
                     "binary_big_endian" => Some(Encoding::BigEndian),
-                    _ => return Err(wrong(format!("`{name}` is not an encoding of PLY"))),
+                    _ => return Err(wrong(name, &["ascii", "binary_little_endian", "binary_big_endian"])),
                 };
             }
             (_, ["element", name, count]) => {
-                let count = count.parse().map_err(|_| wrong(format!("`{count}` is not a number of elements")))?;
+                let count = count.parse().map_err(|_| wrong(count, &"element NAME COUNT"))?;
                 elements.push(Element { name: (*name).to_owned(), count, properties: Vec::new(), line });
             }
             (_, ["property", stated @ ..]) => {
-                let kind =
-                    |name: &str| Kind::named(name).ok_or_else(|| wrong(format!("`{name}` is not a type of number")));
+                let kind = |name: &str| Kind::named(name).ok_or_else(|| wrong(name, &TYPES));
                 let property = match stated {
                     ["list", length, item, _] => Property::List(kind(length)?, kind(item)?),
                     [item, name] => Property::Number((*name).to_owned(), kind(item)?),
-                    _ => return Err(wrong("the property has neither a type and a name nor a list of them".to_owned())),
+                    _ => return Err(wrong(&text, &["property TYPE NAME", "property list TYPE TYPE NAME"])),
                 };
                 let Some(element) = elements.last_mut() else {
-                    return Err(wrong("a property before any element".to_owned()));
+                    return Err(error!("record-too-early", record = "property", needed = "element").at(place()));
                 };
                 element.properties.push(property);
             }
             (_, ["end_header"]) => {
-                let encoding = encoding.ok_or_else(|| wrong("the head states no format".to_owned()))?;
+                let missing = || error!("record-missing", parent = "ply", record = "format").at(place());
+                let encoding = encoding.ok_or_else(missing)?;
                 return Ok(Header { encoding, elements, bytes: at, lines: line });
             }
-            _ => return Err(wrong("the line means nothing in the head of a PLY file".to_owned())),
+            _ => return Err(wrong(&text, &["format", "element", "property", "comment", "end_header"])),
         }
     }
-    let message = Message::error("the head of the PLY file has no end").at(Place::file(file));
-    Err(message.expected("a line `end_header`").hint("was the file cut off?"))
+    Err(error!("file-cut-off", missing = "`end_header`").at(Place::file(file)))
 }

@@ -6,6 +6,7 @@ use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
 use crate::lexer::{self, each_row, number};
 use crate::points::{Line, Names, Point};
 use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
 use std::sync::Arc;
 
 /// Point text of PolyWorks.
@@ -54,12 +55,8 @@ fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
             3 | 6 => 0,
             4 | 7 => 1,
             n => {
-                problems.0.push(
-                    Message::error(format!("the row has {n} fields"))
-                        .at(row.place(file))
-                        .expected("`x y z`, `x y z i j k`, or the same with a name before it")
-                        .hint("quote names that hold blanks, or describe the file with `format = { delimiter = .. }`"),
-                );
+                let message = error!("row-field-count", fields = n, expected = phrase!("polyworks-fields"));
+                problems.0.push(message.hint(phrase!("quote-names")).at(row.place(file)));
                 continue;
             }
         };

@@ -1,11 +1,13 @@
-//! PolyWorks|Inspector project description: blocks `BEGIN OBJECT 1 ... END OBJECT 1` of lines `KEY = values`, separated by
-//! tabs. Point primitives are its points; names that are not ASCII are `UNICODE( hexadecimal UTF-16 )`.
+//! PolyWorks|Inspector project description: blocks `BEGIN OBJECT 1 ... END OBJECT 1` of lines
+//! `KEY = values`, separated by tabs. Point primitives are its points; names that are not ASCII are
+//! `UNICODE( hexadecimal UTF-16 )`.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
-use crate::lexer::number;
+use crate::lexer::parsed;
 use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
 use std::collections::BTreeMap;
 
 /// Project descriptions of PolyWorks|Inspector.
@@ -55,9 +57,8 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut points = Vec::new();
     if !text.lines.first().is_some_and(|line| line.contains("PolyWorks|Inspector project description file")) {
-        let message = Message::error(format!("`{}` is not a project description of PolyWorks|Inspector", text.file));
-        let expected = "a first line `# === PolyWorks|Inspector project description file ===`";
-        problems.0.push(message.at(text.place(1)).expected(expected));
+        let signature = phrase!("begins-with", text = "# === PolyWorks|Inspector project description file ===");
+        problems.0.push(not_this_format("polyworks_project", &signature).at(text.place(1)));
         return (points, problems);
     }
     let mut open: Vec<Block> = Vec::new();
@@ -66,14 +67,15 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         let line = line.trim();
         if let Some(name) = line.strip_prefix("BEGIN ") {
             if open.len() == DEEPEST {
-                let message = Message::error(format!("blocks are nested {DEEPEST} deep")).at(at());
-                problems.0.push(message.expected("objects, features and their parameters"));
+                let message = error!("nested-too-deep", name, depth = DEEPEST + 1, most = DEEPEST);
+                problems.0.push(message.at(at()));
                 return (points, problems);
             }
             open.push(Block { name, line: i + 1, keys: BTreeMap::new() });
         } else if let Some(name) = line.strip_prefix("END ") {
             let Some(block) = open.pop().filter(|block| block.name == name) else {
-                problems.0.push(Message::error(format!("`END {name}` ends no block that is open")).at(at()));
+                let needed = format!("BEGIN {name}");
+                problems.0.push(error!("record-too-early", record = line, needed).at(at()));
                 return (points, problems);
             };
             if name.starts_with("OBJECT ") {
@@ -84,8 +86,8 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         }
     }
     if let Some(block) = open.first() {
-        let message = Message::error(format!("`BEGIN {}` has no end: the file is cut off", block.name));
-        problems.0.push(message.at(text.place(block.line)));
+        let missing = format!("`END {}`", block.name);
+        problems.0.push(error!("file-cut-off", missing).at(text.place(block.line)));
     }
     (points, problems)
 }
@@ -98,8 +100,9 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
     }
     let label = match block.keys.get("NAME") {
         Some((line, name)) => name_of(name).unwrap_or_else(|| {
-            let message = Message::error(format!("`{name}` is not a name")).at(text.place(*line));
-            problems.0.push(message.expected("text, or `UNICODE( ... )` with four hexadecimal digits a character"));
+            let valid = phrase!("unicode-in-hexadecimal");
+            let message = error!("record-invalid", text = name, format = "polyworks_project", valid);
+            problems.0.push(message.at(text.place(*line)));
             String::new()
         }),
         None => String::new(),
@@ -108,12 +111,14 @@ fn primitive(text: &Text, block: &Block, unit: Unit, problems: &mut Problems) ->
     let Some((line, stated)) = block.keys.get("POINT").filter(|_| kind == "Point") else {
         return Some(text.no_point(block.line, &label, format!("a {}, not a point", kind.to_lowercase())));
     };
-    let numbers: Vec<f64> = stated.split_whitespace().filter_map(|n| number(n, Decimal::Point).ok()).collect();
-    let scaled = value("SCALING_FACTOR").is_some_and(|factor| number(factor, Decimal::Point) != Ok(1.0));
+    let numbers: Vec<f64> = stated.split_whitespace().filter_map(|n| parsed(n, Decimal::Point, None)).collect();
+    let scaled = value("SCALING_FACTOR").is_some_and(|factor| parsed(factor, Decimal::Point, None) != Some(1.0));
     let message = match (numbers[..].try_into(), stated.split_whitespace().count(), scaled) {
         (Ok(xyz), 3, false) => return Some(text.point(*line, &label, xyz, unit)),
-        (_, _, true) => Message::error("the object is scaled, and what its factor scales is not documented"),
-        _ => Message::error(format!("`{stated}` is not a point")).expected("three numbers"),
+        (_, _, true) => error!("element-unsupported", element = "SCALING_FACTOR"),
+        _ => {
+            error!("record-invalid", text = *stated, format = "polyworks_project", valid = phrase!("three-numbers"))
+        }
     };
     problems.0.push(message.at(text.place(*line)));
     Some(text.point(*line, &label, [f64::NAN; 3], unit))

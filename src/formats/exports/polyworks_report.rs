@@ -1,15 +1,17 @@
-//! PolyWorks|Inspector report tables as CSV: one row for each control of a feature, not for each point.
+//! PolyWorks|Inspector report tables as CSV: one row for each control of a feature.
 //!
-//! Columns `Name,Control,Nom,Meas,Tol,Dev,Test,Out Tol`, found by their words: a report may begin with title lines, and
-//! what separates its columns is what is after `Name`. A point has the controls `X`, `Y` and `Z`, or such of a kind
-//! (`Surface Point X`). Layout from a quoted report and a vendor page; no whole real file was found.
+//! Columns `Name,Control,Nom,Meas,Tol,Dev,Test,Out Tol`, found by their words: a report may begin
+//! with title lines. The character after `Name` separates the columns. A point has the controls
+//! `X`, `Y` and `Z`, or these controls of one kind (`Surface Point X`). Layout from a quoted report
+//! and a vendor page; no complete real file was found.
 
 use super::pivot::{Pivot, Said};
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, decimal_comma, not_this_format};
 use crate::dialect::{Decimal, Delimiter, Dialect, Unit};
-use crate::lexer::{Row as Fields, number, split};
+use crate::lexer::{Row as Fields, number, parsed, split};
 use crate::{Point, lexer};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::{error, phrase};
 
 /// Report tables of PolyWorks|Inspector.
 pub(super) struct PolyworksReport;
@@ -45,7 +47,7 @@ impl ExportFormat for PolyworksReport {
     }
 }
 
-/// A control of a feature: what was asked and what was found, in the unit of the report.
+/// A control of a feature: nominal and measured value in the unit of the report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
     /// Its line, from 1.
@@ -62,7 +64,7 @@ pub struct Control {
     pub tolerance: Option<(f64, f64)>,
 }
 
-/// The controls of a report; everything that does not read is reported.
+/// Reads the controls of a report.
 pub fn controls(file: &str, text: &str, decimal: Decimal) -> Result<Vec<Control>> {
     let text = text.into();
     let (controls, problems) = read(&Text::new(file, &text), decimal);
@@ -86,7 +88,7 @@ fn rows(text: &Text, decimal: Decimal, unit: Unit) -> (Vec<Point>, Problems) {
     (pivot.rows(text, unit), problems)
 }
 
-/// The row of names: its line, what separates its columns, and where those are that count.
+/// Row of names: its line, the delimiter, and the indices of the columns that are read.
 struct Columns {
     line: usize,
     delimiter: Delimiter,
@@ -101,14 +103,12 @@ struct Columns {
 fn read(text: &Text, decimal: Decimal) -> (Vec<Control>, Problems) {
     let mut problems = Problems::default();
     let Some(columns) = header(text) else {
-        let message = Message::error(format!("no row of `{}` names the columns of a PolyWorks report", text.file));
-        let message = message.expected("a row with `Name`, `Control` and `Meas`");
-        problems.0.push(message.hint("a report in another language? State it as delimited text, one control a file"));
+        let signature = phrase!("header-with", names = "`Name`, `Control`, `Meas`");
+        problems.0.push(not_this_format("polyworks_report", &signature).at(Place::file(text.file)));
         return (Vec::new(), problems);
     };
     if columns.delimiter == Delimiter::Comma && decimal == Decimal::Comma {
-        let message = Message::error("the report is separated by commas, and its decimal mark would be a comma");
-        problems.0.push(message.at(text.place(columns.line)).hint("export it with semicolons or tabs"));
+        problems.0.push(error!("comma-ambiguous").at(text.place(columns.line)));
         return (Vec::new(), problems);
     }
     let dialect = Dialect { delimiter: Some(columns.delimiter), ..Dialect::default() };
@@ -153,24 +153,24 @@ fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, probl
     let place = |at: usize| row.cell(text.file, at);
     let surplus = row.fields.iter().skip(columns.width).any(|f| !f.is_empty());
     if surplus || row.fields.len() <= columns.measured {
-        let message = Message::error(format!("the row has {} fields", row.fields.len())).at(row.place(text.file));
-        let message = message.expected(format!("{}, as the row of names", columns.width));
-        problems.0.push(message.hint("was the file cut off, or is a decimal comma in a file separated by commas?"));
+        let expected = phrase!("fields-like", like = "header", width = columns.width);
+        let message = error!("row-field-count", fields = row.fields.len(), expected).at(row.place(text.file));
+        let commas = surplus && columns.delimiter == Delimiter::Comma;
+        problems.0.push(if commas { message.hint(phrase!("commas-in-commas")) } else { message });
         return None;
     }
     if field(columns.name).is_empty() {
-        problems.0.push(Message::error("the row names no feature").at(row.place(text.file)));
+        problems.0.push(error!("cell-empty", column = "Name").at(row.place(text.file)));
         return None;
     }
-    // a word in place of a value means that it was not measured; what begins like a number must be one
+    // a word instead of a value: not measured; a text that begins like a number must be a number
     let mut value = |at: usize| {
         let text = field(at);
         let numeric = text.starts_with(|c: char| c.is_ascii_digit() || "+-.,\u{2212}".contains(c)) && text != "-";
         match number(&text.replace('\u{2212}', "-"), decimal) {
             Ok(value) => Some(value),
             Err(message) if numeric && text.bytes().any(|b| b.is_ascii_digit()) => {
-                let decimal_comma = "a decimal comma? Then state `format = \"polyworks_report, decimal comma\"`";
-                problems.0.push(message.at(place(at)).hint(decimal_comma));
+                problems.0.push(decimal_comma(message, text, "polyworks_report").at(place(at)));
                 None
             }
             Err(_) => None,
@@ -180,14 +180,10 @@ fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, probl
     let stated = columns.tolerance.map_or("", field);
     let tolerance = tolerance(stated, decimal);
     if let (None, false, Some(at)) = (tolerance, stated.is_empty(), columns.tolerance) {
-        let message =
-            Message::error(format!("`{stated}` is not a tolerance")).at(place(at)).expected("`±0.5` or `+0.5/-0.2`");
+        let valid = ["±0.5", "+0.5/-0.2"];
+        let message = error!("record-invalid", text = stated, format = "polyworks_report", valid).at(place(at));
         let wrong_encoding = stated.contains('Â') || stated.contains('\u{fffd}');
-        problems.0.push(if wrong_encoding {
-            message.hint("the text was decoded in another encoding than it was written in: state the right one")
-        } else {
-            message
-        });
+        problems.0.push(if wrong_encoding { message.hint(phrase!("state-encoding")) } else { message });
     }
     let (name, control) = (field(columns.name).to_owned(), field(columns.control).to_owned());
     Some(Control { line: row.line, name, control, nominal, measured, tolerance })
@@ -195,7 +191,7 @@ fn control(text: &Text, columns: &Columns, row: &Fields, decimal: Decimal, probl
 
 /// Upper and lower tolerance: `±2.000`, `+0.5/-0.2`.
 fn tolerance(text: &str, decimal: Decimal) -> Option<(f64, f64)> {
-    let read = |text: &str| number(text.trim().trim_start_matches('+'), decimal).ok();
+    let read = |text: &str| parsed(text.trim().trim_start_matches('+'), decimal, None);
     if let Some(both) = text.strip_prefix('±') {
         return read(both).map(|t| (t, -t));
     }

@@ -1,11 +1,13 @@
-//! SpatialAnalyzer's ASCII points: `[[collection,] group,] target, x, y, z` under comments that may state axes, unit,
-//! working frame and columns. The label is `collection::group::target`: the same target name occurs in several groups.
+//! SpatialAnalyzer's ASCII points: `[[collection,] group,] target, x, y, z` after comments that may
+//! state axes, unit, working frame and columns. The label is `collection::group::target`: one
+//! target name may occur in several groups.
 
 use super::delimited::point_rows;
 use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing};
 use crate::Point;
 use crate::dialect::{ColumnRole, Delimiter, Dialect, Unit};
 use etalon_base::message::{Message, Place, Problems};
+use etalon_base::{error, phrase};
 use std::sync::Arc;
 
 /// ASCII points of SpatialAnalyzer.
@@ -46,7 +48,8 @@ impl ExportFormat for SpatialAnalyzer {
 
 const COMMENT: &str = "//";
 
-/// Points of the text, and what does not read. The campaign's unit must be that of the file, where the file states one.
+/// Points of the text, with their problems. If the file states its unit, the unit of the campaign
+/// must be the same.
 fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
     let mut columns = None;
@@ -82,15 +85,13 @@ fn rows(file: &str, text: &Arc<str>, unit: Unit) -> (Vec<Point>, Problems) {
     (points, problems)
 }
 
-/// What is wrong with `CARTESIAN: X,  Y,  Z (mm)` as axes of points in this unit.
+/// Error if the statement `CARTESIAN: X,  Y,  Z (mm)` disagrees with the unit of the campaign.
 fn axes_disagree(axes: &str, unit: Unit) -> Option<Message> {
     let (kind, names) = axes.split_once(':').unwrap_or((axes, ""));
     if kind.trim() != "CARTESIAN" {
-        let message = Message::error(format!("the axes are {}, whose columns and units are not known", kind.trim()));
-        return Some(message.hint(
-            "export Cartesian ones, or state the columns: format = { delimiter = \",\", comment = \"//\", \
-             columns = [\"label\", \"radius\", \"azimuth\", \"z\"], angle_unit = \"deg\" }",
-        ));
+        let message = error!("coordinates-not-cartesian", found = kind.trim(), cartesian = "CARTESIAN");
+        let columns = "\"label\", \"radius\", \"azimuth\", \"z\"";
+        return Some(message.hint(phrase!("export-cartesian-or-columns", columns)));
     }
     let stated = names.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map(|(unit, _)| unit.trim())?;
     let name = match stated.to_ascii_lowercase().as_str() {
@@ -99,10 +100,7 @@ fn axes_disagree(axes: &str, unit: Unit) -> Option<Message> {
         "in" | "inch" | "inches" => "inch",
         _ => stated,
     };
-    (name != unit.name()).then(|| {
-        Message::error(format!("the file is in {stated}, and the campaign states `unit = \"{}\"`", unit.name()))
-            .expected("the same unit in both")
-    })
+    (name != unit.name()).then(|| error!("unit-differs", of_file = stated, how = "AXES", stated = unit.name()))
 }
 
 /// Columns by the comment that names them: `Collection,  Group,  Point,  X,  Y,  Z`.
@@ -127,15 +125,17 @@ fn named(comment: &str) -> Option<Vec<ColumnRole>> {
 fn counted(line: &str) -> Result<Vec<ColumnRole>, Message> {
     let fields = line.split(',').count();
     match fields {
-        3..=6 => Ok([&vec![ColumnRole::Label; fields - 3][..], &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]].concat()),
-        1 => Err(Message::error("the row has no commas")
-            .expected("`collection, group, target, x, y, z`, or the last five, four or three of them")
-            .hint("points exported with blanks: state how many columns the name takes, format = { delimiter = \"blank\", \
-                   comment = \"//\", columns = [\"label\", \"x\", \"y\", \"z\"] }")),
-        _ => Err(Message::error(format!("the row has {fields} columns, and no comment names them"))
-            .expected("`collection, group, target, x, y, z`, or the last five, four or three of them")
-            .hint("export with the comment on axes, or state the columns: format = { delimiter = \",\", comment = \"//\", \
-                   columns = [\"label\", \"label\", \"label\", \"x\", \"y\", \"z\", \"-\"] }")),
+        3..=6 => {
+            Ok([&vec![ColumnRole::Label; fields - 3][..], &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]].concat())
+        }
+        _ => {
+            let message = error!("row-field-count", fields = fields, expected = phrase!("spatialanalyzer-fields"));
+            let (delimiter, columns) = match fields {
+                1 => ("blank", "\"label\", \"x\", \"y\", \"z\""),
+                _ => (",", "\"label\", \"label\", \"label\", \"x\", \"y\", \"z\", \"-\""),
+            };
+            Err(message.hint(phrase!("state-columns", delimiter, columns)))
+        }
     }
 }
 
@@ -166,10 +166,13 @@ mod tests {
 
     #[test]
     fn another_unit_other_axes_or_columns_that_nothing_names_are_refused() {
-        let said = |text: &str, unit| rows("f", &text.into(), unit).1.to_string();
-        assert!(said(&format!("{HEAD}1,2,3\n"), Unit::Inch).contains("the file is in mm"));
-        assert!(said("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre).contains("SPHERICAL"));
-        assert!(said("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", Unit::Millimetre).contains("7 columns, and no comment"));
-        assert!(said("C G P 1 2 3\n", Unit::Millimetre).contains("no commas"));
+        let error = |text: &str, unit| rows("f", &text.into(), unit).1.0.remove(0);
+        let differs = error(&format!("{HEAD}1,2,3\n"), Unit::Inch);
+        assert!(differs.is("unit-differs", &[("of_file", &"mm"), ("stated", &"inch")]), "{differs}");
+        let spherical = error("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre);
+        assert!(spherical.is("coordinates-not-cartesian", &[("found", &"SPHERICAL")]), "{spherical}");
+        for (row, found) in [("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", 7), ("C G P 1 2 3\n", 1)] {
+            assert!(error(row, Unit::Millimetre).is("row-field-count", &[("fields", &found)]), "{row}");
+        }
     }
 }

@@ -1,14 +1,12 @@
 //! Dates and times of day as instruments write them.
 
+use etalon_base::error;
 use etalon_base::message::Message;
 
-/// Seconds since the beginning of 1970 of a date and a time of day, which may be in one cell (then `date` is empty). Time zones are not
-/// read: the clock of the instrument is what it is.
+/// Seconds since the beginning of 1970 of a date and a time of day. If both are in one cell, `date`
+/// is empty. Time zones are not read: times are those of the instrument's clock.
 pub(super) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
-    let wrong = || {
-        Message::error(format!("`{}` is not a date and a time of day", format!("{date} {time}").trim()))
-            .expected("e.g. 11.10.2022 15:06:48.043, or 2022-10-11T15:06:48")
-    };
+    let wrong = || error!("time-invalid", text = format!("{date} {time}").trim());
     let plain = |text: &str| text.trim().trim_start_matches('\'').trim_end_matches('Z').trim().to_owned();
     let (date, time) = (plain(date), plain(time));
     let (date, time) = match date.is_empty() {
@@ -32,7 +30,8 @@ pub(super) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
     Ok(86_400.0 * days(&date).ok_or_else(wrong)? as f64 + of_day)
 }
 
-/// Days since the beginning of 1970; `None` of a text that is no date, or whose day and month could be exchanged.
+/// Days since the beginning of 1970; `None` for a text that is not a date, or if day and month
+/// could be exchanged.
 fn days(date: &str) -> Option<i64> {
     let numbers: Vec<i64> = date.split(['.', '-', '/']).map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
     let (year, month, day) = match numbers[..] {

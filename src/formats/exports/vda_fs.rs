@@ -1,15 +1,17 @@
-//! VDA-FS (DIN 66301): measured points as `POINT/x,y,z`, `PSET/n,x1,y1,z1,...` and `MDI/n,x1,y1,z1,i1,j1,k1,...`. Curves and
-//! surfaces are geometry, no points.
+//! VDA-FS (DIN 66301): measured points as `POINT/x,y,z`, `PSET/n,x1,y1,z1,...` and
+//! `MDI/n,x1,y1,z1,i1,j1,k1,...`. Curves and surfaces are geometry, not points.
 //!
-//! A line may end in its number, eight digits in columns 73 to 80: they are taken away where they are the number of the
-//! line. `$$` begins a comment; the file ends with `NAME = END`. Checked with geometry files of others; of measured points no
-//! real file was found.
+//! A line may end in its number, eight digits in columns 73 to 80; they are removed if they are the
+//! number of the line. `$$` begins a comment; the file ends with `NAME = END`. Checked with
+//! geometry files of other authors; no real file of measured points was found.
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
 use crate::Point;
 use crate::dialect::{Decimal, Dialect, Unit};
 use crate::lexer::number;
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
 use std::collections::BTreeMap;
 
 /// Points of VDA-FS.
@@ -61,11 +63,18 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
             "PSET" | "MDI" => {
                 let per_point = entity.per_point();
                 let Some(((line, byte, count), fields)) = entity.fields.split_first() else { continue };
-                let stated = count.parse::<usize>().ok().and_then(|n| n.checked_mul(per_point));
-                if stated != Some(fields.len()) {
-                    let what = format!("`{}` states {count} points, and has {} numbers", entity.name, fields.len());
-                    let message = Message::error(what).at(text.part(*line, *byte, count.len()));
-                    problems.0.push(message.expected(format!("{per_point} numbers a point")));
+                let at = || text.part(*line, *byte, count.len());
+                match count.parse::<usize>() {
+                    Ok(count) if count.saturating_mul(per_point) == fields.len() => {}
+                    Ok(count) => {
+                        let (stated, found) = (count.saturating_mul(per_point), fields.len());
+                        problems.0.push(error!("stated-count-differs", name = entity.name, stated, found).at(at()));
+                    }
+                    Err(_) => {
+                        let valid = phrase!("whole-number");
+                        let message = error!("record-invalid", text = *count, format = "vda_fs", valid);
+                        problems.0.push(message.at(at()));
+                    }
                 }
                 points.extend(coordinates(text, entity, fields, unit, &mut problems));
             }
@@ -74,11 +83,10 @@ fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
         }
     }
     if points.is_empty() {
-        let found: Vec<String> = others.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
-        let found = if found.is_empty() { "nothing else".to_owned() } else { found.join(", ") };
-        let message = Message::error(format!("the file holds no measured points, but {found}")).at(text.place(1));
-        let message = message.expected("POINT, PSET or MDI");
-        problems.0.push(message.hint("export the measured points, not the geometry of the part"));
+        let contents: Vec<String> = others.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
+        let contents = if contents.is_empty() { "none".argument() } else { contents.argument() };
+        let message = error!("no-measured-points", contents, records = "POINT, PSET, MDI").at(text.place(1));
+        problems.0.push(message.hint(phrase!("export-measured-points")));
     }
     (points, problems)
 }
@@ -103,8 +111,9 @@ fn coordinates(
         }
         let line = chunk.first().map_or(entity.line, |field| field.0);
         if chunk.len() < per_point {
-            let message = Message::error(format!("the last point of `{}` has {} numbers", entity.name, chunk.len()));
-            problems.0.push(message.at(text.place(line)).expected(per_point.to_string()).hint("was the file cut off?"));
+            let (found, counts) = (chunk.len(), [per_point]);
+            let message = error!("number-count-differs", name = entity.name, found, counts);
+            problems.0.push(message.at(text.place(line)));
         }
         let whole = values.len() == per_point;
         let xyz = if whole { [values[0], values[1], values[2]] } else { [f64::NAN; 3] };
@@ -145,8 +154,8 @@ fn entities<'a>(text: &'a Text, problems: &mut Problems) -> Vec<Entity<'a>> {
         }
         let Some(entity) = all.last_mut() else {
             if !line.trim().is_empty() {
-                let message = Message::error("this is no VDA-FS file").at(text.place(i + 1));
-                problems.0.push(message.expected("`NAME = HEADER / n`"));
+                let signature = phrase!("begins-with", text = "NAME = HEADER / n");
+                problems.0.push(not_this_format("vda_fs", &signature).at(text.place(i + 1)));
                 return all;
             }
             continue;
@@ -157,10 +166,8 @@ fn entities<'a>(text: &'a Text, problems: &mut Problems) -> Vec<Entity<'a>> {
             from += field.len() + 1;
         }
     }
-    let message = Message::error("the file has no end").at(text.place(text.lines.len()));
-    problems.0.push(
-        message.expected("`NAME = END`").hint("export it again if it was cut off; if it is whole, add that line"),
-    );
+    let message = error!("file-cut-off", missing = "`NAME = END`").at(text.place(text.lines.len()));
+    problems.0.push(message.hint(phrase!("export-again-or-add", line = "NAME = END")));
     all
 }
 
@@ -173,8 +180,5 @@ fn without_number(line: &str, number: usize) -> Result<&str, Message> {
     if digits.parse() == Ok(number) {
         return Ok(text);
     }
-    let message = Message::error(format!("columns 73 to 80 hold `{digits}`: a number of the line, or a value?"));
-    Err(message
-        .expected(format!("{number:08}, the number of this line"))
-        .hint("write the file without numbers of lines"))
+    Err(error!("line-number-differs", digits, number = format!("{number:08}")))
 }

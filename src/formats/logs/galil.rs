@@ -1,12 +1,14 @@
-//! Galil array upload as CSV: the names of the arrays in alphabetical order, then one row for each index.
+//! Galil array upload as CSV: names of the arrays in alphabetical order, then one row per index.
 //!
-//! Values are encoder counts; the shorter of several arrays leaves empty places at its end. There is no clock: the period
-//! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
+//! Values are encoder counts; shorter arrays leave empty cells at their ends. There is no clock:
+//! the command `RC` of the controller sets the period. Source: galil.com, "Comma-Separated Values
+//! (CSV Files)".
 
 use super::sheet::Sheet;
 use super::{About, LogFormat, Wanted};
 use crate::exports::Recognised;
 use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
 use etalon_documents::Refused;
 
 /// Array uploads of a Galil controller: encoder counts, no clock.
@@ -21,7 +23,8 @@ impl LogFormat for Galil {
         }
     }
 
-    /// Whole numbers under names in alphabetical order, which is weak: points in whole mm look the same.
+    /// Recognises whole numbers under names in alphabetical order. The evidence is weak: points in
+    /// whole mm look alike.
     fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
         let whole = |cell: &str| cell.trim().is_empty() || cell.trim().parse::<i64>().is_ok();
         let words = header.iter().all(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
@@ -31,8 +34,8 @@ impl LogFormat for Galil {
         Recognised::by(words && counts && header.len() > 1 && header.is_sorted(), 0.3, what)
     }
 
-    fn not_by_number(&self) -> Option<&'static str> {
-        Some("arrays are in alphabetical order, whatever joints they belong to")
+    fn has_stable_order(&self) -> bool {
+        false
     }
 
     fn statement(&self, wanted: &Wanted) -> Option<Message> {
@@ -52,33 +55,26 @@ impl LogFormat for Galil {
     }
 }
 
-/// An error where a column is read as if it held mm or deg.
+/// Returns the error that a joint has no value of an encoder count.
 fn states_counts(wanted: &Wanted) -> Option<Message> {
     let missing = wanted.is_joint() && wanted.column.per_count.is_none();
-    let key = wanted.key.get_ref();
-    missing.then(|| {
-        Message::error(format!(
-            "an array of a Galil controller holds counts, and `{key}` does not state what one is worth"
-        ))
-        .expected(format!("`{key} = {{ name = \"...\", per_count = 0.001 }}`, with the worth in the unit of the key"))
-    })
+    missing.then(|| error!("count-value-missing", key = wanted.key.get_ref()))
 }
 
-/// Takes away the rows at the end where arrays that are wanted have ended; an empty place before the end is an error.
+/// Removes the rows after the end of a wanted array; an empty cell before the end is an error.
 fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
     let filled = |at: usize| sheet.rows.iter().rposition(|row| row.fields.get(at).is_some_and(|f| !f.is_empty()));
     let ends: Vec<usize> = wanted.iter().map(|(at, _)| filled(*at).map_or(0, |last| last + 1)).collect();
     let (shortest, longest) = (ends.iter().min().copied().unwrap_or(0), ends.iter().max().copied().unwrap_or(0));
     for row in &sheet.rows[..shortest] {
         for (at, wanted) in wanted.iter().filter(|(at, _)| row.fields.get(*at).is_some_and(|f| f.is_empty())) {
-            let message = Message::error(format!("the array of `{}` has a hole", wanted.key.get_ref()));
-            let hint = "an array is short at its end alone: upload it again";
-            problems.0.push(message.at(sheet.cell(row, *at)).hint(hint));
+            let message = error!("galil-array-hole", column = wanted.key.get_ref());
+            problems.0.push(message.at(sheet.cell(row, *at)));
         }
     }
     let ended = |i: usize| {
         let short = wanted.iter().zip(&ends).filter(|(_, end)| **end <= i).map(|((_, w), _)| w.key.get_ref().as_str());
-        format!("no count: the array of {} has ended", short.collect::<Vec<_>>().join(", "))
+        phrase!("galil-array-ended", columns = short.collect::<Vec<_>>()).to_string()
     };
     let refused = (shortest..longest).map(|i| {
         let row = &sheet.rows[i];
@@ -87,27 +83,22 @@ fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) 
     let refused = refused.collect();
     sheet.rows.truncate(shortest);
     if sheet.rows.is_empty() {
-        let message = Message::error("one of the arrays is empty");
-        problems.0.push(message.at(sheet.place()).hint("upload the arrays again, after the recording has ended"));
+        problems.0.push(error!("galil-array-empty").at(sheet.place()));
     }
     refused
 }
 
-/// Counts are whole numbers of 32 bits; a step by more than half their range is a wrap, which no scale can undo.
+/// Checks that counts are whole numbers of 32 bits and do not wrap (jump by more than half the
+/// range).
 fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problems) {
     const RANGE: f64 = 4_294_967_296.0;
     for (row, count) in sheet.rows.iter().zip(counts) {
         if count.fract() != 0.0 || count.abs() > RANGE / 2.0 {
-            let message = Message::error(format!("{count} is not a count")).expected("a whole number of 32 bits");
-            problems.0.push(
-                message.at(sheet.cell(row, at)).hint("is the array already scaled? Then it is not a Galil upload"),
-            );
+            problems.0.push(error!("not-a-count", value = count).at(sheet.cell(row, at)));
         }
     }
     for (i, pair) in counts.windows(2).enumerate().filter(|(_, pair)| (pair[1] - pair[0]).abs() > RANGE / 2.0) {
-        let message = Message::error(format!("the counter goes from {} to {}: it wrapped", pair[0], pair[1]));
-        problems
-            .0
-            .push(message.at(sheet.cell(&sheet.rows[i + 1], at)).hint("set the encoder to zero before it is recorded"));
+        let message = error!("counter-wrapped", from = pair[0], to = pair[1]);
+        problems.0.push(message.at(sheet.cell(&sheet.rows[i + 1], at)));
     }
 }

@@ -1,10 +1,12 @@
-//! KUKA RSI recordings: mm and deg (A, B, C turn about Z, Y, X), and two clocks, of which `IPOC` is the one to use: a
-//! counter in ms that the controller advances by its interpolation cycle. `Timestamp` is the wall clock of the computer
-//! that recorded, in whole seconds.
+//! KUKA RSI recordings: mm and deg (A, B, C turn about Z, Y, X), and two clocks.
+//!
+//! The clock of the log is `IPOC`, a counter in ms that the controller advances by its
+//! interpolation cycle. `Timestamp` is the wall clock of the recording computer in whole seconds.
 
 use super::{About, Columns, LogFormat, Values};
 use crate::exports::Recognised;
-use etalon_base::message::{Message, Place, count};
+use etalon_base::message::{Message, Place};
+use etalon_base::warning;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -33,13 +35,13 @@ impl LogFormat for KukaRsi {
     }
 }
 
-/// The unit of a column.
+/// Returns the unit of a column.
 fn unit_of(column: &str) -> Option<&'static str> {
     let axis = column.trim_start_matches("AIPos_").trim_start_matches("ASPos_").trim_start_matches("AIPos.");
     let axis = axis.trim_start_matches("ASPos.");
     match column {
         "IPOC" => Some("ms"),
-        "Timestamp" => Some("whole seconds of a wall clock; the clock of this log is `IPOC`"),
+        "Timestamp" => Some("wall-clock"),
         _ if ["X_", "Y_", "Z_"].iter().any(|start| column.starts_with(start)) => Some("mm"),
         _ if ["A_", "B_", "C_"].iter().any(|start| column.starts_with(start)) => Some("deg"),
         _ if ["A1", "A2", "A3", "A4", "A5", "A6"].contains(&axis) => Some("deg"),
@@ -47,7 +49,7 @@ fn unit_of(column: &str) -> Option<&'static str> {
     }
 }
 
-/// Says where the counter leaves cycles out; a step is the one that occurs most.
+/// Returns a warning if the counter skips cycles. The cycle is the most frequent step.
 fn gaps(file: &str, columns: &Columns) -> Option<Message> {
     let times = columns.columns.iter().find(|(name, _)| name == "time_s");
     let Some((_, Values::Real(times_s))) = times else { return None };
@@ -57,8 +59,7 @@ fn gaps(file: &str, columns: &Columns) -> Option<Message> {
     let (&step, _) = steps.iter().max_by_key(|(step, n)| (**n, Reverse(**step)))?;
     let odd: Vec<usize> = (0..times_s.len() - 1).filter(|&i| ms(&times_s[i..i + 2]) != step).collect();
     let first = *odd.first()?;
-    let what = format!("{} where `IPOC` does not go on by {step} ms", count(odd.len(), "row"));
     let line = columns.lines.get(first + 1).map(|&line| line as usize);
     let place = Place { line, ..Place::file(file) };
-    Some(Message::warning(what).at(place).hint("telegrams were lost: the recording computer was late"))
+    Some(warning!("rsi-cycles-missing", count = odd.len(), step_ms = step).at(place))
 }

@@ -1,10 +1,14 @@
-//! ROS messages as CSV. The order of joints in a JointState is arbitrary: they are found by name, in the header
-//! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p` (`field.name0,...,field.position0,...`).
+//! ROS messages as CSV.
+//!
+//! The order of joints in a JointState is arbitrary. Joints are found by name, in the header
+//! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p`
+//! (`field.name0,...,field.position0,...`).
 
 use super::sheet::Sheet;
 use super::{About, LogFormat};
 use crate::exports::Recognised;
-use etalon_base::message::{Message, Problems};
+use etalon_base::error;
+use etalon_base::message::Problems;
 
 /// ROS messages: joints in any order, named by the header or by their rows.
 pub(super) struct Ros;
@@ -27,8 +31,8 @@ impl LogFormat for Ros {
         unit_of(column)
     }
 
-    fn not_by_number(&self) -> Option<&'static str> {
-        Some("the order of joints is arbitrary")
+    fn has_stable_order(&self) -> bool {
+        false
     }
 
     fn name_columns(&self, sheet: &mut Sheet, problems: &mut Problems) {
@@ -36,8 +40,8 @@ impl LogFormat for Ros {
     }
 }
 
-/// Units of ROS (REP 103): rad and m, times of `rostopic echo` in ns. A position may be either: the campaign's word counts,
-/// as long as it is one of the two.
+/// Returns the unit of a column (REP 103: rad and m; times of `rostopic echo` in ns). Positions may
+/// be in rad or m: the campaign states which.
 fn unit_of(column: &str) -> Option<&'static str> {
     match column {
         "%time" | "field.header.stamp" => Some("ns"),
@@ -47,7 +51,7 @@ fn unit_of(column: &str) -> Option<&'static str> {
     }
 }
 
-/// Names the columns `field.positionN` after the joints that `field.nameN` names in every row.
+/// Names each column `field.positionN` after the joint in the column `field.nameN`.
 fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
     let Some(header) = &sheet.header else { return };
     let mut named = header.fields.clone();
@@ -58,11 +62,8 @@ fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
         let Some(first) = sheet.rows.first().and_then(|row| row.fields.get(at)) else { continue };
         named[to].clone_from(first);
         if let Some(row) = sheet.rows.iter().find(|row| row.fields.get(at) != Some(first)) {
-            let found = row.field(at);
-            let message = Message::error(format!("joint {number} is `{found}` here, and `{first}` in the first row"));
-            let place = row.place(sheet.file);
-            let hint = "two publishers share the topic: record them into files of their own";
-            problems.0.push(message.at(place).hint(hint));
+            let message = error!("ros-joints-change", number, found = row.field(at), first = first.as_ref());
+            problems.0.push(message.at(row.place(sheet.file)));
         }
     }
     if let Some(header) = &mut sheet.header {

@@ -1,15 +1,16 @@
-//! Logs that are one table: a header of names, a row for each time.
+//! Logs that are one table: a header row with names, and a row for each time.
 
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header, two_commas};
 use crate::guess::guesses;
-use crate::lexer::{Row, WHOLE, number, pose_name, split as split_rows};
+use crate::lexer::{Row, WHOLE, number, parsed, pose_name, split as split_rows};
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Place, Problems, Result, SourceText};
+use etalon_base::{error, phrase};
 use etalon_documents::Source;
 use std::borrow::Cow;
 
-/// Delimited text of which nothing is known but what the campaign states.
+/// Plain delimited text: the campaign states everything.
 pub(super) struct Delimited;
 
 impl LogFormat for Delimited {
@@ -22,7 +23,7 @@ impl LogFormat for Delimited {
     }
 }
 
-/// The rows of a log.
+/// Rows of a log.
 pub(crate) struct Sheet<'a> {
     pub file: &'a str,
     pub header: Option<Row<'a>>,
@@ -30,17 +31,17 @@ pub(crate) struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// Its first row.
+    /// Returns the place of the first row.
     pub fn place(&self) -> Place {
         self.header.as_ref().or(self.rows.first()).map_or_else(|| Place::file(self.file), |row| row.place(self.file))
     }
 
-    /// The place of a cell.
+    /// Returns the place of a cell.
     pub fn cell(&self, row: &Row, index: usize) -> Place {
         row.cell(self.file, index)
     }
 
-    /// Number of columns.
+    /// Returns the number of columns.
     fn width(&self) -> usize {
         self.header.as_ref().or(self.rows.first()).map_or(0, |row| row.fields.len())
     }
@@ -98,104 +99,104 @@ fn split<'a>(stated: SourceText, log: &'a Log, text: &'a str, problems: &mut Pro
         }
     };
     let Some(before) = before else {
-        return Err(Message::error(format!("no line of log `{file}` holds the words of the header"))
-            .at(stated.place(&log.file))
-            .into());
+        return Err(words_missing(&log.header).at(stated.place(&log.file)).into());
     };
     let header = all.drain(..before.min(all.len())).next_back();
     if log.sheet.is_some() {
-        // cells behind the last one of a row are empty, and not written
+        // a sheet omits trailing empty cells
         let width = header.iter().chain(&all).map(|row| row.fields.len()).max().unwrap_or(0);
         all.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
     }
     if all.is_empty() {
-        return Err(Message::error(format!("log `{file}` holds no rows"))
-            .at(stated.place(&log.file))
-            .hint("record it again, or state `header = false` if its only row holds values")
-            .into());
+        return Err(error!("data-rows-missing").at(stated.place(&log.file)).into());
     }
     let sheet = Sheet { file, header, rows: all };
     let width = sheet.width();
     for row in sheet.rows.iter().filter(|row| row.fields.len() != width) {
-        problems.0.push(
-            Message::error(format!("the row has {} fields", row.fields.len()))
-                .at(row.place(file))
-                .expected(format!("{width}, as the first row"))
-                .hint("a decimal comma in a file separated by commas? then state `delimiter` and `decimal`"),
-        );
+        problems.0.push(row_width(file, row, width, "first-row"));
     }
     if width == 1 && log.columns.len() > 1 {
-        let what = format!("log `{file}` has one column, of which the campaign names {}", log.columns.len());
-        let delimiter = log.delimiter().name();
-        let expected = format!("columns separated by `{delimiter}`, decimal `{}`", log.decimal.name());
-        let hint = match guesses(text, None).first().map(|guess| &guess.dialect) {
-            Some(Dialect { delimiter, decimal, .. }) => {
-                let delimiter = delimiter.map_or("", Delimiter::name);
-                format!("`delimiter = {delimiter:?}` and `decimal = {:?}` read its rows: state them", decimal.name())
-            }
-            None => "state `delimiter` and `decimal` of the log, as its rows have them".to_owned(),
-        };
-        return Err(Message::error(what).at(sheet.place()).expected(expected).hint(hint).into());
+        let guesses = guesses(text, None);
+        return Err(one_column(log.delimiter(), guesses.first().map(|guess| &guess.dialect)).at(sheet.place()).into());
     }
     if let Some(header) = sheet.header.as_ref().filter(|h| h.fields.iter().all(|f| is_number(f, log.decimal))) {
-        let message = Message::error("the row that should name the columns holds numbers alone");
-        let hint = "the file has no header: state `header = false` and give columns by number; with it as a header every \
-                    row would be one off";
-        problems.0.push(message.at(header.place(file)).hint(hint));
+        problems.0.push(error!("header-holds-numbers").at(header.place(file)));
     }
     Ok(sheet)
 }
 
-/// Index of a column, by its number or by its name in the header.
+/// Returns the error that no line holds the words of the header.
+pub(crate) fn words_missing(header: &Header) -> Message {
+    let words = if let Header::Words(words) = header { &words[..] } else { &[] };
+    error!("header-words-missing", words)
+}
+
+/// Returns the error that a row has another number of fields than the header or first row.
+pub(crate) fn row_width(file: &str, row: &Row, width: usize, like: &str) -> Message {
+    let expected = phrase!("fields-like", width, like);
+    error!("row-field-count", fields = row.fields.len(), expected).at(row.place(file))
+}
+
+/// Returns the error that the delimiter leaves each row in one column. The hint states the
+/// delimiter and the decimal mark that split the rows, if any.
+pub(crate) fn one_column(delimiter: Delimiter, guess: Option<&Dialect>) -> Message {
+    let message = error!("delimiter-does-not-split", delimiter = delimiter.name());
+    match guess.and_then(|dialect| Some((dialect.delimiter?, dialect.decimal))) {
+        Some((other, decimal)) => {
+            message.hint(phrase!("state-delimiter", delimiter = other.name(), decimal = decimal.name()))
+        }
+        None => message.hint(phrase!("state-delimiter-of-rows")),
+    }
+}
+
+/// Returns the index of a column given by number or heading.
 fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
     log.format.0.statement(wanted).map_or(Ok(()), Err)?;
-    let index = match (&wanted.column.at, &sheet.header, log.format.0.not_by_number()) {
-        (ColumnAt::Number(_), _, Some(why)) => {
-            let format = log.format.about().title;
-            return Err(
-                Message::error(format!("a column of {format} is not given by its number: {why}")).hint("give its name")
-            );
+    let index = match (&wanted.column.at, &sheet.header) {
+        (ColumnAt::Number(_), _) if !log.format.0.has_stable_order() => {
+            return Err(error!("column-by-number", format = log.format.about().name));
         }
-        (ColumnAt::Number(n), _, None) if *n > sheet.width() => {
-            let width = sheet.width();
-            return Err(Message::error(format!("the log has {width} columns, none of them is number {n}")));
+        (ColumnAt::Number(number), _) if *number > sheet.width() => {
+            return Err(error!("column-number-unknown", number, columns = sheet.width()));
         }
-        (ColumnAt::Number(n), _, None) => n - 1,
-        (ColumnAt::Name(name), Some(header), _) => named(name, wanted.column.occurrence, &header.fields)?,
-        (ColumnAt::Name(name), None, _) => {
-            return Err(Message::error(format!("the log has no header that could name `{name}`"))
-                .hint("give the number of the column instead of its name, or remove `header = false`"));
-        }
+        (ColumnAt::Number(number), _) => number - 1,
+        (ColumnAt::Name(name), Some(header)) => named(name, wanted.column.occurrence, &header.fields)?,
+        (ColumnAt::Name(name), None) => return Err(error!("header-not-stated", column = name)),
     };
     let heading = sheet.header.as_ref().and_then(|header| header.fields.get(index));
     heading.map_or(Ok(()), |heading| unit_agrees(log.format, wanted, heading))?;
     Ok(index)
 }
 
-/// Index of the column with this name; of several the stated one.
+/// Returns the index of the column with this heading; of several, the stated one.
 fn named(name: &str, occurrence: Option<usize>, header: &[Cow<str>]) -> std::result::Result<usize, Message> {
     let places: Vec<usize> = (0..header.len()).filter(|&i| header[i] == *name).collect();
-    let at: Vec<String> = places.iter().map(|i| (i + 1).to_string()).collect();
-    match (&places[..], occurrence) {
-        ([], _) => Err(Message::error(format!("the header has no column `{name}`"))
-            .hint_names(name, header.iter().map(Cow::as_ref))),
-        ([one], None) => Ok(*one),
-        (several, Some(n)) if n <= several.len() => Ok(several[n - 1]),
-        (several, Some(n)) => {
-            Err(Message::error(format!("the header names `{name}` {} times, there is no number {n}", several.len())))
-        }
-        (several, None) => Err(Message::error(format!("the header names `{name}` {} times", several.len()))
-            .expected(format!("which of columns {} is meant", at.join(" and ")))
-            .hint(format!("state it: `{{ name = \"{name}\", occurrence = 1 }}`, or give the number of the column"))),
+    match occurrence_of(name, &places, occurrence)? {
+        Some(index) => Ok(index),
+        None => Err(error!("column-unknown", column = name).hint_names(name, header.iter().map(Cow::as_ref))),
     }
 }
 
-/// Whether a field is a number, in this decimal mark or with more digits than a number can keep.
-fn is_number(field: &str, decimal: Decimal) -> bool {
-    number(field, decimal).is_ok()
+/// Returns the stated one of several columns with a name; `None` if there is no such column.
+pub(super) fn occurrence_of<T: Copy>(
+    name: &str,
+    columns: &[T],
+    occurrence: Option<usize>,
+) -> std::result::Result<Option<T>, Message> {
+    match (columns, occurrence) {
+        ([], _) => Ok(None),
+        ([one], None) => Ok(Some(*one)),
+        (several, Some(n)) if (1..=several.len()).contains(&n) => Ok(Some(several[n - 1])),
+        (several, _) => Err(error!("heading-repeated", column = name, times = several.len())),
+    }
 }
 
-/// The values of one column, in mm, deg and s; those that do not read are reported.
+/// `true` if a field is a number with this decimal mark.
+fn is_number(field: &str, decimal: Decimal) -> bool {
+    parsed(field, decimal, None).is_some()
+}
+
+/// Returns the values of one column (mm, deg, s), and reports cells that cannot be read.
 fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Problems) -> Values {
     if wanted.name == LABEL {
         return Values::Text(sheet.rows.iter().map(|row| row.field(at).to_owned()).collect());
@@ -215,9 +216,9 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
         match if nanoseconds { seconds(cell) } else { number(cell, log.decimal) } {
             Ok(value) => read.push(value),
             Err(message) => {
-                let unread = "every row needs its values: read it from the controller again, or remove the row";
-                let hint = message.hint.clone().unwrap_or_else(|| unread.to_owned());
-                problems.0.push(message.at(sheet.cell(row, at)).hint(hint));
+                let has_hint = message.hint.is_some();
+                let message = if has_hint { message } else { message.hint(phrase!("log-row-needs-values")) };
+                problems.0.push(message.at(sheet.cell(row, at)));
             }
         }
     }
@@ -230,10 +231,9 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     let (whole, modes) = (wanted.name == "cycle", wanted.name == ASSEMBLY);
     for (value, row) in read.iter().zip(&sheet.rows) {
         let message = if modes && value.abs() != 1.0 {
-            let hint = "leave the column out of `columns` if it is not known: then the nearer solution is taken";
-            Message::error(format!("{value} is not an assembly mode")).expected("1 or -1").hint(hint)
+            error!("assembly-mode-invalid", value)
         } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
-            Message::error(format!("cycle {value} is not a whole number"))
+            error!("not-whole-number", value = value.to_string(), column = "cycle")
         } else {
             continue;
         };
@@ -243,11 +243,10 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     Values::Real(read.into_iter().map(value).collect())
 }
 
-/// Seconds of whole nanoseconds. Nineteen digits are more than a number of 64 bits keeps, so that seconds are split off
-/// first.
+/// Returns seconds of whole nanoseconds. Whole seconds are split off first, because an `f64` does
+/// not hold nineteen digits.
 fn seconds(cell: &str) -> std::result::Result<f64, Message> {
-    let wrong = |_| Message::error(format!("`{cell}` is not a whole number of nanoseconds"));
-    let ns: i64 = cell.parse().map_err(wrong)?;
+    let ns: i64 = cell.parse().map_err(|_| error!("not-whole-number", value = cell, column = "time_ns"))?;
     Ok(ns.div_euclid(1_000_000_000) as f64 + ns.rem_euclid(1_000_000_000) as f64 * 1e-9)
 }
 

@@ -1,27 +1,28 @@
-//! Where a robot stands, in a log that was recorded while it moved.
+//! Standstills in a log that was recorded during motion.
 //!
-//! A sample stands if it lies in some stretch of at least the stated time within which no joint moves by more than is
-//! stated for its kind. The rule is the same read backwards, and has no filter. What stands together is one interval:
-//! stretches that share a sample are.
+//! A sample belongs to a standstill if it lies in a stretch of at least the stated duration within
+//! which no joint moves by more than the limit of its kind. The rule is symmetric in time and uses
+//! no filter. Stretches with a common sample form one standstill.
 
 use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, StandstillCriterion};
 use crate::table::{ASSEMBLY, LABEL};
-use etalon_base::message::{Message, Place, Result, SourceText};
+use etalon_base::error;
+use etalon_base::message::{Message, Place, Problems, Result, SourceText};
 use etalon_documents::{Source, StandingInterval, StandingJoint};
 use etalon_standards::iso9283::statistics::sample::{self, SampleSpread};
 use std::collections::VecDeque;
 
-/// A joint: its values, and how far they may lie apart where it stands, in the same unit.
+/// Joint with its values and its limit at a standstill, in one unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Watched<'a> {
-    /// Values, one for each sample.
+    /// Value at each sample.
     pub values: &'a [f64],
-    /// Largest difference of two values where the joint stands.
+    /// Largest difference of two values at a standstill.
     pub within: f64,
 }
 
-/// First and last sample of each interval in which all joints stand, in order; times in seconds, increasing.
+/// Returns the first and last sample of each standstill of all joints. Times increase (s).
 pub fn standing(times_s: &[f64], joints: &[Watched], at_least_s: f64) -> Vec<(usize, usize)> {
     let mut found: Vec<(usize, usize)> = Vec::new();
     for (first, last) in stretches(times_s.len(), joints) {
@@ -36,7 +37,7 @@ pub fn standing(times_s: &[f64], joints: &[Watched], at_least_s: f64) -> Vec<(us
     found
 }
 
-/// From each sample on, the longest stretch within which no joint leaves its range.
+/// Returns for each sample the longest stretch from it within which no joint exceeds its limit.
 fn stretches(count: usize, joints: &[Watched]) -> Vec<(usize, usize)> {
     let mut ranges: Vec<Range> = joints.iter().map(|_| Range::default()).collect();
     let mut all = Vec::with_capacity(count);
@@ -55,8 +56,8 @@ fn stretches(count: usize, joints: &[Watched]) -> Vec<(usize, usize)> {
     all
 }
 
-/// Range of a stretch that grows at its end and shrinks at its start: indices of the values that are the largest
-/// (smallest) from there to the end.
+/// Range of a stretch that grows at its end and shrinks at its start: indices of the values that
+/// are the largest (smallest) from their place to the end.
 #[derive(Default)]
 struct Range {
     largest: VecDeque<usize>,
@@ -64,7 +65,7 @@ struct Range {
 }
 
 impl Range {
-    /// The range with one more value.
+    /// Returns the range with one more value.
     fn with(&self, values: &[f64], next: usize) -> f64 {
         let high = self.largest.front().map_or(values[next], |&i| values[i].max(values[next]));
         let low = self.smallest.front().map_or(values[next], |&i| values[i].min(values[next]));
@@ -82,7 +83,7 @@ impl Range {
         self.smallest.push_back(next);
     }
 
-    /// Takes the first value out.
+    /// Removes the first value.
     fn forget(&mut self, first: usize) {
         for queue in [&mut self.largest, &mut self.smallest] {
             if queue.front() == Some(&first) {
@@ -92,9 +93,9 @@ impl Range {
     }
 }
 
-/// The log with one row for each interval in which the robot stands: mean joint values.
+/// Returns the log with one row of mean joint values for each standstill.
 ///
-/// Pose, cycle, label and assembly mode must not change within an interval.
+/// Pose, cycle, label and assembly mode must not change within a standstill.
 pub(super) fn reduce(
     stated: SourceText,
     log: &Log,
@@ -103,21 +104,16 @@ pub(super) fn reduce(
     source: &mut Source,
 ) -> Result<JointLog> {
     let place = || stated.place(&log.file);
-    let (times_s, within) = limits(log, still, &read).map_err(|message| message.at(place()))?;
+    let (times_s, within) = limits(log, still, &read).map_err(|message| Problems::from(message).at(&place()))?;
     let values: Vec<Vec<f64>> =
         (0..read.joints.len()).map(|k| read.rows.iter().map(|row| row.joints[k]).collect()).collect();
     let watched: Vec<Watched> = values.iter().zip(within).map(|(values, within)| Watched { values, within }).collect();
     let found = standing(&times_s, &watched, still.at_least_s);
     if found.is_empty() {
         let longest = stretches(times_s.len(), &watched).into_iter().map(|(a, b)| times_s[b] - times_s[a]);
-        let longest = longest.fold(0.0, f64::max);
-        let message = Message::error(format!(
-            "the robot of log `{}` is never at a standstill for {} s",
-            log.name, still.at_least_s
-        ));
-        let hint =
-            format!("its longest standstill within these limits is {longest:.3} s: check `at_least_s` and the limits");
-        return Err(message.at(place()).hint(hint).into());
+        let (longest_s, at_least_s) = (longest.fold(0.0, f64::max), still.at_least_s);
+        let message = error!("standstill-missing", log = &log.name, at_least_s, longest_s);
+        return Err(message.at(place()).into());
     }
     let mut rows = Vec::with_capacity(found.len());
     let mut intervals = Vec::with_capacity(found.len());
@@ -145,24 +141,25 @@ pub(super) fn reduce(
     Ok(JointLog { columns, rows, ..read })
 }
 
-/// Times of the rows, and how far each joint may move while it stands; or what is wrong with the statement.
+/// Returns the times of the rows and the limit of each joint, or the error of the statement.
 fn limits(
     log: &Log,
     still: &StandstillCriterion,
     read: &JointLog,
 ) -> std::result::Result<(Vec<f64>, Vec<f64>), Message> {
-    let limits = [Some(still.at_least_s), still.within_deg, still.within_mm];
-    if limits.into_iter().flatten().any(|limit| limit <= 0.0 || !limit.is_finite()) {
-        let message = Message::error("the limits of [log.standstill] must be positive");
-        return Err(message.hint("they are the movements at a standstill, as the encoders show them"));
+    let limits =
+        [("at_least_s", Some(still.at_least_s)), ("within_deg", still.within_deg), ("within_mm", still.within_mm)];
+    let wrong = |(_, limit): &(&str, Option<f64>)| limit.is_some_and(|limit| limit <= 0.0 || !limit.is_finite());
+    if let Some((key, _)) = limits.into_iter().find(wrong) {
+        return Err(error!("key-not-positive", key));
     }
     let Some(times_s) = read.rows.iter().map(|row| row.time_s).collect::<Option<Vec<f64>>>() else {
-        let message = Message::error("[log.standstill] needs the times of the rows");
-        return Err(message.hint("state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`"));
+        return Err(error!("standstill-time-missing"));
     };
     if let Some(i) = times_s.windows(2).position(|pair| pair[1] <= pair[0]) {
-        let message = Message::error(format!("times of log `{}` do not increase at its row {}", log.name, i + 2));
-        return Err(message.hint("sort the log by time, and remove rows with equal times"));
+        let message = error!("time-not-increasing", later_s = times_s[i + 1], earlier_s = times_s[i]);
+        let line = Some(read.rows[i + 1].line);
+        return Err(message.at(Place { line, ..Place::file(log.file.get_ref()) }));
     }
     let within = |name: &String| {
         if name.ends_with(DIRECTION) {
@@ -170,15 +167,12 @@ fn limits(
         }
         let (key, within) =
             if name.ends_with("_deg") { ("within_deg", still.within_deg) } else { ("within_mm", still.within_mm) };
-        within.ok_or_else(|| {
-            let message = Message::error(format!("[log.standstill] does not state when `{name}` is at a standstill"));
-            message.hint(format!("add `{key}`: the largest movement that is none"))
-        })
+        within.ok_or_else(|| error!("standstill-limit-missing", column = name, key))
     };
     Ok((times_s, read.joints.iter().map(within).collect::<std::result::Result<_, _>>()?))
 }
 
-/// An error if what a standing robot is at changes.
+/// Checks that pose, cycle, label and assembly mode do not change within a standstill.
 fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     type Value<'a> = dyn Fn(&LogRow) -> String + 'a;
     let of: [(&str, &Value); 4] = [
@@ -190,16 +184,15 @@ fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     for (name, value) in of.into_iter().filter(|(name, _)| *name != "pose" || log.pose.is_none()) {
         let first = value(&rows[0]);
         if let Some(row) = rows.iter().find(|row| value(row) != first) {
-            let what = format!("`{name}` goes from {first} to {} within a standstill", value(row));
             let place = Place { line: Some(row.line), ..Place::file(log.file.get_ref()) };
-            let hint = "at a standstill the robot is at one pose: leave the column out, or lower the limits";
-            return Err(Message::error(what).at(place).hint(hint).into());
+            let message = error!("changes-at-standstill", column = name, from = first, to = value(row));
+            return Err(message.at(place).into());
         }
     }
     Ok(())
 }
 
-/// Mean, standard deviation (n - 1) and range of a joint while it stands.
+/// Returns mean, standard deviation (n - 1) and range of a joint within a standstill.
 fn spread(name: &str, values: &[f64]) -> StandingJoint {
     let SampleSpread { mean, deviation } = sample::spread(values);
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));

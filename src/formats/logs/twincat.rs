@@ -1,13 +1,17 @@
-//! Beckhoff TwinCAT 3 Scope exports: every channel has a time base of its own, in ms since the start of the export.
+//! Beckhoff TwinCAT 3 Scope exports: each channel has its own times (ms since the start of the
+//! export).
 //!
-//! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
-//! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
+//! Unsorted exports have a column of times for each channel, sorted exports for each group of
+//! channels with equal times. A row of the log is a time at which all wanted channels have a value;
+//! nothing is interpolated.
 
-use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, other_unit};
-use crate::dialect::{ColumnAt, Decimal, Delimiter};
+use super::sheet::{occurrence_of, row_width};
+use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, inapplicable, other_unit};
+use crate::dialect::{ColumnAt, Decimal, Delimiter, two_commas};
 use crate::exports::Recognised;
 use crate::lexer::{Row, number};
-use etalon_base::message::{Message, Place, Problems, Result, count};
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::{error, warning};
 use etalon_documents::Source;
 
 /// Exports of Beckhoff TwinCAT 3 Scope: a time base for each channel.
@@ -37,13 +41,13 @@ impl LogFormat for TwinCat {
     }
 }
 
-/// The samples of a channel.
+/// Samples of a channel.
 #[derive(Default)]
 struct Samples {
     times_ms: Vec<f64>,
     values: Vec<f64>,
     lines: Vec<i64>,
-    /// No more of it in the rows that follow.
+    /// `true` after the last sample.
     ended: bool,
 }
 
@@ -57,8 +61,7 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
     source.dialect = format!("{}, delimited by {separator:?}, decimal `{decimal}`{start}", log.format.about().title);
     let mut problems = Problems::default();
     if log.period_s.is_some() {
-        let message = Message::error("the channels bring their own times").at(stated.place(&log.file));
-        problems.0.push(message.hint("leave `period_s` out of this log"));
+        problems.0.push(inapplicable("period_s").at(stated.place(&log.file)));
     }
     let mut chosen = Vec::new();
     for wanted in wanted {
@@ -68,7 +71,7 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
         }
     }
     if chosen.is_empty() && problems.0.is_empty() {
-        let message = Message::error("`columns` of this log names no channel").at(stated.place(&log.file));
+        let message = error!("log-columns-missing").at(stated.place(&log.file));
         problems.0.push(message.hint_names("", header.channels.iter().map(|c| c.name.as_str())));
     }
     problems.check()?;
@@ -77,27 +80,18 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
     together(file, &header, &chosen, log, &samples)
 }
 
-/// The channel that a key wants, in a unit and a scale that are clear.
+/// Returns the channel of a key, after checks of its unit and scale.
 fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::Result<&'a Channel, Message> {
     if wanted.name == "time_s" {
-        return Err(Message::error("the channels bring their own times").hint("leave the time out of `columns`"));
+        return Err(inapplicable(wanted.key.get_ref()));
     }
     let ColumnAt::Name(name) = &wanted.column.at else {
-        let message = Message::error("a channel is not given by its number: what is sorted changes with the export");
-        return Err(message.hint("give its name"));
+        return Err(error!("column-by-number", format = log.format.about().name));
     };
     let named: Vec<&Channel> = header.channels.iter().filter(|c| c.name == *name).collect();
-    let channel = match (&named[..], wanted.column.occurrence) {
-        ([one], None) => *one,
-        (several, Some(n)) if n > 0 && n <= several.len() => several[n - 1],
-        ([], _) => {
-            let message = Message::error(format!("the export has no channel `{name}`"));
-            return Err(message.hint_names(name, header.channels.iter().map(|c| c.name.as_str())));
-        }
-        (several, _) => {
-            let message = Message::error(format!("{} channels are called `{name}`", several.len()));
-            return Err(message.hint(format!("state which: `{{ name = \"{name}\", occurrence = 1 }}`")));
-        }
+    let Some(channel) = occurrence_of(name, &named, wanted.column.occurrence)? else {
+        let names = header.channels.iter().map(|c| c.name.as_str());
+        return Err(error!("column-unknown", column = name).hint_names(name, names));
     };
     let known = match channel.unit.as_str() {
         "mm" | "m" | "um" | "deg" | "rad" => channel.unit.as_str(),
@@ -113,26 +107,20 @@ fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::R
     Ok(channel)
 }
 
-/// Factor and offset that are still to be applied.
+/// Returns the factor and offset that are not yet applied.
 fn scale(channel: &Channel, values: Option<ChannelValues>) -> std::result::Result<(f64, f64), Message> {
     const NONE: (f64, f64) = (1.0, 0.0);
     match (channel.scale, channel.unit_scale, values) {
         (NONE, NONE, _) | (_, _, Some(ChannelValues::Scaled)) => Ok(NONE),
         (one, NONE, Some(ChannelValues::Raw)) | (NONE, one, Some(ChannelValues::Raw)) => Ok(one),
-        (_, _, Some(ChannelValues::Raw)) => {
-            let what = format!("channel `{}` has a scale and a unit with a scale", channel.name);
-            let message = Message::error(format!("{what}: which comes first is not documented"));
-            Err(message.hint("export it with scaled values, and state `values = \"scaled\"`"))
-        }
+        (_, _, Some(ChannelValues::Raw)) => Err(error!("twincat-two-scales", channel = &channel.name)),
         ((f, o), (uf, uo), None) => {
-            let what = format!("channel `{}` has a scale ({f}, {o}) or a unit with one ({uf}, {uo})", channel.name);
-            let message = Message::error(format!("{what}, and the file does not state whether it is applied"));
-            Err(message.hint("state `values = \"raw\"` or `values = \"scaled\"`, as the export was set"))
+            Err(error!("twincat-scale-undecided", channel = &channel.name, scale = [f, o], unit_scale = [uf, uo]))
         }
     }
 }
 
-/// The samples of each channel.
+/// Reads the samples of each channel.
 fn samples(
     header: &Header,
     channels: &[&Channel],
@@ -150,9 +138,7 @@ fn samples(
         source.rows_read += 1;
         let row = Row::of(i + 1, line, line.split(header.separator).map(str::trim));
         if row.fields.iter().skip(header.width).any(|f| !f.is_empty()) {
-            let message = Message::error(format!("the row has {} fields", row.fields.len()));
-            let message = message.at(row.place(file)).expected(format!("at most {}", header.width));
-            problems.0.push(message.hint("is the decimal mark a comma in a file separated by commas?"));
+            problems.0.push(row_width(file, &row, header.width, "names"));
             continue;
         }
         for (channel, samples) in channels.iter().zip(&mut all) {
@@ -165,30 +151,30 @@ fn samples(
                 problems.0.push(message.at(row.cell(file, at)));
             };
             if samples.ended {
-                wrong(Message::error(format!("channel `{}` goes on after it has ended", channel.name)), channel.at);
+                wrong(error!("channel-resumes", channel = &channel.name), channel.at);
                 continue;
             }
             match (number(time, log.decimal), number(value, log.decimal)) {
                 (Err(message), _) => wrong(message, channel.time),
                 (_, Err(message)) => wrong(message, channel.at),
-                (Ok(time), Ok(_)) if samples.times_ms.last().is_some_and(|last| *last >= time) => {
-                    wrong(
-                        Message::error(format!("the time of channel `{}` does not go on", channel.name)),
-                        channel.time,
-                    );
-                }
-                (Ok(time), Ok(value)) => {
-                    samples.times_ms.push(time);
-                    samples.values.push(value);
-                    samples.lines.push(i as i64 + 1);
-                }
+                (Ok(time), Ok(value)) => match samples.times_ms.last() {
+                    Some(last) if *last >= time => {
+                        let (later_s, earlier_s) = (time / 1000.0, last / 1000.0);
+                        wrong(error!("time-not-increasing", later_s, earlier_s), channel.time);
+                    }
+                    _ => {
+                        samples.times_ms.push(time);
+                        samples.values.push(value);
+                        samples.lines.push(i as i64 + 1);
+                    }
+                },
             }
         }
     }
     problems.check().map(|_| all)
 }
 
-/// One row for each time at which all channels have a value.
+/// Returns one row for each time at which all channels have a value.
 fn together(
     file: &str,
     header: &Header,
@@ -202,8 +188,7 @@ fn together(
         first.times_ms.iter().copied().filter(|&t| samples.iter().all(|s| at(s, t).is_some())).collect();
     let place = || Place { line: Some(header.names), ..Place::file(file) };
     if shared.is_empty() {
-        let message = Message::error("there is no time at which all these channels have a value").at(place());
-        return Err(message.hint("export channels of one task, with one sample time").into());
+        return Err(error!("channels-without-common-time").at(place()).into());
     }
     let mut columns = Columns {
         rows: (1..=shared.len() as i64).collect(),
@@ -217,74 +202,65 @@ fn together(
         columns.columns.push((wanted.name.clone(), Values::Real(shared.iter().filter_map(value).collect())));
         let alone = samples.times_ms.len() - shared.len();
         if alone > 0 {
-            let samples = count(alone, "sample");
-            let what = format!("channel `{}` has {samples} at times that another channel has not", channel.name);
-            columns.said.push(Message::warning(what).at(place()).hint("they are left out; nothing is interpolated"));
+            columns.said.push(warning!("channel-samples-unused", channel = &channel.name, count = alone).at(place()));
         }
     }
     Ok(columns)
 }
 
-/// Seconds from 1601-01-01, where a FILETIME begins, to 1970-01-01.
+/// Seconds from 1601-01-01, the origin of FILETIME, to 1970-01-01.
 const FILETIME_TO_UNIX_S: i64 = 11_644_473_600;
 
-/// The head of an export.
+/// Head of an export.
 struct Header {
-    /// What separates fields.
+    /// Separator of fields.
     separator: char,
     /// Start of the export, FILETIME: 100 ns since 1601-01-01 UTC.
     start: Option<i64>,
-    /// Columns that bring values.
+    /// Columns of values.
     channels: Vec<Channel>,
-    /// Fields of a full row.
+    /// Number of fields of a full row.
     width: usize,
     /// Index of the first line with data.
     data: usize,
-    /// The line that names the channels, from 1.
+    /// Line that names the channels, from 1.
     names: usize,
 }
 
-/// A column of values.
+/// Column of values.
 struct Channel {
     name: String,
-    /// Its column.
+    /// Index of its column.
     at: usize,
-    /// The column of its times.
+    /// Index of the column of its times.
     time: usize,
     unit: String,
     /// Factor and offset of the channel: value = raw * factor + offset.
     scale: (f64, f64),
-    /// Factor and offset of its unit, likewise.
+    /// Factor and offset of the unit: value = raw * factor + offset.
     unit_scale: (f64, f64),
 }
 
 impl Header {
-    /// Reads the head; a file that could be read in two ways is refused.
+    /// Reads the head; an ambiguous file is rejected.
     fn read(file: &str, lines: &[&str], log: &Log) -> Result<Self> {
         let shown = |i: usize| Place::line(file, i + 1, lines.get(i).copied().unwrap_or(""));
         let separator = separator(lines, log).map_err(|m| m.at(shown(0)))?;
         let split = |i: usize| lines.get(i).map_or(Vec::new(), |line| line.split(separator).map(str::trim).collect());
         let names = (1..lines.len().min(100)).find(|&i| split(i).first() == Some(&"Name"));
         let Some(first) = names else {
-            let message = Message::error("no row names the channels").at(shown(0));
-            return Err(message.expected("a row that begins with `Name` after the start and end of the export").into());
+            return Err(error!("twincat-head-malformed", part = "names").at(shown(0)).into());
         };
         let end = (first..lines.len().min(first + 100)).find(|&i| lines[i].trim().is_empty());
         let Some(end) = end else {
-            let message = Message::error("the head of the channels does not end").at(shown(first));
-            return Err(message.expected("an empty line before the data").into());
+            return Err(error!("twincat-head-malformed", part = "end").at(shown(first)).into());
         };
         let head: Vec<Vec<&str>> = (first..end).map(split).collect();
         let width = head[0].len();
-        // comments that are empty end their row early
+        // empty comments end their row early
         let fits = |row: &Vec<&str>| row.len() == width || row.len() < width && row[0] == "SymbolComment";
         let ragged = head.iter().enumerate().filter(|(_, row)| !fits(row)).map(|(i, row)| {
-            let (here, wanted) = (row.len(), format!("{width}, as the row of names"));
-            let reason = "a comma of the operating system's decimal mark, or a name, holds the separator";
-            Message::error(format!("row `{}` of the head has {here} fields: {reason}", row[0]))
-                .at(shown(first + i))
-                .expected(wanted)
-                .hint("export again, separated by tabs or semicolons")
+            error!("twincat-head-ragged", row = row[0], fields = row.len(), width).at(shown(first + i))
         });
         Problems(ragged.collect()).check()?;
         let field = |key: &str, at: usize| {
@@ -300,10 +276,10 @@ impl Header {
             }
             let mut number = |key: &str, absent: f64| match field(key, at) {
                 "" => absent,
-                // the head keeps the decimal mark of the operating system, whatever the data have
+                // the head has the decimal mark of the operating system, the data may have another
                 text => text.replace(',', ".").parse().unwrap_or_else(|_| {
-                    let what = format!("`{key}` of channel `{name}` is `{text}`, not a number");
-                    problems.0.push(Message::error(what).at(shown(first)));
+                    let message = error!("channel-scale-not-number", key, channel = name, value = text);
+                    problems.0.push(message.at(shown(first)));
                     absent
                 }),
             };
@@ -320,7 +296,7 @@ impl Header {
         Ok(Self { separator, start, channels, width, data: end + 1, names: first + 1 })
     }
 
-    /// The start of the export in UTC, to the millisecond.
+    /// Returns the start of the export in UTC, to the millisecond.
     fn start_utc(&self) -> Option<String> {
         let ms = self.start?.div_euclid(10_000) - FILETIME_TO_UNIX_S * 1000;
         let (days, in_day) = (ms.div_euclid(86_400_000), ms.rem_euclid(86_400_000));
@@ -331,31 +307,26 @@ impl Header {
     }
 }
 
-/// The separator, which the first line shows after its first word; one that reads two ways is refused.
+/// Returns the separator behind the first word of the first line; an ambiguous one is rejected.
 fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     let after = lines.first().and_then(|line| line.strip_prefix("Name")).and_then(|rest| rest.chars().next());
-    let again = "export again, separated by tabs or semicolons";
     let Some(separator) = after.filter(|c| ['\t', ' ', ':', ';', ','].contains(c)) else {
-        let message = Message::error("this is not a TwinCAT 3 Scope export");
-        return Err(message.expected("a first line of `Name`, a separator, and the name of the export"));
+        return Err(error!("twincat-head-malformed", part = "first-line"));
     };
     if separator == ' ' {
-        let what = "the export is separated by blanks, and a blank is also a missing value and part of names";
-        return Err(Message::error(what).hint(again));
+        return Err(error!("twincat-separated-by-blanks"));
     }
     if separator == ',' && log.decimal == Decimal::Comma {
-        let message = Message::error("the export is separated by commas, and its decimal mark is a comma");
-        return Err(message.hint(again));
+        return Err(two_commas());
     }
     let stated = log.delimiter.and_then(Delimiter::byte).map(char::from);
     if log.delimiter.is_some() && stated != Some(separator) {
-        let message = Message::error(format!("the export is separated by {separator:?}"));
-        return Err(message.hint("leave `delimiter` out of this log: the export states it itself"));
+        return Err(error!("delimiter-differs", separator = format!("{separator:?}")));
     }
     Ok(separator)
 }
 
-/// Year, month and day of a number of days since 1970-01-01 in the Gregorian calendar.
+/// Returns year, month and day of a number of days since 1970-01-01 (Gregorian calendar).
 ///
 /// H. Hinnant, "chrono-Compatible Low-Level Date Algorithms", civil_from_days.
 fn civil(days: i64) -> (i64, i64, i64) {

@@ -1,4 +1,4 @@
-//! What a text could be: a proposal with its reasons, doubts and questions, to paste into a campaign.
+//! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
 mod coordinates;
 mod headings;
@@ -15,6 +15,7 @@ use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
+use etalon_base::error;
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
 use lines::{JOINTS, Proposal};
@@ -22,62 +23,67 @@ use meaning::Interpretation;
 use std::path::Path;
 use table::Table;
 
-/// What holds no points, and by what it is recognised.
-const NO_POINTS: [fn(&str) -> Option<Recognised>; 3] = [
-    |text| {
-        let mark = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
-        let what = "a digital calibration certificate: results of a calibration, and no measured points";
-        Recognised::by(is_xml(text) && mark, 0.9, what)
-    },
-    |text| Recognised::by(is_xml(text), 0.1, "an XML document of no kind that is read"),
-    |text| {
-        let mark = text.starts_with("// Header") && text.contains("Version;SJ-4");
-        Recognised::by(mark, 1.0, "roughness parameters of a Mitutoyo SJ-410, and no coordinates")
-    },
-];
-
-/// The format of a text that states what it is, none where it holds no points; and what states so.
-fn known(text: &str) -> Option<(Option<&'static str>, Recognised)> {
-    let none = NO_POINTS.iter().filter_map(|kind| kind(text)).max_by(|a, b| a.score.total_cmp(&b.score));
-    match (recognise(text), none) {
-        (Some((_, found)), Some(none)) if none.score > found.score => Some((None, none)),
-        (Some((format, found)), _) => Some((Some(format), found)),
-        (None, none) => none.map(|none| (None, none)),
+/// Kind of a text that holds no points, and how surely it is recognised, from 0 to 1.
+fn without_points(text: &str) -> Option<(&'static str, f64)> {
+    let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
+    let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");
+    match (is_xml(text), roughness) {
+        (_, true) => Some(("roughness", 1.0)),
+        (true, _) if certificate => Some(("certificate", 0.9)),
+        (true, _) => Some(("xml", 0.1)),
+        (false, _) => None,
     }
 }
 
-/// A log that is recognised as surely is proposed in its format; of another one it is asked.
+/// Content of a text with a known mark.
+enum Known {
+    /// Points in the format of this name.
+    Points(&'static str, Recognised),
+    /// A document of this kind, which holds no points.
+    Other(&'static str),
+}
+
+/// Recognises a text by its mark: a format of exports, or a document without points.
+fn known(text: &str) -> Option<Known> {
+    match (recognise(text), without_points(text)) {
+        (Some((_, found)), Some((kind, score))) if score > found.score => Some(Known::Other(kind)),
+        (Some((format, found)), _) => Some(Known::Points(format, found)),
+        (None, other) => other.map(|(kind, _)| Known::Other(kind)),
+    }
+}
+
+/// Score above which a log is proposed in its format; below it the format is a question.
 const SURE: f64 = 0.5;
 
-/// Columns that are explained in the comments of a proposal.
+/// Maximum number of columns that are explained in the comments of a proposal.
 const SHOWN_COLUMNS: usize = 60;
 
-/// Proposes readings of a file, the first also as lines for campaign.toml.
+/// Proposes readings of a file, and lines for campaign.toml for the first reading.
 ///
 /// # Errors
-/// If there is no such file, if it is empty or not a text, or if no reading gives rows of numbers.
+/// If the file is missing, empty or not text, or no reading gives rows of numbers.
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
-    let refused = |what: String| Message::error(what).at(Place::file(name.as_str()));
+    let here = |message: Message| message.at(Place::file(name.as_str()));
     if bytes.is_empty() {
-        return Err(refused("the file is empty".to_owned()).hint("export it again").into());
+        return Err(here(error!("file-empty")).into());
     }
     if workbook::is_workbook(&bytes) {
-        return of_workbook(&name, &bytes).map_err(|m| m.at(Place::file(name.as_str())).into());
+        return of_workbook(&name, &bytes).map_err(|message| here(message).into());
     }
-    let (text, encoding) = decoded(bytes).map_err(|m| m.at(Place::file(name.as_str())))?;
-    if let Some(what) = structure::structured(&text).filter(|_| known(&text).is_none()) {
-        let message = refused(format!("this is {what}")).expected("a table of text, or a workbook");
-        return Err(message.hint("write its numbers as CSV, one row each, with names of the columns above").into());
-    }
-    if let (None, what) = known(&text).map_or((Some(""), ""), |(format, found)| (format, found.what)) {
-        return Err(refused(format!("this is {what}")).expected("measured points, or a log").into());
+    let (text, encoding) = decoded(bytes).map_err(here)?;
+    let other = match known(&text) {
+        Some(Known::Points(..)) => None,
+        Some(Known::Other(kind)) => Some(kind),
+        None => structure::structured(&text),
+    };
+    if let Some(kind) = other {
+        return Err(here(error!("file-without-points", kind)).into());
     }
     let mut document = propose(&name, &text);
     if document.readings.is_empty() && document.format.is_none() {
-        let message = refused("no reading as delimited text gives rows with two or more numbers".to_owned());
-        return Err(message.hint("export the points as text, one row each").into());
+        return Err(here(error!("no-rows-of-numbers", file = "text")).into());
     }
     if let Some(encoding) = encoding {
         let line = format!("encoding = {:?}\n", encoding.name());
@@ -90,7 +96,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     Ok(document)
 }
 
-/// The first sheet that holds rows of numbers.
+/// Proposes readings of the first sheet with rows of numbers.
 fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument, Message> {
     let names = workbook::sheets(bytes)?;
     for name in &names {
@@ -103,10 +109,10 @@ fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument,
             return Ok(document);
         }
     }
-    Err(Message::error("no sheet of the workbook holds rows with two or more numbers"))
+    Err(error!("no-rows-of-numbers", file = "workbook"))
 }
 
-/// The text, and the encoding that the campaign must state for it.
+/// Returns the text, and the encoding that the campaign has to state.
 fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Message> {
     let first = match decode(bytes.clone(), None) {
         Ok(text) => return Ok((text, None)),
@@ -124,14 +130,15 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
     }
 }
 
-/// Proposes readings of a text, the first also as lines for campaign.toml. What the file cannot state is asked.
+/// Proposes readings of a text, and lines for campaign.toml for the first reading. Statements that
+/// the file lacks become questions.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None)
 }
 
-/// The proposal for a text that states its format.
+/// Returns the proposal for a text that states its format.
 fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<FormatsDocument> {
-    let (Some(format), Recognised { what, unit, .. }) = known(text)? else { return None };
+    let Known::Points(format, Recognised { what, unit, .. }) = known(text)? else { return None };
     let mut document = empty.clone();
     document.format = Some(format.to_owned());
     document.kind = "export".to_owned();
@@ -155,7 +162,7 @@ fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<Fo
     Some(document)
 }
 
-/// The same of a file, or of a sheet whose cells are separated by tabs.
+/// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
 fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
@@ -208,7 +215,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     let lines = match own::recognise(&proposal, &found.joint_columns()) {
         Some(own) => {
             document.kind = own.kind.to_owned();
-            // rows about fixed points have few numbers
+            // rows of fixed points have few numbers
             document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
             document.reasons.push(format!("its columns are those of {}", own.what));
             document.questions.extend(own.question);
@@ -239,7 +246,7 @@ fn reading(guess: &Guess, found: &Interpretation) -> Reading {
     }
 }
 
-/// What each column is taken for.
+/// Returns the meaning of each column.
 fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
     let column = |(i, taken): (usize, &meaning::Taken)| FormatsColumn {
         number: i + 1,
@@ -251,7 +258,7 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
     found.taken.iter().enumerate().map(column).collect()
 }
 
-/// Why the first reading is the first.
+/// Returns the reasons for the first reading.
 fn reasons(best: &Guess, table: &Table) -> Vec<String> {
     let columns = match best.dialect.delimiter {
         Some(delimiter) => format!("have {} fields separated by `{}`", best.numeric.len(), delimiter.name()),
@@ -283,7 +290,7 @@ fn reasons(best: &Guess, table: &Table) -> Vec<String> {
     reasons
 }
 
-/// What speaks against the first reading.
+/// Returns the doubts about the first reading.
 fn doubts(guesses: &[Guess]) -> Vec<String> {
     let [best, others @ ..] = guesses else { return Vec::new() };
     let mut doubts: Vec<String> = others
@@ -313,7 +320,7 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
     doubts
 }
 
-/// The lines under comments with the reasons, what speaks against them, and what is asked.
+/// Returns the lines with comments above them: reasons, doubts and questions.
 fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
     let mut out = String::new();
     let mut remark = |text: String| out.push_str(&format!("# {}\n", printable(&text)));
@@ -359,7 +366,7 @@ mod tests {
             "pose;target;x_mm;y_mm;z_mm;J1_rad;J2_rad\n1;K;1,5;2,5;3,5;0,1;0,2\n2;K;1,6;2,6;3,6;0,3;0,4\n",
         )
         .toml;
-        // joints called otherwise than q1, q2 may be those of a URDF: a table of observations
+        // joints with other names than q1, q2 may be the joints of a URDF: a table of observations
         assert!(text.contains("[observations]") && text.contains("column 6 `J1_rad` is joint 1"), "{text}");
         assert!(!text.contains("[log]") && !text.contains("pose = \"row\""), "{text}");
         let text = propose("m.csv", "pose;x;y;z\n1;1,5;2,5;3,5\n2;1,6;2,6;3,6\n").toml;

@@ -1,6 +1,6 @@
-//! Texts with a structure that is no table: YAML, TOML, JSON.
+//! Recognition of structured texts: YAML, TOML, JSON.
 
-/// What a text is, if most of its lines have the form of a structured document.
+/// Returns `json`, `yaml` or `toml` if most lines of a text have the form of such a document.
 pub(super) fn structured(text: &str) -> Option<&'static str> {
     let lines: Vec<&str> = text.lines().map(str::trim_end).filter(|line| !line.trim().is_empty()).take(400).collect();
     let first = lines.first()?.trim_start();
@@ -8,7 +8,7 @@ pub(super) fn structured(text: &str) -> Option<&'static str> {
         && text.trim_end().ends_with(['}', ']'])
         && text.contains(':')
     {
-        return Some("a JSON document, and no table");
+        return Some("json");
     }
     let key = |line: &str| {
         line.split_once(':').is_some_and(|(name, rest)| {
@@ -24,7 +24,7 @@ pub(super) fn structured(text: &str) -> Option<&'static str> {
     let keys = lines.iter().filter(|line| key(line.trim_start())).count();
     let most = lines.iter().filter(yaml).count() * 10 >= lines.len() * 8;
     if most && (keys + list >= 2 && keys > 0 || first == "---" || list * 2 > lines.len()) {
-        return Some("a YAML document, and no table");
+        return Some("yaml");
     }
     let toml = |line: &&&str| {
         let line = line.trim_start();
@@ -33,8 +33,7 @@ pub(super) fn structured(text: &str) -> Option<&'static str> {
             || line.split_once(" = ").is_some_and(|(name, _)| !name.is_empty() && !name.contains([',', ';', '\t']))
     };
     let sections = lines.iter().any(|line| line.starts_with('[') && line.ends_with(']') && !line.contains(','));
-    (sections && lines.iter().filter(toml).count() * 10 >= lines.len() * 8)
-        .then_some("a TOML or INI document, and no table")
+    (sections && lines.iter().filter(toml).count() * 10 >= lines.len() * 8).then_some("toml")
 }
 
 #[cfg(test)]
@@ -49,10 +48,10 @@ mod tests {
             "header:\n  stamp: 12.5\nposition: [0.1, 0.2]\n",
             "- [0.1, 0.2, 0.3]\n- [0.4, 0.5, 0.6]\n",
         ] {
-            assert_eq!(structured(text), Some("a YAML document, and no table"), "{text}");
+            assert_eq!(structured(text), Some("yaml"), "{text}");
         }
-        assert_eq!(structured("{\n\"a\": [1, 2]\n}\n"), Some("a JSON document, and no table"));
-        assert_eq!(structured("[robot]\nx = 1.5\ny = 2.5\n"), Some("a TOML or INI document, and no table"));
+        assert_eq!(structured("{\n\"a\": [1, 2]\n}\n"), Some("json"));
+        assert_eq!(structured("[robot]\nx = 1.5\ny = 2.5\n"), Some("toml"));
         for text in [
             "x,y,z\n1,2,3\n",
             "Plate: 5\nDate: today\n\nX Y Z\n1.5 2.5 3.5\n4.5 5.5 6.5\n7.5 8.5 9.5\n1.5 2.5 3.5\n",

@@ -2,11 +2,15 @@
 
 use crate::table::{self, ASSEMBLY};
 use etalon_base::message::{Message, Place, Result};
+use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 
-/// Joint values of each row of a table, in mm or rad, and behind them the directions of the joints that came from one side. Columns that are
-/// `needed` beside them are missed with theirs.
+/// Returns the joint values of each row (mm or rad), followed by the directions of joints with
+/// backlash.
+///
+/// # Errors
+/// Missing columns of joints and columns in `needed`, all at once; values that are not directions.
 pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
@@ -21,13 +25,10 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
         let joint = &robot.joints()[k];
         let column = joint.direction_column();
         if table.column(&column).is_err() {
-            let what = format!("`backlash` of joint `{}` needs the direction from which it came", joint.name);
-            let hint =
-                "a campaign takes it from a log with times; or remove the joint from `backlash` of the robot file";
-            return Err(Message::error(what).expected(expected_direction(joint)).hint(hint).into());
+            return Err(error!("joint-direction-missing", joint = &joint.name, column).into());
         }
         for (i, (row, direction)) in rows.iter_mut().zip(table::numbers(table, &column)?).enumerate() {
-            // rows about fixed points alone have no joint values
+            // rows of fixed points have no joint values
             if let Some(message) = wrong_direction(joint, direction).filter(|_| row[k].is_finite()) {
                 let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
                 return Err(message.at(Place { line, ..Place::default() }).into());
@@ -38,33 +39,29 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
     Ok(rows)
 }
 
-/// An error where a value is not the direction from which a joint came.
+/// Returns the error that a value is not the direction from which a joint came.
 pub fn wrong_direction(joint: &Joint, direction: f64) -> Option<Message> {
-    let what = if direction.is_nan() { "missing".to_owned() } else { direction.to_string() };
-    let message = Message::error(format!("`{}` is {what}", joint.direction_column()));
-    (direction.abs() != 1.0).then(|| message.expected(expected_direction(joint)))
+    let value = if direction.is_nan() { "missing".to_owned() } else { direction.to_string() };
+    let column = joint.direction_column();
+    (direction.abs() != 1.0).then(|| error!("joint-direction-invalid", joint = &joint.name, column, value))
 }
 
-fn expected_direction(joint: &Joint) -> String {
-    let (name, column) = (&joint.name, joint.direction_column());
-    format!("+1 where `{name}` came from below, -1 from above, in a column `{column}`")
-}
-
-/// The column of a joint, in one of its units, and what takes its values to mm or rad; without one the column that is missing.
+/// Returns the column of a joint in one of its units, and the factor to mm or rad. If the table has
+/// no such column, returns the name that it should have.
 pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
     let names = table.get_column_names().into_iter().map(|name| name.to_string());
     let mut found = names.filter_map(|name| Some((joint.factor(&name)?, name)));
     match (found.next(), found.next()) {
         (Some((_, one)), Some((_, two))) => {
-            let message = Message::error(format!("the table has joint `{}` twice: `{one}` and `{two}`", joint.name));
-            Err(message.at(Place { line: Some(1), ..Place::default() }).hint("leave one of them out").into())
+            let message = error!("joint-column-twice", joint = &joint.name, first = one, second = two);
+            Err(message.at(Place { line: Some(1), ..Place::default() }).into())
         }
         (Some((factor, name)), None) => Ok((name, factor)),
         (None, _) => Ok((joint.column(), joint.quantity.inward(1.0))),
     }
 }
 
-/// The assembly mode that each row of a table states; all `None` for robots without, or without the column.
+/// Returns the assembly mode of each row; `None` for robots without modes, and without the column.
 pub fn stated_modes(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Option<f64>>> {
     if !robot.has_assembly_modes() || table.column(ASSEMBLY).is_err() {
         return Ok(vec![None; table.height()]);
@@ -72,13 +69,11 @@ pub fn stated_modes(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Option<f
     table::numbers(table, ASSEMBLY)?.into_iter().enumerate().map(|(row, value)| stated_mode(row, value)).collect()
 }
 
-/// The assembly mode of a row, counted from 0; none where it is not a number.
+/// Returns the assembly mode of a row (counted from 0); `None` if the value is not a number.
 pub fn stated_mode(row: usize, value: f64) -> Result<Option<f64>> {
     match value {
         value if value.is_nan() => Ok(None),
         value if value.abs() == 1.0 => Ok(Some(value)),
-        value => Err(Message::error(format!("row {} states the assembly mode {value}", row + 1))
-            .expected("1, -1 or nothing in the column `assembly`")
-            .into()),
+        value => Err(error!("assembly-mode-invalid", value).within(phrase!("in-row", row = row + 1)).into()),
     }
 }

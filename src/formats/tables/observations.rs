@@ -1,4 +1,4 @@
-//! A table of observations as CSV: one row per pose, repeat and target, a column per joint with its unit.
+//! Tables of observations: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
@@ -6,45 +6,46 @@ use crate::dialect::{
 };
 use crate::guess::guesses;
 use crate::lexer::{Row, WHOLE, column_index, marked, pose_name, split};
-use crate::logs::meaning;
+use crate::logs::{meaning, one_column, row_width, words_missing};
 use crate::table::{COVARIANCES, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column};
 use etalon_base::cell::is_formula;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose_name::{PoseName, two_spellings};
 use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// How a table is laid out, where it is not as this program writes one.
+/// Layout of a table that differs from the tables of this program.
 #[derive(Clone, Debug)]
 pub struct TableLayout {
-    /// What separates the columns.
+    /// Delimiter of the columns.
     pub delimiter: Delimiter,
     /// Decimal mark.
     pub decimal: Decimal,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// Rows before the data, the last of which names the columns.
+    /// Header rows before the data; the last one names the columns.
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
+    /// Cells that mean "not measured", in addition to empty cells.
     pub missing: Missing,
-    /// Where each column comes from that is called otherwise in the file, or is computed.
+    /// Sources of columns with other headings and of computed columns.
     pub columns: BTreeMap<String, ColumnSource>,
-    /// `true` if a column that the file does not have is left out, as in several tables of one statement.
+    /// `true` if columns that the file lacks are left out, for several tables with one layout.
     pub lenient: bool,
     /// Columns with the same cell in all rows.
     pub constants: BTreeMap<String, Constant>,
-    /// Rows that are read: those with one of these cells in each of these columns.
+    /// Filter: only rows with one of these cells in each of these columns are read.
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter: rows with one of these cells in one of these columns are left out.
     pub without: BTreeMap<String, Cells>,
-    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,
-    /// The target of all rows, of a table without such a column.
+    /// Target of all rows, for a table without the column.
     pub target: Option<String>,
-    /// The pose of each row, of a table without such a column.
+    /// Pose of each row, for a table without the column.
     pub pose: Option<FromRow>,
 }
 
@@ -69,20 +70,20 @@ impl Default for TableLayout {
     }
 }
 
-/// Whether this program knows a column of tables by this name.
+/// `true` if a column of observations has this name.
 fn is_known(name: &str) -> bool {
     meaning(name).is_some()
         || [&TEXTS[..], &QUATERNION, &MATRIX, &COVARIANCES].iter().any(|names| names.contains(&name))
 }
 
-/// A column to read: its name here, and where its cells come from.
+/// Column to read: its name in the program, and the source of its cells.
 struct ReadColumn<'t> {
     name: Cow<'t, str>,
     from: Expression,
 }
 
 impl TableLayout {
-    /// The columns to read of a table whose header has these fields.
+    /// Returns the columns to read of a table with this header.
     fn read_columns<'t>(&self, file: &str, header: Option<&Row<'t>>, width: usize) -> Result<Vec<ReadColumn<'t>>> {
         let mut problems = Problems::default();
         let headings: Vec<Cow<str>> =
@@ -98,13 +99,11 @@ impl TableLayout {
                 ColumnSource::Number(number) => Some(number - 1).filter(|at| *at < width),
             };
             let message = match (at, source) {
-                _ if !known => Message::error(format!("`{name}` is not a column of observations")).hint(
-                    "coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md has all columns",
-                ),
+                _ if !known => error!("observation-column-unknown", column = name),
                 (Some(at), _) => match renamed[at] {
                     Some(other) => {
                         let heading = headings.get(at).map_or_else(|| format!("${}", at + 1), ToString::to_string);
-                        Message::error(format!("`{heading}` is stated to be `{other}` and `{name}`"))
+                        error!("column-stated-twice", column = heading, first = other, second = name)
                     }
                     None => {
                         renamed[at] = Some(name);
@@ -117,7 +116,7 @@ impl TableLayout {
                     }
                 },
                 (None, ColumnSource::Number(number)) => {
-                    Message::error(format!("there are {width} columns, none of them is number {number}"))
+                    error!("column-number-unknown", number, columns = width)
                 }
                 (None, ColumnSource::Heading(text)) if Expression::is_likely(text) => {
                     match Expression::parse(text, &headings) {
@@ -129,16 +128,17 @@ impl TableLayout {
                     }
                 }
                 (None, ColumnSource::Heading(_)) if self.lenient => continue,
-                (None, ColumnSource::Heading(heading)) => Message::error(format!("the header names no `{heading}`"))
-                    .hint_names(heading, headings.iter().map(AsRef::as_ref)),
+                (None, ColumnSource::Heading(heading)) => {
+                    error!("column-unknown", column = heading).hint_names(heading, headings.iter().map(AsRef::as_ref))
+                }
             };
             problems.0.push(message.at(place()));
         }
         let named = !self.columns.is_empty();
         for (i, name) in names.iter().enumerate().filter(|(i, name)| names[..*i].contains(name)) {
-            // headings of columns that nothing reads may be alike
+            // headings of unread columns may be equal
             if !named || is_known(name) {
-                let message = Message::error(format!("the header names `{name}` twice"));
+                let message = error!("heading-twice", column = name.as_ref());
                 problems.0.push(header.map_or(message.clone(), |row| message.at(row.cell(file, i))));
             }
         }
@@ -149,13 +149,13 @@ impl TableLayout {
                 all.push(ReadColumn { name, from: Expression::Column(i) });
             }
         }
-        // a computed column takes the place of one with its name
+        // a computed column replaces a column with its name
         all.retain(|column| computed.iter().all(|other| other.name != column.name));
         all.extend(computed);
         Ok(all)
     }
 
-    /// Adds the columns that every observation needs, and those that are the same in all rows.
+    /// Adds the columns that every observation needs, and the constant columns.
     fn complete(&self, file: &str, mut table: DataFrame) -> Result<DataFrame> {
         let height = table.height();
         let mut constants: Vec<(&str, String)> =
@@ -164,8 +164,7 @@ impl TableLayout {
         let mut added: Vec<Column> = Vec::new();
         for (name, cell) in constants {
             if table.column(name).is_ok() || added.iter().any(|column| column.name() == name) {
-                let message = Message::error(format!("`{name}` is stated, and the table has such a column"));
-                return Err(message.at(Place::file(file)).hint("state one of them").into());
+                return Err(error!("stated-and-in-table", key = name).at(Place::file(file)).into());
             }
             let mut named = Cow::Borrowed(name);
             let factor = in_mm(&mut named, self.coverage_factor);
@@ -186,20 +185,24 @@ impl TableLayout {
 /// Columns of texts in tables of poses and loads.
 const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
 
-/// Reads a table with commas, decimal points and a header: its columns, and `line` with the line of each row.
+/// Reads a table with commas, decimal points and a header. The column `line` has the line of each
+/// row.
 ///
-/// `pose` holds names of poses, `cycle` whole numbers, columns whose name ends in a unit numbers (empty cells are missing values),
-/// others text. Every row of another width and every cell that does not read is an error with its place.
+/// The column `pose` has names of poses, `cycle` whole numbers. Columns whose name ends in a unit
+/// have numbers (empty cells are missing values), other columns text.
+///
+/// # Errors
+/// Rows with another number of fields, and cells that cannot be read, with their places.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     read(file, text, &TableLayout::default())
 }
 
-/// [`observations`] in another layout: repeats are 1 where the table has no column `cycle`.
+/// Reads a table in another layout. Without a column `cycle`, all repeats are 1.
 pub fn observations_with(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     layout.complete(file, read(file, text, layout)?)
 }
 
-/// The header and the data rows of a table.
+/// Returns the header and the data rows of a table.
 fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Option<Row<'t>>, Vec<Row<'t>>)> {
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas().at(Place::file(file)).into());
@@ -214,27 +217,17 @@ fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Opt
         }
     };
     let Some(before) = before else {
-        let message = Message::error("no line holds the words of the header").at(Place::file(file));
-        return Err(message.into());
+        return Err(words_missing(&layout.header).at(Place::file(file)).into());
     };
     if all.len() < before + 1 {
-        let expected = if before > 0 { "a header and rows" } else { "rows" };
-        return Err(Message::error("the table has no rows").at(Place::file(file)).expected(expected).into());
+        return Err(error!("data-rows-missing").at(Place::file(file)).into());
     }
     if all[0].fields.len() == 1
         && before > 0
-        && let Some(Dialect { delimiter: Some(delimiter), decimal, .. }) =
-            guesses(text, None).first().map(|g| &g.dialect)
-        && *delimiter != layout.delimiter
+        && let Some(guess) = guesses(text, None).first().map(|guess| &guess.dialect)
+        && guess.delimiter.is_some_and(|delimiter| delimiter != layout.delimiter)
     {
-        let message = Message::error(format!("separated by `{}`, the rows have one column", layout.delimiter.name()));
-        let hint = format!(
-            "`{}` with decimal `{}` separates them: state `delimiter` and `decimal`, or --delimiter and --decimal; or \
-             save the table with commas and decimal points",
-            delimiter.name(),
-            decimal.name()
-        );
-        return Err(message.at(all[0].place(file)).hint(hint).into());
+        return Err(one_column(layout.delimiter, Some(guess)).at(all[0].place(file)).into());
     }
     let data = all.split_off(before);
     Ok((all.pop(), data))
@@ -246,11 +239,9 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     let mut columns = layout.read_columns(file, header.as_ref(), width)?;
     let factors: Vec<f64> = columns.iter_mut().map(|column| in_mm(&mut column.name, layout.coverage_factor)).collect();
     let mut problems = Problems::default();
-    let expected = if header.is_some() { "as the header" } else { "as the first row" };
-    for row in all.iter().filter(|row| row.fields.len() != width) {
-        let message = Message::error(format!("the row has {} fields", row.fields.len()));
-        problems.0.push(message.at(row.place(file)).expected(format!("{width}, {expected}")));
-    }
+    let like = if header.is_some() { "header" } else { "first-row" };
+    let wrong = all.iter().filter(|row| row.fields.len() != width);
+    problems.0.extend(wrong.map(|row| row_width(file, row, width, like)));
     let kept = kept(file, layout, header.as_ref(), &all)?;
     let (numbers, all): (Vec<i64>, Vec<Row>) = (1..).zip(all).filter(|(number, _)| kept[*number as usize - 1]).unzip();
     let mut made: Vec<Column> =
@@ -262,8 +253,7 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
         let named: Vec<_> = numbers.iter().map(|row| Some(PoseName::from(from.number(*row)))).collect();
         match columns.iter().any(|column| column.name == "pose") {
             true => {
-                let message = Message::error("`pose` is stated, and the table has such a column");
-                problems.0.push(message.at(Place::file(file)).hint("state one of them"));
+                problems.0.push(error!("stated-and-in-table", key = "pose").at(Place::file(file)));
             }
             false => made.push(pose_column("pose", &named)),
         }
@@ -274,7 +264,7 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     frame(all.len(), made)
 }
 
-/// Which rows are read, by the cells that `only` and `without` state.
+/// Applies the filters `only` and `without`: `true` for each row that is read.
 fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) -> Result<Vec<bool>> {
     let mut kept = vec![true; rows.len()];
     for (stated, read) in [(&layout.only, true), (&layout.without, false)] {
@@ -285,13 +275,12 @@ fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) ->
         }
     }
     if !rows.is_empty() && !kept.contains(&true) {
-        let message = Message::error("`only` and `without` leave no row").at(Place::file(file));
-        return Err(message.hint("compare the cells that they state with those of the file").into());
+        return Err(error!("no-row-selected").at(Place::file(file)).into());
     }
     Ok(kept)
 }
 
-/// The values of one column; cells that do not read are reported.
+/// Returns the values of one column, and reports cells that cannot be read.
 fn made_column(
     file: &str,
     rows: &[Row],
@@ -317,11 +306,10 @@ fn made_column(
         };
         let odd = |v: f64| whole && (v.fract() != 0.0 || v.abs() > WHOLE);
         let value = match column.from.value(&cell) {
-            Ok(Some(value)) if !value.is_finite() => {
-                Err((at, Message::error(format!("`{name}` is computed as {value}"))))
-            }
+            Ok(Some(value)) if !value.is_finite() => Err((at, error!("computed-not-finite", column = name, value))),
             Ok(Some(value)) if odd(value) => {
-                Err((at, Message::error(format!("`{}` is not a whole number", row.field(at)))))
+                let shown = row.fields.get(at).map_or_else(|| value.to_string(), ToString::to_string);
+                Err((at, error!("not-whole-number", value = shown, column = name)))
             }
             read => read,
         };
@@ -340,21 +328,20 @@ fn made_column(
     }
 }
 
-/// Errors about names that a spreadsheet would take for formulas: they are written to tables again.
+/// Reports names that would be formulas in a spreadsheet, because names are written to tables.
 fn refuse_formulas(file: &str, columns: &[ReadColumn], rows: &[Row], problems: &mut Problems) {
     let named = |column: &&ReadColumn| TEXTS.contains(&column.name.as_ref());
     for (column, row) in columns.iter().filter(named).flat_map(|column| rows.iter().map(move |row| (column, row))) {
         let Expression::Column(i) = column.from else { continue };
         let (column, name) = (&column.name, row.field(i));
         if is_formula(name) {
-            let message = Message::error(format!("the {column} `{name}` would be a formula in a spreadsheet"));
-            problems.0.push(message.at(row.cell(file, i)).hint("give it another name"));
+            problems.0.push(error!("name-is-formula", column = column.as_ref(), name).at(row.cell(file, i)));
         }
     }
 }
 
-/// Gives a column of coordinates or of their uncertainties its name in millimetres (`x_m` is `x_mm`), and what takes its values there:
-/// from expanded uncertainties to standard ones too.
+/// Renames a column of coordinates or of their uncertainties to mm (`x_m` becomes `x_mm`), and
+/// returns the factor of its values. The factor also converts expanded to standard uncertainties.
 fn in_mm(name: &mut Cow<str>, coverage_factor: Option<f64>) -> f64 {
     let uncertain = |name: &str| UNCERTAINTIES.contains(&name) || ["u_mm", "urot_deg"].contains(&name);
     let lengths = ["u_mm", "distance_mm", "offset_mm"];
@@ -371,7 +358,7 @@ fn in_mm(name: &mut Cow<str>, coverage_factor: Option<f64>) -> f64 {
     }
 }
 
-/// The names of poses in column `at`, each in one spelling.
+/// Returns the names of poses in column `at`, each in one spelling.
 fn poses(file: &str, rows: &[Row], at: usize, decimal: Decimal, problems: &mut Problems) -> Vec<Option<PoseName>> {
     let mut name = |row: &Row| match row.field(at) {
         "" => None,

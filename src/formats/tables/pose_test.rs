@@ -1,13 +1,14 @@
 //! Tables of attained and commanded poses, checked and grouped by pose.
 
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Numbers of one table.
+/// Poses and coordinates of one table.
 struct Rows {
     poses: Vec<PoseName>,
     positions_mm: Vec<Vector>,
@@ -16,8 +17,11 @@ struct Rows {
     angles: Vec<usize>,
 }
 
-/// From tables `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]` and the same without
-/// `cycle`; rows of one visit with a `reading` are averaged. Without commanded poses there is repeatability alone.
+/// Builds a test of poses from a table of attained poses and a table of commanded poses.
+///
+/// Columns of attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, optionally
+/// `approach`, `robot` and `reading`; commanded poses have no cycle. Rows of one visit with a
+/// `reading` are averaged. Without commanded poses only repeatability is evaluated.
 pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<PoseTest> {
     let mut problems = Problems::default();
     let mut read = |table: NamedTable| problems.keep(rows(table));
@@ -35,7 +39,7 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
         )?;
         for (i, &pose) in c.poses.iter().enumerate() {
             if poses.iter().any(|p| p.pose == pose) {
-                problems.0.push(commanded.at_row(Message::error(format!("pose {pose} is commanded twice")), i));
+                problems.0.push(commanded.at_row(error!("pose-commanded-twice", pose = pose.to_string()), i));
             }
             let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
             poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
@@ -51,9 +55,8 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
         let approach = attained.has("approach").then(|| visit.approach.clone());
         let first = seen.insert((*pose, visit.cycle, visit.robot.clone(), approach.clone()));
         let Some(place) = poses.iter_mut().find(|p| p.pose == *pose) else {
-            let message = Message::error(format!("pose {pose} is not among the commanded poses"));
             let file = commanded.map_or("", |commanded| commanded.file);
-            problems.0.push(attained.at_row(message, i).hint(format!("add it to `{file}`")));
+            problems.0.push(attained.at_row(error!("pose-not-commanded", pose = pose.to_string(), file), i));
             continue;
         };
         let same = |v: &&mut AttainedPose| {
@@ -62,35 +65,33 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
         match place.attained.iter_mut().find(same) {
             Some(before) if several => before.read_again(&visit),
             _ if !first => {
-                let message = Message::error(format!("pose {pose} is there twice in cycle {}", visit.cycle));
-                let hint =
-                    "number the cycles, or name them in `approach`, or number readings of one visit in `reading`";
-                problems.0.push(attained.at_row(message, i).hint(hint));
+                let message = error!("pose-attained-twice", pose = pose.to_string(), cycle = visit.cycle);
+                problems.0.push(attained.at_row(message, i));
             }
             _ => place.attained.push(visit),
         }
     }
-    // one message a kind of mistake is enough of the same
+    // further messages would repeat the first ones
     problems.0.truncate(20);
     let mut warnings = problems.check()?;
     warnings.extend(attained.unread(&["pose", "cycle", "approach", "robot", "reading"]));
     warnings.extend(commanded.and_then(|commanded| commanded.unread(&["pose", "cycle"])));
     for p in poses.iter().filter(|p| p.attained.is_empty()) {
-        warnings.push(Message::warning(format!("pose {} is commanded, but nothing was measured there", p.pose)));
+        warnings.push(warning!("commanded-pose-not-measured", pose = p.pose.to_string()));
     }
     poses.retain(|p| !p.attained.is_empty());
     if poses.is_empty() {
-        return Err(Message::error("no pose was measured").at(Place::file(attained.file)).into());
+        return Err(error!("no-pose-measured").at(Place::file(attained.file)).into());
     }
     Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, warnings })
 }
 
-/// The attained pose of each row.
+/// Returns the attained pose of each row.
 fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Vec<AttainedPose>> {
     let cycles = table.integers("cycle")?;
     let approaches = table.has("approach").then(|| table.texts("approach")).transpose()?;
     let robots = table.has("robot").then(|| table.texts("robot")).transpose()?;
-    // the row before of the same robot
+    // previous row of the same robot
     let mut last: BTreeMap<&str, usize> = BTreeMap::new();
     let robot = |i: usize| robots.as_ref().map_or("", |names| names[i].as_str());
     let before: Vec<Option<usize>> = (0..rows.poses.len()).map(|i| last.insert(robot(i), i)).collect();

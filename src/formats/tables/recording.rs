@@ -1,48 +1,45 @@
-//! Recorded motions and commanded paths: tables, checked, become what the characteristics are computed of.
+//! Recorded motions and commanded paths from tables.
 
 use crate::table::numbers;
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::message::{Place, Result};
+use etalon_base::{error, phrase};
 use etalon_standards::iso9283::motion::stream::{Recording, Stream, Unusable};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
-/// At most this share of the samples may be such: with more of them rate, unit or stamps are wrong.
+/// Largest share of implausible samples; above it the rate, the unit or the time stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
 
-/// A motion from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated rate samples are
-/// counted, and stamps are not read.
+/// Builds a recording from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated
+/// rate, times follow from the sample numbers; `time_s` is not read.
 pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
     let n = positions_mm.len();
     let time_s = match rate_hz {
         Some(rate) if rate > 0.0 && rate.is_finite() => (0..n).map(|i| i as f64 / rate).collect(),
-        Some(rate) => return Err(Message::error(format!("a sampling rate of {rate} Hz")).into()),
+        Some(_) => return Err(error!("key-not-positive", key = "rate_hz").into()),
         None => numbers(table.frame, "time_s").unwrap_or_default(),
     };
     if time_s.iter().all(|t| t.is_nan()) {
-        let message = Message::error("the recording has no time column").at(Place::file(table.file));
-        let message = message.expected("a column time_s, or the sampling rate");
-        return Err(message.hint("state the rate of the instrument: --rate-hz 1000").into());
+        return Err(error!("recording-time-missing").at(Place::file(table.file)).into());
     }
     let unusable = |Unusable { sample, message, is_late }| {
         let message = table.at_row(message, sample);
-        let hint = "stamps that are coarser than the sampling rate give no times: state the rate (--rate-hz) instead";
-        if is_late { message.hint(hint) } else { message }
+        if is_late { message.hint(phrase!("state-sampling-rate")) } else { message }
     };
     let stream = Stream::new(time_s, positions_mm, &angles_rad).map_err(unusable)?;
     let (stream, jumps) = stream.without_jumps();
     if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
-        let what = format!("no robot moves like this: {} of {n} samples are faster than 20 m/s", jumps.len());
-        let message = table.at_row(Message::error(what), jumps[0]);
-        return Err(message.hint("is the sampling rate right, and the unit? are samples in order?").into());
+        let message = error!("recording-implausible", count = jumps.len(), samples = n);
+        return Err(table.at_row(message, jumps[0]).into());
     }
     let lines = table.integers("line")?;
     let left_out = jumps.iter().filter_map(|&i| usize::try_from(*lines.get(i)?).ok()).collect();
     Ok(Recording { stream, spatial, angles, left_out })
 }
 
-/// A commanded path from a table with the coordinates of a recording, a row a point.
+/// Builds a commanded path from a table with the coordinates of a recording, one point per row.
 pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) -> Result<CommandedPath> {
     let all = table.coordinates()?;
     like(
@@ -52,13 +49,12 @@ pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) 
     CommandedPath::new(all.positions_mm, &all.angles_rad).map_err(|p| table.place(p))
 }
 
-/// Numbers and positions of commanded poses.
+/// Returns names and positions of commanded poses.
 pub fn commanded_poses(table: NamedTable) -> Result<Vec<CommandedPose>> {
     let poses = table.poses()?;
     let positions_mm = table.coordinates()?.positions_mm;
     if let Some(i) = (0..poses.len()).find(|&i| poses[..i].contains(&poses[i])) {
-        let message = Message::error(format!("pose {} is commanded twice", poses[i]));
-        return Err(table.at_row(message, i).into());
+        return Err(table.at_row(error!("pose-commanded-twice", pose = poses[i].to_string()), i).into());
     }
     Ok(poses.into_iter().zip(positions_mm).map(|(pose, position_mm)| CommandedPose { pose, position_mm }).collect())
 }

@@ -1,28 +1,31 @@
-//! Drift of the set-up, compensated by reference targets that a table measures from time to time.
+//! Compensation of the drift of the set-up by reference targets that are measured repeatedly.
 
 use crate::tables::coordinates::NamedTable;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
+use etalon_base::{error, warning};
 use etalon_documents::Iso9283Epoch;
 use etalon_standards::iso9283::pose::reference::{Epoch, epochs};
 use etalon_standards::iso9283::pose::rotations::RotationOrder;
 use etalon_standards::iso9283::pose::test::PoseTest;
 use std::collections::BTreeMap;
 
-/// The drift of the set-up that was compensated.
+/// Compensated drift of the set-up.
 #[derive(Clone, Debug, Default)]
 pub struct SetupDrift {
-    /// How far it had moved each time that the targets were measured.
+    /// Displacement of the set-up at each measurement of the targets.
     pub epochs: Vec<Iso9283Epoch>,
-    /// Whether orientations were turned as well.
+    /// `true` if orientations were compensated as well.
     pub turned: bool,
 }
 
-/// Brings every attained pose into the frame of the first epoch of a table `cycle,target,x_mm,y_mm[,z_mm]`: the targets
-/// measured in a cycle hold from this cycle on, until the next time.
+/// Transforms all attained poses into the frame of the first epoch of a table
+/// `cycle,target,x_mm,y_mm[,z_mm]`. Targets measured in a cycle apply from this cycle until they
+/// are measured again.
 ///
-/// Orientations are turned back as well, where `rotation_order` states what the angles mean (as [`RotationOrder::parse`] reads
-/// it) and all of a, b, c are there, or c of a planar robot; else angles stay, and a warning reports it.
+/// Orientations are compensated if `rotation_order` states the order of all angles a, b, c (see
+/// [`RotationOrder::parse`]), or for c of a planar robot. Otherwise angles are unchanged, with a
+/// warning.
 pub fn compensate_setup_drift(
     test: &mut PoseTest,
     table: NamedTable,
@@ -32,7 +35,7 @@ pub fn compensate_setup_drift(
     let turning = turning(test, rotation_order);
     let angles = test.angles.clone();
     for p in &mut test.poses {
-        // the way to write an orientation that is nearest to the commanded one
+        // of all angles of an orientation, those nearest to the commanded ones are taken
         let start_rad =
             all_three(&angles, if p.commanded_rad.is_empty() { &p.attained[0].angles_rad } else { &p.commanded_rad });
         for attained in &mut p.attained {
@@ -42,9 +45,8 @@ pub fn compensate_setup_drift(
             let Some(order) = turning.filter(|_| epoch.moved_mm > 0.0) else { continue };
             let pose = order.pose(all_three(&angles, &attained.angles_rad));
             let Some(turned) = order.angles_rad(&epoch.first_T_now.then(&pose), start_rad) else {
-                let what = format!("angles of pose {}, cycle {} cannot be turned back", p.pose, attained.cycle);
-                let hint = "near this orientation the order of rotations does not separate two angles: state another";
-                return Err(Message::error(what).hint(hint).into());
+                let pose = p.pose.to_string();
+                return Err(error!("angles-not-separable", pose, cycle = attained.cycle).into());
             };
             attained.angles_rad = angles.iter().map(|&k| turned[k]).collect();
         }
@@ -53,7 +55,7 @@ pub fn compensate_setup_drift(
     Ok(SetupDrift { epochs: cycles.iter().zip(&epochs).map(told).collect(), turned: turning.is_some() })
 }
 
-/// The order by which angles are turned; a warning where there are angles and it is not known.
+/// Returns the order of rotations; adds a warning if there are angles and their order is unknown.
 fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<RotationOrder> {
     let planar = !test.spatial && test.angles == [2];
     let order = match planar {
@@ -61,30 +63,28 @@ fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<Rotation
         false => rotation_order.and_then(RotationOrder::parse).filter(|_| test.angles.len() == 3),
     };
     if order.is_none() && !test.angles.is_empty() {
-        let message = Message::warning("angles are not turned back with the reference targets")
-            .expected("all of a_deg, b_deg, c_deg (of a planar robot c_deg), and the order of their rotations");
-        test.warnings
-            .push(message.hint("state it, e.g. --rotation-order \"Rz(c) Ry(b) Rx(a)\"; a campaign as rotation_order"));
+        test.warnings.push(warning!("angles-not-compensated"));
     }
     order
 }
 
-/// Angles a, b, c; zero where there is none.
+/// Returns the angles a, b, c; missing angles are zero.
 fn all_three(angles: &[usize], values: &[f64]) -> Vector {
     let mut all = [0.0; 3];
     angles.iter().zip(values).for_each(|(&k, v)| all[k] = *v);
     all
 }
 
-/// The epoch that holds in a cycle.
+/// Returns the epoch of a cycle.
 fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Epoch> {
-    cycles.partition_point(|c| *c <= cycle).checked_sub(1).map(|i| &epochs[i]).ok_or_else(|| {
-        let message = Message::error(format!("cycle {cycle} was measured before any reference target"));
-        message.hint(format!("the first are of cycle {}; measure them before the test", cycles[0])).into()
-    })
+    cycles
+        .partition_point(|c| *c <= cycle)
+        .checked_sub(1)
+        .map(|i| &epochs[i])
+        .ok_or_else(|| error!("cycle-before-reference-targets", cycle, first = cycles[0]).into())
 }
 
-/// Cycles in which the targets were measured, ascending, and what they state.
+/// Returns the cycles in which the targets were measured (ascending), and their epochs.
 fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
     let cycles = table.integers("cycle")?;
     let names = table.texts("target")?;
@@ -92,16 +92,14 @@ fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
     let mut measured: BTreeMap<i64, BTreeMap<&str, Vector>> = BTreeMap::new();
     for (i, (cycle, name)) in cycles.iter().zip(&names).enumerate() {
         if measured.entry(*cycle).or_default().insert(name, positions_mm[i]).is_some() {
-            let message = Message::error(format!("target `{name}` is there twice in cycle {cycle}"));
-            return Err(table.at_row(message, i).into());
+            return Err(table.at_row(error!("reference-target-twice", target = name, cycle), i).into());
         }
     }
     let mut sets: Vec<Vec<Vector>> = Vec::new();
     let first: Vec<&str> = measured.values().next().map(|all| all.keys().copied().collect()).unwrap_or_default();
     for (cycle, targets) in &measured {
         if !targets.keys().eq(&first) {
-            let message = Message::error(format!("reference targets of cycle {cycle} are others than the first"));
-            return Err(table.place(message.expected(first.join(", "))));
+            return Err(table.place(error!("reference-targets-differ", cycle, targets = first)));
         }
         sets.push(targets.values().copied().collect());
     }

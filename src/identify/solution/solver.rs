@@ -23,7 +23,8 @@ const ITERATIONS: usize = 600;
 const ANCHOR_MM: f64 = 0.01;
 /// Least noise beside which nominal values count.
 const LEAST_NOISE_MM: f64 = 1e-4;
-/// Share of the parameters that nominal values determine beyond which these may be what keeps residuals large.
+/// Share of the parameters that nominal values determine beyond which these may be what keeps
+/// residuals large.
 const BY_NOMINAL: f64 = 0.2;
 /// Relative change of the noise below which nominal values weigh as they should.
 const SETTLED: f64 = 0.02;
@@ -34,16 +35,26 @@ pub(crate) struct Identifiable {
     pub values: Vec<f64>,
     /// Indices of the free ones.
     pub free: Vec<usize>,
-    /// What was held, and why.
+    /// Held parameters, with reasons.
     pub groups: Vec<Group>,
     /// The solution in the free parameters.
     pub solution: Solution,
     /// Steps taken in all.
     pub iterations: usize,
-    /// What nominal values count for.
+    /// Weight of nominal values.
     pub prior: Prior,
-    /// What rows of stated shapes were multiplied by.
+    /// Factor of the rows of stated shapes.
     pub weight: f64,
+}
+
+/// A solution of some of the poses, from which that of all poses is found in few steps.
+struct Near {
+    /// All parameters of the robot.
+    values: Vec<f64>,
+    /// Indices of held parameters.
+    held: Vec<usize>,
+    /// Prior that is most probable there.
+    prior: Prior,
 }
 
 /// Solves for the `wanted` parameters from `start` (all parameters of the robot).
@@ -55,19 +66,19 @@ pub(crate) fn solve_identifiable(
     start: &[f64],
 ) -> Result<Identifiable> {
     let estimation = Estimation { robot, observations, settings, wanted };
-    // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
-    let (mut values, mut held) = (start.to_vec(), None);
+    // a subset of many poses brings the parameters near, all poses then take few steps; many
+    // targets are not all in one
+    let mut near = None;
     let many = || Layout::new(robot, wanted, observations, settings).is_some();
     if observations.len() > 2 * SUBSET && !many() {
         let step = observations.len().div_ceil(SUBSET);
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
-        if let Ok(near) = (Estimation { observations: &subset, ..estimation }).solve(values.clone(), None) {
-            (values, held) = (near.values, Some(near.groups.iter().map(|g| g.held).collect()));
-        }
+        near = Estimation { observations: &subset, ..estimation }.near(start).ok();
     }
-    let mut found = estimation.solve(values, held)?;
+    let mut found = estimation.solve(start, near)?;
     if settings.prior == Prior::None && !settings.rigid.is_empty() {
-        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid beside them
+        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid
+        // beside them
         let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
         let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
         let held = found.groups.iter().map(|g| g.held).collect();
@@ -93,19 +104,30 @@ fn whole_turns(robot: &dyn Robot, values: &mut [f64]) {
 }
 
 impl Estimation<'_> {
-    /// Solves from `start` (all parameters of the robot); `held` is a first guess of the parameters
-    /// to hold.
-    fn solve(&self, start: Vec<f64>, held: Option<Vec<usize>>) -> Result<Identifiable> {
-        match self.settings.prior {
-            Prior::None => self.rounds(start, held),
-            Prior::Tolerances { .. } => self.with_prior(start, held),
+    /// Solves from `start` (all parameters of the robot), or from a solution of some of the poses.
+    fn solve(&self, start: &[f64], near: Option<Near>) -> Result<Identifiable> {
+        match (self.settings.prior, near) {
+            (Prior::None, Some(near)) => self.rounds(near.values, Some(near.held)),
+            (Prior::None, None) => self.rounds(start.to_vec(), None),
+            (Prior::Tolerances { .. }, near) => Ok(self.with_prior(start, near, ROUNDS)?.0),
         }
+    }
+
+    /// Returns a solution near that of all poses.
+    fn near(&self, start: &[f64]) -> Result<Near> {
+        let (found, prior) = match self.settings.prior {
+            Prior::None => (self.rounds(start.to_vec(), None)?, Prior::None),
+            // weight and scale change once more with all poses
+            Prior::Tolerances { .. } => self.with_prior(start, None, 1)?,
+        };
+        Ok(Near { held: held_by(&found.groups), values: found.values, prior })
     }
 
     /// Solves with nominal values as readings: what is redundant in the data alone is held,
     /// everything else is well posed. Nominal values weigh as against the noise that the residuals
-    /// show, where that is more than stated.
-    fn with_prior(&self, start: Vec<f64>, held: Option<Vec<usize>>) -> Result<Identifiable> {
+    /// show, where that is more than stated. Returns the solution after at most `most` rounds, and
+    /// the prior that is most probable there.
+    fn with_prior(&self, start: &[f64], near: Option<Near>, most: usize) -> Result<(Identifiable, Prior)> {
         let Self { robot, observations, settings, wanted } = *self;
         let plain = settings.without_prior();
         let order = by_rank(robot, wanted);
@@ -116,42 +138,51 @@ impl Estimation<'_> {
         let stated = settings.standard_uncertainty_mm;
         let mut weight = if stated.is_some() { 1.0 } else { ANCHOR_MM };
         let mut scale = 1.0;
-        let mut held = match held {
-            Some(held) => held,
-            None => held_by(&groups(&start, weight)?),
+        let (mut values, mut held) = match near {
+            Some(near) => {
+                if let Prior::Tolerances { weight: noise, scale: probable } = near.prior {
+                    (weight, scale) = (noise, probable);
+                }
+                (near.values, near.held)
+            }
+            None => (start.to_vec(), held_by(&groups(start, weight)?)),
         };
-        let (mut values, mut iterations) = (start.clone(), 0);
+        let mut iterations = 0;
         for round in 1.. {
             let free = without(wanted, &held);
             if free.is_empty() {
-                return Err(nothing_left(robot, observations, settings, &start));
+                return Err(nothing_left(robot, observations, settings, start));
             }
-            hold(robot, &held, &start, &mut values);
+            hold(robot, &held, start, &mut values);
             let prior = Prior::Tolerances { weight, scale };
             let weighted = Settings { prior, ..settings.with_weight(weight) };
             // unknowns without tolerance are expected where the search began
-            let problem = Residuals::new(robot, observations, &weighted, &free, &start)?.holding(&values);
+            let problem = Residuals::new(robot, observations, &weighted, &free, start)?.holding(&values);
             let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
             let solution = etalon_math::solve(&problem, &x, Options { iterations: ITERATIONS, ..Options::default() });
             iterations += solution.iterations;
             values = problem.all(&solution.x);
             if !solution.termination.is_success() {
-                return Err(diagnose_failure(self, &start, solution.termination));
+                return Err(diagnose_failure(self, start, solution.termination));
             }
             let least = problem.noise(None).max(LEAST_NOISE_MM / problem.unit);
             let shown = problem.noise(Some(&solution)).max(least);
             let data = plain.with_weight(shown);
             let data = Residuals::new(robot, observations, &data, &free, &values)?;
             let by_nominal = problem.undetermined(&solution) > BY_NOMINAL * free.len() as f64;
-            let probable = most_probable((&data, &start), &solution.x, [least, shown], by_nominal);
+            let probable = most_probable((&data, start), &solution.x, [least, shown], by_nominal);
             let (noise, probable) = (probable.noise, probable.scale);
-            let found = groups(&values, noise)?;
-            let now = held_by(&found);
-            let settled = now == held && (noise / weight - 1.0).abs() < SETTLED && probable == scale;
-            if settled || round == ROUNDS {
-                return Ok(Identifiable { values, free, groups: found, solution, iterations, weight, prior });
+            let settled = (noise / weight - 1.0).abs() < SETTLED && probable == scale;
+            if settled || round == most {
+                let groups = groups(&values, noise)?;
+                let now = held_by(&groups);
+                if now == held || round == most {
+                    let next = Prior::Tolerances { weight: noise, scale: probable };
+                    return Ok((Identifiable { values, free, groups, solution, iterations, weight, prior }, next));
+                }
+                held = now;
             }
-            (held, weight, scale) = (now, noise, probable);
+            (weight, scale) = (noise, probable);
         }
         unreachable!("the last round returns")
     }
@@ -249,8 +280,8 @@ fn hold(robot: &dyn Robot, held: &[usize], start: &[f64], values: &mut [f64]) {
     }
 }
 
-/// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come
-/// last in its list, before its own.
+/// Parameters of an arm in the order in which they take up what is not separately identifiable:
+/// fixtures and mountings, which come last in its list, before its own.
 fn by_rank(robot: &dyn Robot, wanted: &[usize]) -> Vec<usize> {
     let mut order = wanted.to_vec();
     if robot.free_base().is_some() {
@@ -263,7 +294,7 @@ fn without(wanted: &[usize], held: &[usize]) -> Vec<usize> {
     wanted.iter().copied().filter(|i| !held.contains(i)).collect()
 }
 
-/// What `groups` hold, in the model's order.
+/// Parameters that `groups` hold, in the model's order.
 fn held_by(groups: &[Group]) -> Vec<usize> {
     let mut held: Vec<usize> = groups.iter().map(|g| g.held).collect();
     held.sort_unstable();

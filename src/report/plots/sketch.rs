@@ -68,7 +68,7 @@ fn picture(sketch: &Sketch, index: usize, words: &Words) -> Option<Figure> {
         svg.text(class, at, name);
     }
     let title = tr!(words, "sketch-title");
-    Some(svg.figure(&format!("sketch-{index}"), title, words.term(&sketch.title)))
+    Some(svg.figure(&format!("sketch-{index}"), title, words.by_id(sketch.title_id.as_deref(), &sketch.title)))
 }
 
 /// Unit normal of the line between two positions; zero if they coincide.
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn names_of_a_drawing_stay_apart_and_inside() {
-        let mut sketch = Sketch::new("Twelve lengths on one line.", true);
+        let mut sketch = Sketch::new("sketch-arm", true);
         (0..12).for_each(|i| sketch.add(StrokeKind::Length, format!("length_{i}"), &[[0.0; 3], [100.0, 60.0, 0.0]]));
         let svg = &pictures(&[sketch], &Words::default())[0].svg;
         let texts: Vec<_> = numbers(svg, "text", "x").into_iter().zip(numbers(svg, "text", "y")).collect();
@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn names_of_axes_that_coincide_lie_beside_the_arm_and_each_is_joined_to_its_joint() {
-        let mut sketch = Sketch::new("An arm along its own axes.", true);
+        let mut sketch = Sketch::new("sketch-arm", true);
         sketch.add(StrokeKind::Part, "", &[[0.0; 3], [300.0, 200.0, 0.0]]);
         for i in 0..6 {
             let share = 0.03 * f64::from(i);
@@ -254,8 +254,8 @@ mod tests {
 
     #[test]
     fn what_is_not_a_place_is_not_drawn() {
-        let mut sketch = Sketch::new("", false);
+        let mut sketch = Sketch::new("sketch-arm", false);
         sketch.add(StrokeKind::Part, "", &[[f64::NAN; 3], [0.0; 3]]);
-        assert!(pictures(&[sketch, Sketch::new("", true)], &Words::default()).is_empty());
+        assert!(pictures(&[sketch, Sketch::new("sketch-arm", true)], &Words::default()).is_empty());
     }
 }

@@ -8,7 +8,7 @@ use etalon_base::phrase;
 use etalon_documents::{ControllerErrors, ControllerFiles, WrittenParameter};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let document = report.controllers?;
+    let document = report.controllers.filter(|document| !document.files.is_empty())?;
     let mut section = Section::new("controllers", tr!(words, "controller-files"));
     section.push(Block::note(tr!(words, "formats-without-all-parameters")));
     let rows: Vec<(&ControllerFiles, &ControllerErrors)> =

@@ -182,7 +182,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
     let pairs = part.pairs().count();
     let (pair, measured_mm, square) = part.pairs().filter_map(deviation).max_by(|a, b| a.2.total_cmp(&b.2))?;
     // the largest of several: no more often beyond than their sum
-    let message = || contradicted_places(&part.contradicted(pair, measured_mm, "measured together they are"));
+    let message = || contradicted_places(&part.contradicted(pair, measured_mm, "measurement"));
     chi_square_exceeds(square, pairs).then(|| message().at(place(campaign, rigid)))
 }
 

@@ -267,8 +267,8 @@ mod tests {
         };
         let found = drifting(&campaign, &rows(0.001));
         assert_eq!(found.len(), 1, "{found:?}");
-        let rows = [("first", &"1-10" as &dyn IntoArgument), ("second", &"91-100"), ("limit_mm", &0.02)];
-        assert!(found[0].is("reference-drifts", &rows), "{found:?}");
+        let drifts: [(&str, &dyn IntoArgument); 3] = [("first", &"1-10"), ("second", &"91-100"), ("limit_mm", &0.02)];
+        assert!(found[0].is("reference-drifts", &drifts), "{found:?}");
         assert!(found[0].arguments["moved_mm"] == 0.09, "{found:?}");
         assert!(drifting(&campaign, &rows(0.0001)).is_empty());
         assert!(drifting(&campaign, &rows(0.001)[..20])[0].is("drift-few-readings", &[("count", &20), ("least", &30)]));

@@ -314,18 +314,22 @@ fn between_two_rows_joints_that_move_evenly_are_exact() {
 #[test]
 fn statements_about_standstills_that_contradict_are_errors() {
     for (stated, join, part) in [
-        ("", "clock_offset_s = \"standstills\"\ntolerance_s = 0", "a log that states none"),
-        (STANDSTILL, "clock_offset_s = 0\ntolerance_s = 0\ninterpolate = true", "nothing to interpolate"),
-        ("standstill = { at_least_s = 1.0 }\n", "clock_offset_s = 0\ntolerance_s = 0", "add `within_mm`"),
+        ("", "clock_offset_s = \"standstills\"\ntolerance_s = 0", "[standstills-missing]"),
+        (STANDSTILL, "clock_offset_s = 0\ntolerance_s = 0\ninterpolate = true", "[interpolate-with-standstills]"),
+        (
+            "standstill = { at_least_s = 1.0 }\n",
+            "clock_offset_s = 0\ntolerance_s = 0",
+            "error[standstill-limit-missing]",
+        ),
         (
             "standstill = { at_least_s = 0.0, within_mm = 1.0 }\n",
             "clock_offset_s = 0\ntolerance_s = 0",
-            "must be positive",
+            "error[key-not-positive]: `at_least_s`",
         ),
         (
             "standstill = { at_least_s = 99.0, within_mm = 0.01 }\n",
             "clock_offset_s = 0\ntolerance_s = 0",
-            "is never at a standstill for 99 s",
+            "error[standstill-missing]",
         ),
     ] {
         let scratch = copy_sample("prexyt-cmm");

@@ -169,7 +169,7 @@ fn what_does_not_fit_is_said_with_its_place() {
             "arc = \"X-{pose}\"",
             "error[labels-missing]: no point has a label of the form `X-{pose}`",
         ),
-        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "means nothing in a label"),
+        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "[label-pattern-invalid]"),
         ("campaign.toml", "actuator = 3", "actuator = 4", "error[actuator-unknown]"),
         (
             "campaign.toml",

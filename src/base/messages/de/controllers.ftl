@@ -40,6 +40,21 @@ error-above-nominal = Positionsfehler an den { $set ->
 file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason }
     .hint = ein Format verwenden, das diese Parameter enthält; `etalon export --force` schreibt die Datei
 
+error-near-nominal = { $case ->
+        [rms] Positionsfehler nicht deutlich kleiner als mit nominalen Parametern
+        [maximum] größter Positionsfehler über dem mit nominalen Parametern
+       *[both] Positionsfehler nicht deutlich kleiner als mit nominalen Parametern, sein Maximum größer
+    }: { $set ->
+        [validation] Validierungsposen
+       *[other] Kalibrierposen
+    } { FIXED($written_mm, $decimals) } mm (Effektivwert), { FIXED($written_max_mm, $decimals) } mm (Maximum), nominal { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
+
+file-near-nominal = { $formats_count ->
+        [1] Format
+       *[other] Formate
+    } `{ $formats }`: { $reason }
+    .hint = die Fehler in controllers.json vergleichen; ein Format verwenden, das die ausgelassenen Parameter enthält, wenn es welche gibt
+
 covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json hat keine Kovarianz davon
     .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne sie neu
 

@@ -451,7 +451,7 @@ joints-of-pose-differ = seine Zeilen haben verschiedene Gelenkwerte
 target-repeated = die Zielmarke `{ $target }` kommt zweimal vor
     .hint = Wiederholungen in der Spalte `cycle` nummerieren
 
-no-observations = es gibt keine Beobachtungen
+table-without-observations = es gibt keine Beobachtungen
     .hint = Datei und Ausschlüsse prüfen
 
 arms-apart = mit Nennparametern treffen sich die Arme bei diesen Gelenkwerten nicht
@@ -479,7 +479,7 @@ coordinate-uncertainty-missing = die Zeile gibt eine Unsicherheit an, aber `{ $c
 coordinate-uncertainty-unusable = `{ $column }` = { $value } ist nicht die Unsicherheit einer Koordinate
     .expected = von 0,00002 bis 100 mm, oder alle leer
 
-covariance-not-positive-definite = die Kovarianz der Zeile ist nicht positiv definit
+position-covariance-invalid = die Kovarianz der Zeile ist nicht positiv definit
     .hint = Reihenfolge und Einheit der Spalten `cxx_mm2` .. prüfen
 
 unplaced = { $kind ->
@@ -503,7 +503,7 @@ placed-by-validation = { $unplaced }; die Statistik berücksichtigt das
 placed-by-validation-unjudged = { $unplaced }; Ablesungen ohne Redundanz werden nicht beurteilt: { $names }
     .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen sind, nach `calibration` verschieben
 
-candidates-unreachable = keine Kandidatenposition wird vom `{ $model }` erreicht, oder das Modell hat keine Inverse
+candidate-positions-unreachable = keine Kandidatenposition wird vom `{ $model }` erreicht, oder das Modell hat keine Inverse
     .hint = Gelenkwerte angeben, eine Spalte je Gelenk mit ihrer Einheit
 
 check-readings = dort nach vertauschten Bezeichnungen und falschen Ablesungen suchen; neu messen oder mit `exclude` in [identify] auslassen
@@ -724,7 +724,7 @@ poses-measured = { $count ->
        *[other] { $count } Posen sind
     } gemessen und verknüpft, von { $first } bis { $last }
 
-no-pose-measured = keine Pose ist gemessen und verknüpft
+poses-unmeasured = keine Pose ist gemessen und verknüpft
 
 at-pose = Pose { $pose }: { $message }
 
@@ -765,7 +765,7 @@ parameters-unstable = nicht stabil und festgehalten: Werte aus einem Teil der Po
 
 hold-unknown = `hold` nennt `{ $pattern }`, das kein Parameter dieses Roboters ist
 
-pose-residuals-not-planar = `residuals = "pose"` ist für ebene Roboter, nicht für `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` ist für ebene Roboter, nicht für `{ $model }`
     .hint = `residuals = "targets"` verwenden
 
 remedy = { $remedy ->
@@ -847,6 +847,8 @@ undescribed-readings = { $readings }: { $remedy }
 undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nennparameter und die Verknüpfung von Protokoll und Punkten prüfen
 
 undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
+
+undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso zu ihnen; mehr Kalibrierposen messen, im Arbeitsraum verteilt
 
 undescribed-other-poses = die Kalibrierposen passen, und keine Bewegung des Systems erklärt die anderen: prüfen, ob Protokoll und Exporte der Validierungsposen dieselben Posen sind (Protokoll einer anderen Kampagne oder anders nummerierte Posen)
 

@@ -11,7 +11,7 @@ recording-unit = a recording with a `format` needs its `unit`, and only then one
 # Matters: A command on a campaign starts from this file.
 # Do: Check the path, or write a campaign with `etalon init`.
 # Example: `etalon run nowhere`
-campaign-missing = there is no campaign `{ $file }`
+campaign-missing = the campaign file `{ $file }` does not exist
     .hint = `etalon init FOLDER` writes one to start from
 
 # Means: `joints` of an export is stated for a file that is not delimited text with one row of names
@@ -71,8 +71,8 @@ no-target = a robot in space needs at least one target
 target-called-base = no target can be called `base`: its parameters would be those of the robot's base
     .hint = give the target another name in label or columns
 
-# Means: A value of robot.toml is zero or negative, and must be positive.
-# Matters: No such robot exists.
+# Means: A key that needs a positive number has zero, a negative number or NaN.
+# Matters: The value has no meaning.
 # Do: Correct the value.
 # Example: `gear_ratio = 0`
 key-not-positive = `{ $key }` must be positive
@@ -509,3 +509,22 @@ joint-unit-open = the unit of the joints is open{ $more ->
        *[other] ; { $more } more to complete
     }
     .hint = write deg, rad, mm or m for UNIT
+
+kind-expected = { $kind ->
+        [text] a text
+        [number] a number
+        [whole] a whole number{ $limit ->
+            [none] {""}
+           *[other] {" "}from { $limit }
+        }
+        [list] a list{ $limit ->
+            [none] {""}
+           *[other] {" "}of { $limit }
+        }
+       *[table] a table
+    }
+
+alternatives = { $first ->
+        [none] {""}
+       *[other] { $first } or{" "}
+    }{ $last }

@@ -62,6 +62,24 @@ error-above-nominal = position error at { $set } poses{ $left_out_count ->
 file-worse-than-nominal = format `{ $format }` is not written: { $reason }
     .hint = use a format that holds these parameters; `etalon export --force` writes the file
 
+error-near-nominal = { $case ->
+        [rms] position error not clearly smaller than with nominal parameters
+        [maximum] largest position error above that with nominal parameters
+       *[both] position error not clearly smaller than with nominal parameters, its maximum larger
+    }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
+
+# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS), or
+# the largest error is larger than with nominal parameters.
+# Matters: The robot gains little by the file, or is less accurate at some poses.
+# Do: Use a format that holds all identified parameters. If the format holds them, measure more poses
+# or identify other effects.
+# Example: `universal-robots` for an arm whose transmission ratios cause most of its error
+file-near-nominal = { $formats_count ->
+        [1] format
+       *[other] formats
+    } `{ $formats }`: { $reason }
+    .hint = compare the errors in controllers.json; use a format that holds the parameters left out, if any
+
 # Means: The format leaves out identified parameters, and parameters.json has no covariance of them.
 # Matters: Only the covariance tells how the other parameters change without them.
 # Do: Let the run identify again without these parameters.
@@ -304,10 +322,9 @@ coordinate-not-number = `{ $letter }` is not followed by a number
 coordinate-unknown = `{ $letter }` has no value yet
     .hint = state it in the first block that moves
 
-# Means: The quaternion of a target does not have the length 1.
-# Matters: The controller would normalise or reject it; its components are probably in another order
-# or mistyped.
-# Do: Correct the quaternion.
+# Means: The quaternion of a target or of a measured pose does not have the length 1.
+# Matters: It is not an orientation; a number is mistyped, or a column holds another quantity.
+# Do: Correct the quaternion, or the columns qw, qx, qy, qz (scalar first).
 # Example: `[0.7, 0, 0, 0.6]`
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1

@@ -940,7 +940,7 @@ target-repeated = target `{ $target }` occurs twice
 # Matters: There is nothing to identify from.
 # Do: Check the file and its exclusions.
 # Example: a table that holds a header alone
-no-observations = there are no observations
+table-without-observations = there are no observations
     .hint = check the file and the exclusions
 
 # Means: The arms of the nominal robot are too short, or too far apart, to meet at these joint
@@ -1009,7 +1009,7 @@ coordinate-uncertainty-unusable = `{ $column }` = { $value } is not the uncertai
 # unit.
 # Do: Check the columns `cxx_mm2` ..
 # Example: a correlation above 1
-covariance-not-positive-definite = the covariance of the row is not positive definite
+position-covariance-invalid = the covariance of the row is not positive definite
     .hint = check order and unit of the columns `cxx_mm2` ..
 
 unplaced = { $kind ->
@@ -1054,7 +1054,7 @@ placed-by-validation-unjudged = { $unplaced }; readings without redundancy are n
 # Matters: There are no configurations to choose from.
 # Do: State joint values instead of positions.
 # Example: candidates in metres
-candidates-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
+candidate-positions-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
     .hint = state joint values, one column per joint with its unit
 
 check-readings = look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]
@@ -1513,7 +1513,7 @@ poses-measured = { $count ->
        *[other] { $count } poses are
     } measured and joined, from { $first } to { $last }
 
-no-pose-measured = no pose is measured and joined
+poses-unmeasured = no pose is measured and joined
 
 at-pose = pose { $pose }: { $message }
 
@@ -1585,7 +1585,7 @@ hold-unknown = `hold` names `{ $pattern }`, which is not a parameter of this rob
 # Matters: Pose residuals are defined for the platform of a planar robot.
 # Do: Use `residuals = "targets"`.
 # Example: `residuals = "pose"` with a six-axis arm
-pose-residuals-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
     .hint = use `residuals = "targets"`
 
 remedy = { $remedy ->
@@ -1727,6 +1727,8 @@ undescribed-readings = { $readings }: { $remedy }
 undescribed-set-up = check units, order and signs of the joints, the nominal parameters, and how log and points are joined
 
 undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm leaves { FIXED($left_mm, 3) } mm: base or measuring system has moved between calibration and validation poses
+
+undescribed-unchecked = the calibration poses leave no coordinate to check: other places of base and targets fit them as well; measure more calibration poses, spread over the workspace
 
 undescribed-other-poses = the calibration poses fit, and no motion of the frame explains the others: check whether log and exports of the validation poses are of the same poses (a log of another campaign, or poses that are numbered otherwise)
 

@@ -40,6 +40,21 @@ error-above-nominal = erreur de position aux poses de { $set ->
 file-worse-than-nominal = le format `{ $format }` n’est pas écrit : { $reason }
     .hint = utiliser un format qui contient ces paramètres ; `etalon export --force` écrit le fichier
 
+error-near-nominal = { $case ->
+        [rms] erreur de position pas nettement inférieure à celle des paramètres nominaux
+        [maximum] plus grande erreur de position supérieure à celle des paramètres nominaux
+       *[both] erreur de position pas nettement inférieure à celle des paramètres nominaux, son maximum supérieur
+    } : poses de { $set ->
+        [validation] validation
+       *[other] calibration
+    } { FIXED($written_mm, $decimals) } mm (valeur efficace), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm et { FIXED($nominal_max_mm, $decimals) } mm
+
+file-near-nominal = { $formats_count ->
+        [1] format
+       *[other] formats
+    } `{ $formats }` : { $reason }
+    .hint = comparer les erreurs dans controllers.json ; utiliser un format qui contient les paramètres omis, s’il y en a
+
 covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json n’en a pas la covariance
     .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans eux
 

@@ -451,7 +451,7 @@ joints-of-pose-differ = ses lignes ont des valeurs d’articulation différentes
 target-repeated = la cible `{ $target }` figure deux fois
     .hint = numéroter les répétitions dans la colonne `cycle`
 
-no-observations = il n’y a pas d’observations
+table-without-observations = il n’y a pas d’observations
     .hint = vérifier le fichier et les exclusions
 
 arms-apart = avec les paramètres nominaux, les bras ne se rejoignent pas à ces valeurs d’articulation
@@ -479,7 +479,7 @@ coordinate-uncertainty-missing = la ligne indique une incertitude, mais `{ $colu
 coordinate-uncertainty-unusable = `{ $column }` = { $value } n’est pas l’incertitude d’une coordonnée
     .expected = de 0,00002 à 100 mm, ou toutes vides
 
-covariance-not-positive-definite = la covariance de la ligne n’est pas définie positive
+position-covariance-invalid = la covariance de la ligne n’est pas définie positive
     .hint = vérifier l’ordre et l’unité des colonnes `cxx_mm2` ..
 
 unplaced = { $kind ->
@@ -503,7 +503,7 @@ placed-by-validation = { $unplaced } ; les statistiques en tiennent compte
 placed-by-validation-unjudged = { $unplaced } ; les lectures sans redondance ne sont pas jugées : { $names }
     .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer une pose où elles sont mesurées vers `calibration`
 
-candidates-unreachable = aucune position candidate n’est atteinte par le `{ $model }`, ou le modèle n’a pas d’inverse
+candidate-positions-unreachable = aucune position candidate n’est atteinte par le `{ $model }`, ou le modèle n’a pas d’inverse
     .hint = indiquer des valeurs d’articulation, une colonne par articulation avec son unité
 
 check-readings = y chercher des étiquettes échangées et des lectures fausses ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
@@ -724,7 +724,7 @@ poses-measured = { $count ->
        *[other] { $count } poses sont mesurées et jointes
     }, de { $first } à { $last }
 
-no-pose-measured = aucune pose n’est mesurée et jointe
+poses-unmeasured = aucune pose n’est mesurée et jointe
 
 at-pose = pose { $pose } : { $message }
 
@@ -765,7 +765,7 @@ parameters-unstable = non stables, et imposés : les valeurs tirées d’une par
 
 hold-unknown = `hold` nomme `{ $pattern }`, qui n’est pas un paramètre de ce robot
 
-pose-residuals-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
     .hint = utiliser `residuals = "targets"`
 
 remedy = { $remedy ->
@@ -847,6 +847,8 @@ undescribed-readings = { $readings } : { $remedy }
 undescribed-set-up = vérifier unités, ordre et signes des articulations, les paramètres nominaux, et la jointure du journal et des points
 
 undescribed-frame-moved = un mouvement du repère de { FIXED($motion_mm, 1) } mm laisse { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
+
+undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles y conviennent aussi ; mesurer davantage de poses d’étalonnage, réparties dans l’espace de travail
 
 undescribed-other-poses = les poses d’étalonnage conviennent, et aucun mouvement du repère n’explique les autres : vérifier que le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
 

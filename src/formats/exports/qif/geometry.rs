@@ -1,9 +1,10 @@
-//! What a QIF file states of a feature, measured or nominal.
+//! Measured and nominal values of a feature in a QIF file.
 
 use super::units::Units;
 use crate::xml::Node;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, unit};
+use etalon_base::{error, warning};
 
 /// Values of a feature, as far as they are stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,7 +22,8 @@ pub struct FeatureGeometry {
 }
 
 impl FeatureGeometry {
-    /// Of a feature of this kind, whose values stand in `nodes` (nominal values in two: location and size).
+    /// Reads the values of a feature of this kind from `nodes` (nominal values have two: location
+    /// and size).
     pub(super) fn of<'t, 'a: 't>(
         kind: &str,
         nodes: impl Iterator<Item = Node<'t, 'a>>,
@@ -42,7 +44,7 @@ impl FeatureGeometry {
                 "Location" => all.point_mm = Some(point(value, units)?),
                 "Direction" | "AxisVector" => all.direction = Some(direction(value)?),
                 "Normal" if kind != "Line" => all.direction = Some(direction(value)?),
-                // the published sample states the direction of lines as their normal, and no other direction
+                // the published sample states the direction of lines as their normal
                 "Normal" if all.direction.is_none() => all.direction = Some(direction(value)?),
                 "Diameter" | "MajorDiameter" => all.radius_mm = Some(length(value, units)? / 2.0),
                 "MinorDiameter" => all.minor_radius_mm = Some(length(value, units)? / 2.0),
@@ -61,7 +63,7 @@ fn point(node: Node, units: &Units) -> Result<Vector, Message> {
 }
 
 fn direction(node: Node) -> Result<Vector, Message> {
-    let wrong = || node.warning(format!("`{}` is not a direction", node.text()));
+    let wrong = || warning!("direction-zero", direction = node.text()).at(node.place());
     unit(three(node)?).ok_or_else(wrong)
 }
 
@@ -71,12 +73,16 @@ fn length(node: Node, units: &Units) -> Result<f64, Message> {
 
 fn three(node: Node) -> Result<Vector, Message> {
     let numbers = node.numbers()?;
-    let wrong = || node.error(format!("`{}` holds {} numbers", node.name(), numbers.len())).expected("three numbers");
-    <Vector>::try_from(numbers.as_slice()).map_err(|_| wrong())
+    <Vector>::try_from(numbers.as_slice()).map_err(|_| not_as_many(node, numbers.len(), 3))
 }
 
 fn one(node: Node) -> Result<f64, Message> {
     let numbers = node.numbers()?;
-    let wrong = || node.error(format!("`{}` holds {} numbers", node.name(), numbers.len())).expected("one number");
-    numbers.first().copied().filter(|_| numbers.len() == 1).ok_or_else(wrong)
+    let one = numbers.first().copied().filter(|_| numbers.len() == 1);
+    one.ok_or_else(|| not_as_many(node, numbers.len(), 1))
+}
+
+/// Error for an element with another number of numbers.
+fn not_as_many(node: Node, found: usize, count: usize) -> Message {
+    error!("number-count-differs", name = node.name(), found, counts = [count]).at(node.place())
 }

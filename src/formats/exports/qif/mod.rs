@@ -1,8 +1,8 @@
 //! QIF 2.0, 2.1 and 3.0 (ISO 23952): measured features with their points, units and probe.
 //!
-//! What the file states about a feature is taken as it stands: the measured values, the nominal ones, and the points with
-//! the word whether they are probe centres. References that lead nowhere, lists that are not as long as they state and
-//! points that cannot be used are reported with their place; such a feature has no points.
+//! Statements about a feature are taken unchanged: measured values, nominal values, and the points
+//! with their probe compensation. Broken references, lists with a wrong count and unusable points
+//! are reported with their place; such a feature has no points.
 
 mod geometry;
 mod points;
@@ -12,12 +12,13 @@ mod units;
 pub use geometry::FeatureGeometry;
 use rows::rows;
 
-use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head};
+use super::{About, ExportFormat, ExportRow, Recognised, Text, Writing, head, not_this_format};
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use crate::xml::{Elements, Node};
 use etalon_base::message::{Message, Place, Problems, Result, Severity};
 use etalon_base::pose::Vector;
+use etalon_base::{error, phrase, warning};
 use etalon_fit::Element;
 use points::PointSets;
 use std::collections::BTreeMap;
@@ -40,8 +41,7 @@ impl ExportFormat for Qif {
     }
 
     fn write(&self, _rows: &[ExportRow], _how: &Writing) -> std::result::Result<String, Message> {
-        let message = Message::error("simulate writes no QIF");
-        Err(message.hint("state `polyworks` or a delimited format for this export"))
+        Err(error!("format-not-simulated", kind = "qif"))
     }
 }
 
@@ -61,7 +61,7 @@ const NOT_READ: [&str; 9] = [
     "Signature",
 ];
 
-/// What a QIF file holds of measurements.
+/// Measured features of a QIF file.
 #[derive(Clone, Debug)]
 pub struct MeasuredFeatures {
     /// `versionQIF`.
@@ -70,7 +70,7 @@ pub struct MeasuredFeatures {
     pub features: Vec<MeasuredFeature>,
     /// Points in the file, also those that no feature uses.
     pub points: usize,
-    /// What is wrong with it but does not stop the reading.
+    /// Warnings.
     pub messages: Vec<Message>,
 }
 
@@ -85,19 +85,19 @@ pub struct MeasuredFeature {
     pub name: Option<String>,
     /// Its points, in millimetres.
     pub points_mm: Vec<Vector>,
-    /// What the points are.
+    /// Kind of the points.
     pub touch: Touch,
     /// Measured values that the file states.
     pub stated: FeatureGeometry,
     /// Nominal values.
     pub nominal: FeatureGeometry,
-    /// Whether it is a bore (`INTERNAL`) or a shaft (`EXTERNAL`), where that is stated.
+    /// `true` for a bore (`INTERNAL`), `false` for a shaft (`EXTERNAL`), if stated.
     pub internal: Option<bool>,
-    /// Where it stands in the file.
+    /// Place in the file.
     pub place: Place,
 }
 
-/// What a measured point is.
+/// Kind of a measured point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Touch {
     /// A point of the surface.
@@ -111,7 +111,7 @@ pub enum Touch {
 }
 
 impl MeasuredFeature {
-    /// The element that it is fitted by; `None` of points and of what is not a single element.
+    /// Element to fit; `None` for points and for features that are not a single element.
     pub fn element(&self) -> Option<Element> {
         Some(match self.kind.as_str() {
             "Line" => Element::Line,
@@ -131,31 +131,33 @@ impl MeasuredFeature {
     }
 }
 
-/// Whether a text is XML, as QIF is; no other format that is read begins like it.
+/// `true` if a text is XML, like QIF; no other format that is read begins like XML.
 pub fn is_xml(text: &str) -> bool {
     text.trim_start().starts_with('<')
 }
 
-/// Reads a QIF file; `mm_in_unit` is its unit of length where it states none.
+/// Reads a QIF file; `mm_in_unit` is the unit of length of a file without units.
 ///
 /// # Errors
-/// If it is not well-formed QIF 2.x or 3.x document, states no unit, or holds a number that is none.
+/// If the file is not a well-formed QIF 2.x or 3.x document, has no unit, or holds an invalid
+/// number.
 pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredFeatures> {
     let tree = Elements::read(file, text, |name| NOT_READ.contains(&name))?;
     let Some(root) = tree.root().filter(|r| r.name() == "QIFDocument") else {
-        let message = tree.error(0, "the file is no QIF document");
-        return Err(message.expected("XML with the document element `QIFDocument`").into());
+        let signature = phrase!("root-element", name = "QIFDocument");
+        return Err(not_this_format("qif", &signature).at(tree.place(0)).into());
     };
     let version = root.attribute("versionQIF").unwrap_or_default().into_owned();
     if !(version.starts_with("2.") || version.starts_with("3.")) {
-        return Err(root.error(format!("QIF version `{version}` is not read")).expected("2.0, 2.1 or 3.0").into());
+        let message = error!("version-unsupported", format = "QIF", version, versions = ["2.0", "2.1", "3.0"]);
+        return Err(message.at(root.place()).into());
     }
     let mut units = Units::of(root)?;
     if let (Some(own), Some(stated)) = (units.mm_in_primary(), mm_in_unit)
         && (own / stated - 1.0).abs() > 1e-9
     {
-        let what = format!("the unit of the file is {own} mm, and {stated} mm was stated for it");
-        return Err(root.error(what).hint("leave the unit to the file, or correct it").into());
+        let [of_file, stated] = [own, stated].map(units::name);
+        return Err(error!("unit-differs", of_file, how = "FileUnits", stated).at(root.place()).into());
     }
     units.or_length(mm_in_unit);
     let mut messages = Vec::new();
@@ -174,25 +176,25 @@ pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredF
     }
     let QifDocument { sets, mut messages, .. } = document;
     for (id, node) in sets.unused() {
-        messages.push(node.warning(format!("no feature refers to point set {id}")));
+        messages.push(warning!("point-set-unused", id).at(node.place()));
     }
     let points = sets.count() + inline;
     let (mut errors, warnings): (Vec<_>, Vec<_>) = messages.into_iter().partition(|m| m.severity == Severity::Error);
     if !errors.is_empty() {
-        cut(&mut errors, Message::error);
+        cut(&mut errors, |count| error!("further-messages", count));
         return Err(Problems(errors));
     }
     let mut messages = warnings;
-    cut(&mut messages, Message::warning);
+    cut(&mut messages, |count| warning!("further-messages", count));
     Ok(MeasuredFeatures { version, features, points, messages })
 }
 
-/// Keeps the first messages and states how many there were.
-fn cut(messages: &mut Vec<Message>, more: impl Fn(String) -> Message) {
+/// Keeps the first messages and states how many further ones there were.
+fn cut(messages: &mut Vec<Message>, further: impl Fn(usize) -> Message) {
     let count = messages.len();
     if count > MOST_MESSAGES {
         messages.truncate(MOST_MESSAGES);
-        messages.push(more(format!("and {} more of this file", count - MOST_MESSAGES)));
+        messages.push(further(count - MOST_MESSAGES));
     }
 }
 
@@ -206,8 +208,7 @@ fn nodes_with_id<'t, 'a>(root: Node<'t, 'a>, messages: &mut Vec<Message>) -> BTr
             Some(_) if messages.len() > MOST_MESSAGES => {}
             Some(first) => {
                 let line = Node::place(*first).line.unwrap_or(0);
-                let what = format!("id {id} is there twice, first in line {line}: references to it go to the first");
-                messages.push(node.warning(what));
+                messages.push(warning!("id-repeated", id, line).at(node.place()));
             }
             None => {
                 nodes.insert(id, node);
@@ -234,8 +235,7 @@ impl<'t, 'a> QifDocument<'t, 'a> {
             let reference = from?.child(name).filter(|r| r.attribute("xId").is_none())?;
             let found = nodes.get(reference.text()).copied().filter(|n| n.name().ends_with(kind));
             if found.is_none() {
-                let what = format!("`{name}` {} leads to no {kind} of this file", reference.text());
-                messages.push(reference.warning(what));
+                messages.push(warning!("reference-broken", name, id = reference.text(), kind).at(reference.place()));
             }
             found
         };
@@ -257,11 +257,9 @@ impl<'t, 'a> QifDocument<'t, 'a> {
         let stated = read(&[Some(node)], messages);
         let nominal = read(&[nominal, definition], messages);
         let listed = node.child("PointList").map(|list| sets.list(list, units)).transpose();
-        let (points_mm, touch) = listed.map(Option::unwrap_or_default).unwrap_or_else(|mut message| {
-            let label =
-                name.as_deref().map_or_else(|| format!("feature {}", node.id().unwrap_or("")), |n| format!("`{n}`"));
-            message.what = format!("{label} has no usable points: {}", message.what);
-            messages.push(message);
+        let (points_mm, touch) = listed.map(Option::unwrap_or_default).unwrap_or_else(|message| {
+            let feature = name.as_deref().or(node.id()).unwrap_or("");
+            messages.push(message.within(phrase!("feature-without-points", feature)));
             Default::default()
         });
         MeasuredFeature {

@@ -1,10 +1,12 @@
-//! Points of the measured features of a QIF file: inline (2.x), or in point sets that features refer to (3.0).
+//! Points of the measured features of a QIF file: inline (2.x), or in point sets to which features
+//! refer (3.0).
 
 use super::Touch;
 use super::units::Units;
 use crate::xml::Node;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
+use etalon_base::{phrase, warning};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Points that all features may have together: one set may be referred to by many.
@@ -52,40 +54,39 @@ impl<'t, 'a> PointSets<'t, 'a> {
         let stated = list.attribute("n").and_then(|n| n.trim().parse::<usize>().ok());
         let found = list.children().count();
         if let Some(n) = stated.filter(|&n| n != found) {
-            return Err(list.warning(format!("the list states {n} entries and holds {found}")));
+            return Err(warning!("stated-count-differs", name = list.name(), stated = n, found).at(list.place()));
         }
         let mut samples: Vec<Sample> = Vec::new();
         for entry in list.children() {
             match entry.name() {
                 "MeasurePoint" => samples.push(inline(entry, units)?),
                 "WholePointSetId" | "RangePointSetId" | "SinglePointSetId" => self.part(entry, &mut samples)?,
-                other => return Err(entry.warning(format!("`{other}` in a list of points is not read"))),
+                other => return Err(unsupported(entry, other)),
             }
         }
         let touch = samples.first().map_or(Touch::Contact, |s| s.touch);
         if samples.iter().any(|s| s.touch != touch) {
-            let what = "some points are compensated and some are not, or by different probes";
-            return Err(list.warning(what).hint("fit these points apart"));
+            return Err(warning!("compensation-mixed").at(list.place()));
         }
         Ok((samples.into_iter().map(|s| s.xyz_mm).collect(), touch))
     }
 
-    /// Adds the points that an entry refers to; indices count from 1 and the end of a range belongs to it.
+    /// Adds the points to which an entry refers; indices count from 1, a range includes its end.
     fn part(&mut self, entry: Node<'t, 'a>, samples: &mut Vec<Sample>) -> Result<(), Message> {
         let id = entry.text();
         if entry.attribute("xId").is_some() {
-            return Err(entry.warning(format!("point set {id} is in another document, which is not read")));
+            return Err(warning!("reference-external", id).at(entry.place()));
         }
         let Some((node, points)) = self.sets.get(id) else {
-            let message = entry.warning(format!("there is no point set {id}: the reference leads nowhere"));
+            let name = entry.name();
+            let message = warning!("reference-broken", name, id, kind = "MeasuredPointSet").at(entry.place());
             self.astray += 1;
-            // looking for the set that is meant takes as long as there are sets
             let far = |other: &str| Some(other.parse::<i64>().ok()?.abs_diff(id.parse().ok()?));
             // looking for the set that is meant takes as long as there are sets
             let looked = (self.astray <= MOST_HINTS).then(|| self.unused()).into_iter().flatten();
             let nearest = looked.filter_map(|(other, _)| Some((far(other)?, other))).min();
             return Err(match nearest {
-                Some((_, other)) => message.hint(format!("is point set {other} meant?")),
+                Some((_, name)) => message.hint(phrase!("did-you-mean", name)),
                 None => message,
             });
         };
@@ -106,14 +107,12 @@ impl<'t, 'a> PointSets<'t, 'a> {
         let part = match entry.name() {
             "WholePointSetId" => &points[..],
             _ => within(stated.as_deref().unwrap_or_default()).ok_or_else(|| {
-                let set = format!("point set {id} of {}:{}", node.place().file, node.place().line.unwrap_or(0));
-                entry
-                    .warning(format!("`{}` is not part of {set}", stated.as_deref().unwrap_or_default()))
-                    .expected(format!("whole numbers from 1 to {count}, the smaller first"))
+                let (range, line) = (stated.as_deref().unwrap_or_default(), node.place().line.unwrap_or(0));
+                warning!("point-range-invalid", range, id, line, count).at(entry.place())
             })?,
         };
         if self.given + part.len() > MOST_POINTS {
-            return Err(entry.warning(format!("the features refer to more than {MOST_POINTS} points together")));
+            return Err(warning!("file-too-many-items", items = "points", most = MOST_POINTS).at(entry.place()));
         }
         self.given += part.len();
         samples.extend_from_slice(part);
@@ -123,10 +122,10 @@ impl<'t, 'a> PointSets<'t, 'a> {
 
 /// A `MeasurePoint` of QIF 2.x.
 fn inline(node: Node, units: &Units) -> Result<Sample, Message> {
-    let Some(point) = node.child("Point") else { return Err(node.warning("the point has no coordinates")) };
+    let Some(point) = node.child("Point") else { return Err(missing(node, "Point")) };
     let factor = units.mm_in(point, None)?;
     let &[x, y, z] = &point.numbers()?[..] else {
-        return Err(point.warning(format!("`{}` is not a point", point.text())).expected("three numbers"));
+        return Err(not_as_many(point, 3));
     };
     let centre = node.child("Compensated").map(|n| flag(n, n.text())).transpose()?.is_some_and(|c| !c);
     let radius = node.child("ProbeRadius").map(|n| radius(n, units, None)).transpose()?;
@@ -139,31 +138,34 @@ fn set(node: Node, units: &Units) -> Result<Vec<Sample>, Message> {
     if let Some(other) =
         node.children().find(|c| matches!(c.name(), "CoordinateSystemId" | "TranformId" | "TransformId"))
     {
-        return Err(other.warning("the points are in a coordinate system of their own, which is not applied"));
+        return Err(unsupported(other, other.name()));
     }
     if let Some(binary) =
         node.children().find(|c| matches!(c.name(), "BinaryPoints" | "BinaryCompensated" | "BinaryProbeRadii"))
     {
-        let message =
-            binary.warning(format!("`{}` is not read: the standard does not state its byte order", binary.name()));
-        return Err(message.hint("export the points as text"));
+        return Err(unsupported(binary, binary.name()).hint(phrase!("export-points-as-text")));
     }
-    let Some(list) = node.child("Points") else { return Err(node.warning("the point set holds no `Points`")) };
+    let Some(list) = node.child("Points") else { return Err(missing(node, "Points")) };
     let own_unit = units.mm_in_set(node)?;
     let factor = units.mm_in(list, own_unit)?;
     let numbers = list.numbers()?;
     let count = node.attribute("count").and_then(|c| c.trim().parse::<usize>().ok());
-    if !numbers.len().is_multiple_of(3) || count.is_some_and(|c| c.checked_mul(3) != Some(numbers.len())) {
-        let stated = count.map_or("no count".to_owned(), |c| format!("count {c}"));
-        return Err(list
-            .warning(format!("the point set states {stated} and holds {} numbers", numbers.len()))
-            .expected("three numbers a point"));
+    let (name, found) = (list.name(), numbers.len());
+    match count.map(|count| count.saturating_mul(3)) {
+        Some(stated) if stated != found => {
+            return Err(warning!("stated-count-differs", name, stated, found).at(list.place()));
+        }
+        None if !found.is_multiple_of(3) => {
+            let counts = phrase!("three-per-point");
+            return Err(warning!("number-count-differs", name, found, counts).at(list.place()));
+        }
+        _ => {}
     }
-    let count = numbers.len() / 3;
+    let count = found / 3;
     let mut flags = match (node.child("Compensated"), node.child("Compensations")) {
         (Some(one), _) => vec![flag(one, one.text())?],
         (_, Some(all)) => all.text().split_ascii_whitespace().map(|t| flag(all, t)).collect::<Result<_, _>>()?,
-        _ => return Err(node.warning("the point set does not state whether its points are compensated")),
+        _ => return Err(missing(node, "Compensated")),
     };
     let mut radii = match (node.child("ProbeRadius"), node.child("ProbeRadii")) {
         (Some(one), _) => vec![Some(radius(one, units, own_unit)?)],
@@ -175,7 +177,8 @@ fn set(node: Node, units: &Units) -> Result<Vec<Sample>, Message> {
     };
     for (what, length) in [("Compensations", flags.len()), ("ProbeRadii", radii.len())] {
         if node.child(what).is_some() && length != count {
-            return Err(node.warning(format!("`{what}` has {length} entries for {count} points")));
+            let message = warning!("stated-count-differs", name = what, stated = count, found = length);
+            return Err(message.at(node.place()));
         }
     }
     flags.resize(count, flags.first().copied().unwrap_or(true));
@@ -193,11 +196,30 @@ fn flag(node: Node, text: &str) -> Result<bool, Message> {
     match text {
         "true" | "1" => Ok(true),
         "false" | "0" => Ok(false),
-        _ => Err(node.warning(format!("`{text}` is neither true nor false"))),
+        _ => {
+            let message = warning!("record-invalid", text, format = "qif", valid = ["true", "false"]);
+            Err(message.at(node.place()))
+        }
     }
 }
 
 fn radius(node: Node, units: &Units, set: Option<f64>) -> Result<f64, Message> {
-    let &[radius] = &node.numbers()?[..] else { return Err(node.warning("a probe radius is one number")) };
+    let &[radius] = &node.numbers()?[..] else { return Err(not_as_many(node, 1)) };
     Ok(radius * units.mm_in(node, set)?)
+}
+
+/// Warning about an element without this child.
+fn missing(node: Node, record: &str) -> Message {
+    warning!("record-missing", parent = node.name(), record).at(node.place())
+}
+
+/// Warning about an element that cannot be read.
+fn unsupported(node: Node, element: &str) -> Message {
+    warning!("element-unsupported", element).at(node.place())
+}
+
+/// Warning about an element with another number of numbers than `count`.
+fn not_as_many(node: Node, count: usize) -> Message {
+    let found = node.text().split_ascii_whitespace().count();
+    warning!("number-count-differs", name = node.name(), found, counts = [count]).at(node.place())
 }

@@ -6,10 +6,11 @@ use crate::dialect::Unit;
 use etalon_base::message::Problems;
 use etalon_base::pose::Vector;
 
-/// Rows of a QIF file, in the stated unit (which must be that of the file), and what does not read.
+/// Rows of a QIF file, with their problems; the stated unit must be the unit of the file.
 ///
-/// A feature with a centre or a place (point, circle, sphere, torus) is one row with its stated location, any other one
-/// row a point; the label is the name of the feature. Probe centres are refused: they are not on the feature. What the reader has to state is a refused row of its own.
+/// A feature with a centre or a place (point, circle, sphere, torus) is one row with its stated
+/// location; another feature has one row for each point. The label is the name of the feature.
+/// Probe centres are refused: they are not on the feature. Each warning is a refused row.
 pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let read = match super::read(file, text, Some(unit.in_mm())) {
         Ok(read) => read,

@@ -1,10 +1,12 @@
 //! Units of a QIF file: stated once for the file, and by name at single values.
 
+use crate::dialect::Unit;
 use crate::xml::Node;
+use etalon_base::error;
 use etalon_base::message::Message;
 use std::collections::BTreeMap;
 
-/// What the file states about its units. A name of a unit is free text ("mm", "MM", "inch"): only its factor counts.
+/// Units of a file. The name of a unit is free text ("mm", "MM", "inch"): only its factor counts.
 #[derive(Default)]
 pub(super) struct Units {
     mm_in_primary: Option<f64>,
@@ -14,7 +16,7 @@ pub(super) struct Units {
 }
 
 impl Units {
-    /// Of the file whose document element is `root`.
+    /// Reads the units of the file with the document element `root`.
     pub fn of(root: Node) -> Result<Self, Message> {
         let mut units = Self::default();
         let Some(stated) = root.child("FileUnits") else { return Ok(units) };
@@ -47,15 +49,12 @@ impl Units {
         self.mm_in_primary = self.mm_in_primary.or(mm_in_unit);
     }
 
-    /// Millimetres in the unit of a value: its own, else that of its point set, else that of the file.
+    /// Millimetres in the unit of a value: its own unit, or the unit of its point set, or the unit
+    /// of the file.
     pub fn mm_in(&self, value: Node, set: Option<f64>) -> Result<f64, Message> {
         let named = named(value, "linearUnit", &self.mm_in)?;
-        named.or(set).or(self.mm_in_primary).ok_or_else(|| {
-            value
-                .error("the file does not state its unit of length")
-                .expected("`LinearUnit` in `FileUnits/PrimaryUnits`, with its factor")
-                .hint("state it: --unit mm, m, um or inch; it is never guessed")
-        })
+        let missing = || error!("file-unit-missing", quantity = "length", record = "LinearUnit").at(value.place());
+        named.or(set).or(self.mm_in_primary).ok_or_else(missing)
     }
 
     /// Millimetres in the unit that a point set states for itself; `None` where it states none.
@@ -67,35 +66,29 @@ impl Units {
     /// Radians in the unit of a value.
     pub fn rad_in(&self, value: Node) -> Result<f64, Message> {
         let named = named(value, "angularUnit", &self.rad_in)?;
-        named.or(self.rad_in_primary).ok_or_else(|| {
-            value
-                .error("the file does not state its unit of angle")
-                .expected("`AngularUnit` in `FileUnits/PrimaryUnits`, with its factor")
-        })
+        let missing = || error!("file-unit-missing", quantity = "angle", record = "AngularUnit").at(value.place());
+        named.or(self.rad_in_primary).ok_or_else(missing)
     }
 }
 
 /// The unit that a value names for itself.
 fn named(value: Node, attribute: &str, units: &BTreeMap<String, f64>) -> Result<Option<f64>, Message> {
     let Some(name) = value.attribute(attribute) else { return Ok(None) };
-    units.get(&*name).copied().map(Some).ok_or_else(|| {
-        value
-            .error(format!("`{name}` is not a unit of this file"))
-            .expected("a `UnitName` of `FileUnits`")
-            .hint_names(&name, units.keys().map(String::as_str))
-    })
+    let known: Vec<&str> = units.keys().map(String::as_str).collect();
+    let unknown = || error!("unit-unknown", unit = *name, units = known).at(value.place());
+    units.get(&*name).copied().map(Some).ok_or_else(unknown)
 }
 
 /// SI units in one of `unit`: S = (X + offset) · factor (QIF 3.0 Units.xsd, UnitConversionType).
 fn factor(unit: Node, si: &str) -> Result<f64, Message> {
     if let Some(stated) = unit.child("SIUnitName").filter(|n| n.text() != si) {
-        return Err(stated.error(format!("`{}` is no SI unit of this quantity", stated.text())).expected(si));
+        return Err(error!("unit-unknown", unit = stated.text(), units = [si]).at(stated.place()));
     }
     let Some(conversion) = unit.child("UnitConversion") else {
         let name = unit.child("UnitName").map_or("", Node::text);
         let is_si = matches!((name, si), ("m" | "meter" | "metre", "meter") | ("rad" | "radian", "radian"));
-        let message = unit.error(format!("the unit `{name}` has no factor")).expected("`UnitConversion/Factor`");
-        return if is_si { Ok(1.0) } else { Err(message) };
+        let missing = || error!("record-missing", parent = name, record = "UnitConversion/Factor").at(unit.place());
+        return is_si.then_some(1.0).ok_or_else(missing);
     };
     let number = |name: &str| conversion.child(name).map(Node::numbers).transpose();
     let factor = number("Factor")?.as_deref().and_then(<[f64]>::first).copied().unwrap_or(0.0);
@@ -103,5 +96,12 @@ fn factor(unit: Node, si: &str) -> Result<f64, Message> {
     if factor > 0.0 && offset == 0.0 {
         return Ok(factor);
     }
-    Err(conversion.error(format!("factor {factor}, offset {offset}")).expected("a positive factor without offset"))
+    Err(error!("unit-factor-invalid", factor, offset).at(conversion.place()))
+}
+
+/// Name of a unit of length by its millimetres; another unit is shown with its factor.
+pub(super) fn name(mm: f64) -> String {
+    let known = [Unit::Millimetre, Unit::Metre, Unit::Micrometre, Unit::Inch];
+    let unit = known.into_iter().find(|unit| (unit.in_mm() / mm - 1.0).abs() < 1e-9);
+    unit.map_or_else(|| format!("{mm} mm"), |unit| unit.name().to_owned())
 }

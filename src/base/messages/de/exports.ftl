@@ -1,0 +1,370 @@
+### Meldungen von formats: Eingabedateien, Exporte und ihre Zahlen; Erklärungen in en/exports.ftl.
+
+in-file = `{ $file }`: { $message }
+
+input-is-folder = `{ $folder }` ist ein Ordner
+    .expected = eine Datei
+    .hint = eine Datei darin angeben: { $files }
+
+input-missing = es gibt keine Datei `{ $file }`
+
+simulate-the-file = sie aus truth.toml schreiben: `etalon simulate { $folder }`
+
+place-the-file = die Datei an diesen Pfad kopieren oder einen anderen angeben: Pfade beginnen im Ordner der Kampagne
+
+name-a-file = der Ordner enthält { $files }
+
+line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
+    .hint = die Datei als Text mit Zeilen exportieren: sie ist wohl eine binäre Aufzeichnung oder ein Archiv
+
+file-not-text = `{ $file }` ist { $kind ->
+        [matlab] eine MATLAB-Datei
+        [hdf5] eine HDF5-Datei
+        [gzip] mit gzip komprimiert
+        [xls] eine alte Excel-Mappe (.xls)
+       *[pdf] ein PDF-Dokument
+    }
+    .expected = Text oder eine Arbeitsmappe (.xlsx)
+    .hint = { $kind ->
+        [matlab] die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [hdf5] die Tabelle als Text schreiben und die Spalten angeben
+        [gzip] die Datei entpacken
+        [xls] sie als .xlsx oder als Text speichern
+       *[pdf] die Punkte als Text exportieren
+    }
+
+encoding-differs = die Datei beginnt mit der Marke von { $of_file }; die Kampagne gibt { $stated } an
+    .hint = `encoding` weglassen: die Marke der Datei gibt sie an
+
+encoding-invalid = Byte { $byte } (Zeile { $line }, { $hex }) ist nicht { $encoding }
+    .hint = angeben, wie die Datei geschrieben wurde, zum Beispiel `encoding = "windows-1252"`
+
+encoding-windows = angeben, wie die Datei geschrieben wurde, zum Beispiel `encoding = "windows-1252"`: das Byte ist dann `{ $character }`
+
+nul-byte = die Datei enthält ein NUL-Byte (Zeile { $line })
+    .expected = Text
+    .hint = `encoding = "utf-16le"` angeben, falls die Datei UTF-16 ist; sonst die Datei neu exportieren
+
+sheet-missing = die Arbeitsmappe hat kein Blatt `{ $sheet }`
+
+sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile { $row }
+    .expected = höchstens { $columns } Spalten und { $rows } Zeilen
+    .hint = die Zelle löschen oder die Tabelle in ein eigenes Blatt kopieren
+
+workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
+    .hint = das Blatt allein oder als Text speichern
+
+workbook-unreadable = die Arbeitsmappe kann nicht gelesen werden: { $reason }
+    .hint = sie neu als .xlsx oder das Blatt als Text speichern
+
+cells-unordered = die Zellen von Blatt `{ $sheet }` sind nicht aufsteigend geordnet (Zeile { $row })
+
+xml-malformed = das XML ist nicht wohlgeformt: { $reason }
+    .hint = die Datei neu exportieren
+
+entity-unknown = die Entität `&{ $name };` ist unbekannt
+
+second-root-element = ein zweites Wurzelelement folgt
+
+xml-doctype = die XML-Datei deklariert einen Dokumenttyp
+    .hint = `<!DOCTYPE ...>` entfernen: Messungen brauchen keinen
+
+nested-too-deep = `{ $name }` ist { $depth } Ebenen tief geschachtelt
+    .expected = höchstens { $most } Ebenen
+    .hint = die Datei neu exportieren
+
+file-too-many-items = die Datei hat mehr als { $most } { $items ->
+        [elements] XML-Elemente
+       *[points] Punkte in ihren Elementen
+    }
+    .hint = weniger Elemente auf einmal exportieren
+
+file-cut-off = die Datei endet vor { $missing }
+    .hint = die Datei neu exportieren oder kopieren: sie ist unvollständig
+
+item-of-count = `{ $name }` { $number } von { $count }
+
+export-again-or-add = die Datei neu exportieren oder kopieren; ist sie vollständig, die Zeile `{ $line }` ergänzen
+
+format-differs = die Datei ist nicht im Format `{ $format }`
+    .expected = { $signature }
+    .hint = das Format der Datei angeben: `etalon formats DATEI` schlägt es vor
+
+begins-with = eine Datei, die mit `{ $text }` beginnt
+
+header-in-tabs = ein Kopf mit Tabulatoren zwischen { $names }
+
+header-with = ein Kopf mit { $names }
+
+records-like = Datensätze wie `{ $example }`
+
+root-element = eine XML-Datei mit dem Wurzelelement `{ $name }`
+
+version-unsupported = { $format } Version `{ $version }` wird nicht unterstützt
+    .expected = { $versions }
+    .hint = die Datei in einer unterstützten Version exportieren
+
+record-invalid = `{ $text }` ist im Format `{ $format }` nicht gültig
+    .expected = { $valid }
+
+k-field-or-values = ein K-Feld wie `K2002/1 Ball 1.X` oder eine Zeile mit Werten
+
+unicode-in-hexadecimal = Text oder `UNICODE( ... )` mit vier Hexadezimalziffern je Zeichen
+
+three-numbers = drei Zahlen
+
+record-too-early = `{ $record }` braucht vorher `{ $needed }`
+    .hint = die Datei neu exportieren: ein Datensatz fehlt oder steht an falscher Stelle
+
+record-missing = `{ $parent }` hat kein `{ $record }`
+    .hint = die Datei mit diesem Datensatz exportieren
+
+element-unsupported = `{ $element }` wird nicht unterstützt
+    .hint = die Punkte ohne diese Angabe exportieren
+
+export-points-as-text = die Punkte als Text exportieren: QIF gibt die Bytefolge binärer Punkte nicht an
+
+export-without-lists = die Punkte ohne Listen exportieren
+
+no-measured-points = die Datei hat keine gemessenen Punkte{ $contents ->
+        [none] {""}
+       *[other] : sie enthält { $contents }
+    }
+    .expected = Datensätze `{ $records }`
+
+measuring-program = ein Messprogramm
+
+head-of-a-run = den Kopf eines Messlaufs
+
+output-of-program = die Ausgabedatei angeben, die das Programm schreibt
+
+calypso-head = die Datei `_chr` oder `_fet` daneben angeben; der Kopf nennt die Längeneinheit `{ $unit }` und eine Werkstücktemperatur von { $temperature } °C
+
+export-measured-points = die gemessenen Punkte statt der Geometrie des Teils exportieren
+
+export-one-dfq = Beschreibung und Werte in einer Datei .dfq exportieren: .dfd hat keine Werte, .dfx keine Namen
+
+fields-of-columns = { $count } Felder, wie `columns` angibt
+
+polyworks-fields = `x y z` oder `x y z i j k`, davor wahlweise ein Name
+
+spatialanalyzer-fields = `collection, group, target, x, y, z` oder die letzten fünf, vier oder drei davon
+
+three-to-eight-numbers = drei bis acht Zahlen, durch Kommas getrennt
+
+propose-format = `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
+
+quote-names = Namen mit Leerzeichen in Anführungszeichen setzen, oder Trennzeichen und Spalten angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
+
+state-as-delimited = eine Datei mit Namen oder Tabulatoren als getrennten Text angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
+
+state-columns = die Achsen als Kommentar exportieren oder die Spalten angeben: format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
+
+commas-in-commas = den Bericht mit Semikolons exportieren: Dezimalkommas und trennende Kommas sind nicht unterscheidbar
+
+number-count-differs = `{ $name }` hat { $found ->
+        [one] 1 Zahl
+       *[other] { $found } Zahlen
+    }
+    .expected = { $counts }
+    .hint = die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
+
+three-per-point = drei Zahlen je Punkt
+
+dmis-continuation = prüfen, ob die Datei abgeschnitten ist: ein Datensatz geht nur nach einer Zeile weiter, die mit `$` endet
+
+stated-count-differs = `{ $name }` hat { $found ->
+        [one] 1 Wert
+       *[other] { $found } Werte
+    }
+    .expected = { $stated }, nach der Anzahl, die die Datei angibt
+    .hint = die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
+
+cell-empty = `{ $column }` ist leer
+    .hint = die Zelle ergänzen oder die Datei neu exportieren: sie wurde bearbeitet oder abgeschnitten
+
+not-a-number = `{ $text }` ist keine Zahl
+    .expected = eine Zahl mit dem Dezimalzeichen `{ $decimal }`{ $thousands ->
+            [none] {""}
+           *[other] {" "}und `{ $thousands }` zwischen Gruppen von drei Ziffern
+        }
+
+number-marks = falls die Datei Zahlen so schreibt, { $first }{ $second ->
+        [none] {""}
+       *[other] {" "}oder { $second }
+    } angeben
+
+format-with-decimal-comma = falls die Datei Dezimalkommas hat, `format = "{ $format }, decimal comma"` angeben
+
+number-empty = eine Zahl fehlt
+    .expected = eine Zahl mit dem Dezimalzeichen `{ $decimal }`{ $thousands ->
+            [none] {""}
+           *[other] {" "}und `{ $thousands }` zwischen Gruppen von drei Ziffern
+        }
+
+save-computed-workbook = ist die Zelle eine Formel, die Arbeitsmappe in dem Programm speichern, das sie berechnet
+
+number-too-long = `{ $start }...` hat { $characters } Zeichen
+    .expected = eine Zahl mit höchstens { $most } Zeichen
+    .hint = die Datei neu exportieren oder ihr Trennzeichen angeben
+
+pose-number-or-name = eine ganze Zahl oder ein Name wie `home`
+
+whole-number = eine ganze Zahl
+
+time-invalid = `{ $text }` ist kein Datum mit Uhrzeit
+    .expected = eine Zeit wie `11.10.2022 15:06:48.043` oder `2022-10-11T15:06:48`
+
+quote-unmatched = { $fault ->
+        [open] ein Anführungszeichen wird in seiner Zeile nicht geschlossen
+       *[behind] Text folgt auf ein schließendes Anführungszeichen
+    }
+    .hint = das Anführungszeichen schließen; in einem Feld mit Anführungszeichen wird es doppelt geschrieben
+
+row-is-comment = die Zeile `{ $row }` würde als Kommentar gelesen
+    .hint = ein anderes `comment` angeben
+
+state-column-number = statt des Namens die Nummer der Spalte angeben
+
+rows-after-end = auf `{ $end }`, das die Daten beendet, folgen Zeilen
+    .hint = diese Zeilen oder `{ $end }` entfernen
+
+coordinate-type-unknown = `types` gibt die Koordinaten des Typs `{ $name }` nicht an
+    .expected = { $known }
+    .hint = den Typ in `types` ergänzen
+
+coordinates-not-cartesian = die Koordinaten sind `{ $found }`
+    .expected = kartesische Koordinaten: { $cartesian }
+    .hint = kartesische Koordinaten exportieren
+
+export-cartesian-or-columns = kartesische Koordinaten exportieren oder die Spalten angeben: format = {"{"} delimiter = ",", comment = "//", columns = [{ $columns }], angle_unit = "deg" {"}"}
+
+coordinate-system-differs = die Punkte von `{ $feature }` sind in `{ $found }`
+    .expected = `{ $needed }`
+    .hint = alle Punkte in einem Koordinatensystem exportieren
+
+coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenit (rad) und Entfernung
+    .expected = kartesische Koordinaten: alle Zeilen haben zwei kleine Winkel und eine Länge
+    .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` angeben, oder `coordinates = "cartesian"`
+
+orientation-incomplete = die Orientierung hat { $found } von { $needed } Zahlen
+    .hint = die Orientierung vervollständigen oder alle ihre Zellen leer lassen
+
+direction-not-unit = die Richtung ({ $i }; { $j }; { $k }) hat die Länge { FIXED($length, 3) }
+    .expected = ein Einheitsvektor
+
+skip-columns = die Spalten mit "-" auslassen, falls sie etwas anderes sind
+
+skip-direction-angles = die Spalten mit "-" auslassen: sie sind die Winkel der Richtung (deg)
+
+direction-zero = die Richtung `{ $direction }` hat keine Länge
+    .expected = drei Zahlen, nicht alle null
+
+direction-notation-differs = die Richtung ist als { $found ->
+        [angles] Winkel (deg)
+       *[vector] Einheitsvektor
+    } geschrieben
+    .expected = { $found ->
+            [angles] ein Einheitsvektor, wie in DMIS
+           *[vector] Winkel (deg), wie GEOPAK sie schreibt
+        }
+    .hint = `format = "{ $format }"` angeben
+
+unit-differs = die Datei ist in { $of_file } ({ $how }); angegeben ist die Einheit { $stated }
+    .hint = die Einheit der Datei angeben
+
+default-of-format = kein `{ $record }`: Vorgabe des Formats
+
+unit-unknown = `{ $unit }` ist keine bekannte Einheit
+    .expected = { $units }
+    .hint = die Datei in einer dieser Einheiten exportieren
+
+file-unit-missing = die Datei gibt ihre { $quantity ->
+        [length] Längeneinheit
+       *[angle] Winkeleinheit
+    } nicht an
+    .expected = `{ $record }` mit Faktor in `FileUnits/PrimaryUnits`
+    .hint = { $quantity ->
+        [length] die Einheit angeben: `unit` des Exports oder `--unit`
+       *[angle] die Datei mit ihren Einheiten exportieren
+    }
+
+unit-factor-invalid = die Einheit hat den Faktor { $factor } und den Versatz { $offset }
+    .expected = ein positiver Faktor, kein Versatz
+
+format-without-unit = das Format `{ $format }` kann nicht die Einheit { $unit } haben
+    .expected = { $units }
+    .hint = eine dieser Einheiten angeben
+
+format-not-simulated = `etalon simulate` kann { $kind ->
+        [fixed] keine festen Breiten oder Arbeitsmappen
+        [types] keine Zeilen mit eigener Koordinatenart
+        [numbers] keine Spalten, die nur eine Nummer haben,
+       *[qif] kein QIF
+    } schreiben
+    .hint = { $kind ->
+        [fixed] für diesen Export ein `delimiter` angeben
+        [types] `columns` mit einer Koordinatenart angeben
+        [numbers] die Namen der Spalten angeben
+       *[qif] für diesen Export `format = "polyworks"` oder ein getrenntes Format angeben
+    }
+
+label-pattern-invalid = { $fault ->
+        [open] `{ $pattern }` hat ein `{"{"}` ohne `{"}"}`
+        [unknown] `{ $pattern }` hat den unbekannten Namen `{ $name }`
+       *[twice] `{ $pattern }` hat `{ $name }` zweimal
+    }
+    .expected = Text mit {"{"}target{"}"}, {"{"}pose{"}"} und {"{"}cycle{"}"}, je höchstens einmal
+    .hint = `label` berichtigen
+
+state-encoding = die Kodierung der Datei angeben: sie wurde in einer anderen gelesen
+
+several-data-sets = ein zweites `{ $record }`: die Datei hat mehrere Datensätze
+    .hint = sie in eine Datei je Datensatz aufteilen, jede mit einem [[export]]
+
+characteristic-beyond-count = es gibt kein Merkmal { $index }: K0100 gibt { $count } an
+    .hint = die Datei neu exportieren: sie wurde bearbeitet oder aus mehreren zusammengesetzt
+
+value-of-piece-missing = Wert { $number } von `{ $name }` gehört zu Teil { $piece }: ein früherer Wert fehlt
+    .hint = nicht gemessene Werte mit dem Attribut 255 (K0002) exportieren
+
+coordinate-counts-differ = `{ $name }` hat { $found ->
+        [one] 1 Wert
+       *[other] { $found } Werte
+    }; eine andere Koordinate des Punktes hat { $count }
+    .hint = nicht gemessene Werte mit dem Attribut 255 (K0002) exportieren
+
+metric-misplaced = `METRIC` steht außerhalb der Spalten 11 bis 16: die Einheit ist mehrdeutig (inch oder mm)
+    .expected = `XYZIJK    METRIC`, oder `XYZIJK` allein für Zoll
+    .hint = Zeile 1 berichtigen oder die Datei als getrennten Text mit ihrer Einheit angeben
+
+vertex-not-finite = Punkt { $number } (`vertex`) ist { $coordinates }
+    .expected = endliche Koordinaten
+    .hint = nur die gemessenen Punkte exportieren
+
+line-number-differs = die Spalten 73 bis 80 enthalten `{ $digits }`: eine Zeilennummer oder einen Wert
+    .expected = `{ $number }`, die Nummer dieser Zeile
+    .hint = die Datei ohne Zeilennummern exportieren
+
+feature-without-points = `{ $feature }` hat keine verwendbaren Punkte: { $message }
+
+compensation-mixed = die Punkte haben verschiedene Tasterkorrekturen
+    .hint = diese Punkte getrennt ausgleichen
+
+reference-broken = `{ $name }` verweist auf { $id }; das ist kein `{ $kind }` dieser Datei
+
+reference-external = die Punktmenge { $id } ist in einem anderen Dokument
+    .hint = Element und Punkte in einem Dokument exportieren
+
+point-range-invalid = `{ $range }` ist kein Bereich der Punktmenge { $id } (Zeile { $line })
+    .expected = ganze Zahlen von 1 bis { $count }, die kleinere zuerst
+
+point-set-unused = kein Element verweist auf die Punktmenge { $id }
+
+id-repeated = die Id { $id } ist zweimal vergeben, zuerst in Zeile { $line }: Verweise gelten der ersten
+    .hint = die Datei neu exportieren: sie wurde aus mehreren zusammengesetzt
+
+further-messages = { $count ->
+        [one] 1 weitere Meldung
+       *[other] { $count } weitere Meldungen
+    } zu dieser Datei

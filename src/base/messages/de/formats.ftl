@@ -1,0 +1,386 @@
+### Meldungen von formats; Erklärungen in en/formats.ftl.
+
+columns-in-two-forms = `columns` nennt { $quantity ->
+        [orientation] zwei Formen der Orientierung
+       *[uncertainty] Standardunsicherheiten und erweiterte Unsicherheiten
+    }
+    .hint = die Spalten einer Form weglassen
+
+column-group-incomplete = `columns` nennt nur einen Teil von { $names }
+    .hint = alle oder keine nennen
+
+key-needs-columns = `{ $key }` braucht die Spalten { $columns }
+    .hint = diese Spalten in `columns` nennen oder `{ $key }` entfernen
+
+coverage-factor-missing = erweiterte Unsicherheiten brauchen ihren Erweiterungsfaktor `coverage_factor`
+    .hint = ihn in `format` angeben, zum Beispiel `coverage_factor = 2`
+
+uncertainty-column-count = `columns` nennt { $stated ->
+        [one] 1 Unsicherheit
+       *[other] { $stated } Unsicherheiten
+    } für { $coordinates ->
+        [one] 1 Koordinate
+       *[other] { $coordinates } Koordinaten
+    }
+    .expected = eine je Koordinate ({ $names }) oder keine
+
+column-separation-unclear = das Format gibt { $stated ->
+        [0] keine Trennung der Spalten an
+       *[other] { $stated } Trennungen der Spalten an
+    }
+    .expected = eines von `delimiter`, `widths` und `sheet`
+    .hint = `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
+
+column-width-zero = eine Spalte von `widths` ist 0 Zeichen breit
+    .hint = die Zahl der Zeichen jeder Spalte angeben
+
+more-columns-than-widths = `columns` nennt { $columns } Spalten, `widths` hat { $widths }
+    .hint = eine Breite je Spalte angeben
+
+comma-ambiguous = ein Komma kann nicht zugleich Spalten trennen und Dezimalzeichen sein: `1,25` wäre eine Zahl oder zwei
+    .hint = die Datei mit Semikolons oder Tabulatoren exportieren oder mit Dezimalpunkt
+
+thousands-mark-ambiguous = das Tausenderzeichen `{ $mark }` ist auch das { $other ->
+        [decimal] Dezimalzeichen
+       *[delimiter] Trennzeichen
+    }
+    .hint = die Datei mit anderen Zeichen exportieren
+
+column-role-twice = `columns` nennt `{ $role }` zweimal
+    .hint = eine Angabe berichtigen; eine Spalte, die nicht gelesen wird, ist `-`
+
+coordinates-of-two-kinds = `columns` nennt Koordinaten fester Art und zugleich c1, c2, c3
+    .expected = entweder x, y, z oder Winkel und Abstände, oder c1, c2, c3
+
+row-types-missing = die Spalten c1, c2, c3 brauchen eine Spalte `type` und den Schlüssel `types`
+    .hint = zum Beispiel `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
+
+row-type-incomplete = `{ $key }` gibt nicht an, was c1, c2 und c3 sind
+    .expected = drei Koordinaten, und c1, c2, c3 in `columns`
+
+not-coordinates = `{ $key }` nennt { $count ->
+        [0] keine Koordinaten
+       *[other] { $names }: nicht die Koordinaten eines Punkts
+    }
+    .expected = x und y, im Raum auch z; Radius, Azimut und z; oder Azimut, Zenit- oder Höhenwinkel und Abstand
+
+angle-unit-missing = `{ $key }` nennt Winkel ohne Einheit
+    .hint = `angle_unit` angeben: "deg", "rad" oder "gon"
+
+coordinate-type-differs = `coordinates` gibt { $stated ->
+        [cartesian] kartesische
+        [cylindrical] zylindrische
+       *[spherical] sphärische
+    } Koordinaten an, `{ $key }` nennt { $named ->
+        [cartesian] kartesische
+        [cylindrical] zylindrische
+       *[spherical] sphärische
+    }
+    .hint = eine Angabe berichtigen
+
+header-not-stated = `columns` nennt die Überschrift `{ $column }`, und keine Kopfzeile ist angegeben
+    .hint = `header = 1` angeben oder die Nummer der Spalte nennen
+
+expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden: { $fault ->
+        [too-long] er ist länger als 1000 Zeichen
+        [left-over] `{ $rest }` bleibt übrig
+        [brackets-too-deep] seine Klammern sind zu tief geschachtelt
+        [too-many-signs] er hat zu viele Vorzeichen
+        [bracket-open] eine Klammer ist nicht geschlossen
+        [column-number] auf `$` folgt keine Spaltennummer ab 1
+       *[incomplete] eine Spalte oder eine Zahl fehlt
+    }
+    .expected = Überschriften, `$3` für die dritte Spalte und Zahlen, dazwischen + - * / und Klammern
+
+column-unknown = es gibt keine Spalte `{ $column }`
+
+table-failed = die Tabelle kann nicht gebildet werden: { $reason }
+
+not-whole-number = `{ $value }` in der Spalte `{ $column }` ist keine ganze Zahl
+
+stored-table-damaged = die gespeicherte Tabelle ist beschädigt: { $reason }
+    .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
+
+stored-row-count = sie hat { $found ->
+        [one] 1 Zeile
+       *[other] { $found } Zeilen
+    } statt { $rows }
+
+row-without-point = die Zeile enthält keinen Punkt: { $reason }
+    .hint = die Zeile aus der Datei entfernen
+
+rows-left-out = { $count ->
+        [one] 1 Zeile
+       *[other] { $count } Zeilen
+    } ausgelassen; die erste: { $reason }
+
+count-value-missing = `{ $key }` gibt den Wert eines Impulses nicht an: Galil-Felder enthalten Impulse des Messgebers
+    .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count in der Einheit des Schlüssels
+
+galil-array-hole = das Feld von `{ $column }` hat eine Lücke
+    .hint = das Feld erneut auslesen
+
+galil-array-ended = kein Impuls: das Feld von { $columns } ist zu Ende
+
+galil-array-empty = eines der Felder ist leer
+    .hint = die Felder nach dem Ende der Aufzeichnung erneut auslesen
+
+not-a-count = { $value } ist kein Impuls eines Messgebers
+    .expected = eine ganze Zahl mit 32 Bit
+    .hint = sind die Werte skaliert, `format = "galil"` weglassen
+
+counter-wrapped = der Zähler ist übergelaufen: { $to } folgt auf { $from }
+    .hint = den Messgeber vor der Aufzeichnung auf null setzen
+
+rsi-cycles-missing = { $count ->
+        [one] 1 Zeile, in der
+       *[other] { $count } Zeilen, in denen
+    } `IPOC` nicht um { $step_ms } ms weitergeht
+    .hint = Telegramme gingen verloren: der aufzeichnende Rechner war zu spät
+
+ros-joints-change = Gelenk { $number } ist in dieser Zeile `{ $found }` und in der ersten `{ $first }`
+    .hint = zwei Sender teilen das Topic: jeden in eine eigene Datei aufzeichnen
+
+log-column-unknown = `{ $key }` ist keine Spalte eines Protokolls
+    .expected = `pose`, `cycle`, `time_s`, `label` oder ein Gelenk mit seiner Einheit wie `q1_deg`, `q1_rad`, `rho1_mm`
+
+log-column-twice = `{ $key }` gibt `{ $name }` ein zweites Mal an
+    .hint = eine Angabe weglassen; `pose = "row"` ersetzt die Spalte der Pose, `period_s` die Spalte der Zeit
+
+log-key-inapplicable = `{ $key }` gilt nicht für { $column ->
+        [none] dieses Protokoll
+       *[other] `{ $column }`
+    }
+    .hint = { $key ->
+        [per_count] `per_count` ist der Wert eines Impulses des Messgebers eines Gelenks: entfernen
+        [values] `values` gehört zu `format = "twincat"`: entfernen
+        [header] ein TwinCAT-Export nennt seine Kanäle: `header` entfernen
+       *[other] Kanäle eines TwinCAT-Exports haben eigene Zeiten: `{ $key }` entfernen
+    }
+
+column-unit-differs = `{ $key }` gibt { $stated } an, `{ $column }` ist in { $known ->
+        [wall-clock] ganzen Sekunden der Uhrzeit; die Uhr dieses Protokolls ist `IPOC`
+       *[other] { $known }
+    }
+
+write-column = `{ $key } = "{ $column }"` schreiben
+
+column-in-unit = eine Spalte in { $unit }
+
+header-words-missing = keine Zeile enthält die Wörter des Kopfes: { $words }
+    .hint = die Wörter aus der Kopfzeile der Datei abschreiben
+
+data-rows-missing = die Datei hat keine Datenzeilen
+    .hint = sie erneut exportieren; enthält ihre einzige Zeile Werte, `header = false` angeben
+
+row-field-count = die Zeile hat { $fields ->
+        [one] 1 Feld
+       *[other] { $fields } Felder
+    }
+    .expected = { $expected }
+    .hint = Trennzeichen, Dezimalzeichen und Anführungszeichen prüfen: ein Dezimalkomma vermehrt die Felder; in einer abgeschnittenen Datei fehlen sie
+
+fields-like = { $like ->
+        [header] { $width } wie die Kopfzeile
+        [first-row] { $width } wie die erste Zeile
+       *[names] höchstens { $width } wie die Zeile der Namen
+    }
+
+delimiter-does-not-split = durch `{ $delimiter }` getrennt haben die Zeilen eine einzige Spalte
+
+state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` angeben (Optionen --delimiter und --decimal)
+
+state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
+
+header-holds-numbers = die Kopfzeile enthält nur Zahlen
+    .hint = hat die Datei keinen Kopf, `header = false` angeben und Spalten durch Nummern nennen
+
+column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer genannt werden: { $format ->
+        [galil] Felder stehen in alphabetischer Reihenfolge, gleich zu welchem Gelenk sie gehören
+        [ros] die Reihenfolge der Gelenke ist beliebig
+       *[twincat] die Reihenfolge der Kanäle wechselt von Export zu Export
+    }
+    .hint = ihren Namen angeben
+
+column-number-unknown = es gibt keine Spalte { $number }
+    .expected = eine Nummer von 1 bis { $columns }
+
+heading-repeated = der Kopf hat { $times ->
+        [one] 1 Spalte
+       *[other] { $times } Spalten
+    } `{ $column }`
+    .expected = `occurrence` von 1 bis { $times }
+    .hint = angeben, welche: `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
+
+log-row-needs-values = das Protokoll erneut aus der Steuerung auslesen oder die Zeile entfernen: jede Zeile braucht ihre Werte
+
+assembly-mode-invalid = der Montagemodus ist { $value }
+    .expected = 1 oder -1
+    .hint = ihn berichtigen; ist er unbekannt, die Spalte `assembly` weglassen
+
+standstill-missing = der Roboter des Protokolls `{ $log }` steht nie { $at_least_s } s lang still
+    .hint = sein längster Stillstand innerhalb der Grenzen dauert { FIXED($longest_s, 3) } s: `at_least_s` und die Grenzen prüfen
+
+standstill-time-missing = [log.standstill] braucht die Zeiten der Zeilen
+    .hint = `time_s`, `time_ms` oder `time_ns` in `columns` angeben oder `period_s`
+
+standstill-limit-missing = [log.standstill] hat keine Grenze für `{ $column }`
+    .hint = `{ $key }` angeben: der größte Unterschied zweier Werte im Stillstand
+
+changes-at-standstill = `{ $column }` wechselt während eines Stillstands von { $from } zu { $to }
+    .hint = die Spalte weglassen oder die Grenzen von [log.standstill] senken
+
+simulated-column-clash = die Spalte von `{ $key }` kann nicht simuliert werden
+    .expected = eine eigene Spalte je Schlüssel, höchstens { $most } Spalten
+
+simulated-column-unknown = `{ $key }` kann nicht simuliert werden
+    .expected = `pose`, `cycle`, `time_s` und die Gelenke mit ihren Einheiten
+
+log-columns-missing = `columns` dieses Protokolls nennt keinen Kanal
+
+twincat-two-scales = Kanal `{ $channel }` hat eine Skalierung, und seine Einheit auch
+    .hint = skalierte Werte exportieren und `values = "scaled"` angeben
+
+twincat-scale-undecided = Kanal `{ $channel }` hat eine Skalierung (Faktor und Offset { $scale }, der Einheit { $unit_scale }): ob sie angewendet ist, ist unbekannt
+    .hint = `values = "raw"` oder `values = "scaled"` angeben, wie der Export eingestellt war
+
+channel-resumes = Kanal `{ $channel }` geht nach seinem Ende weiter
+    .hint = die Aufzeichnung erneut exportieren
+
+channels-without-common-time = diese Kanäle haben keine gemeinsame Zeit
+    .hint = Kanäle einer Task mit einer Abtastzeit exportieren
+
+channel-samples-unused = Kanal `{ $channel }`: { $count ->
+        [one] 1 Abtastwert
+       *[other] { $count } Abtastwerte
+    } ausgelassen, weil ein anderer Kanal zu diesen Zeiten keinen hat
+
+twincat-head-malformed = das ist kein Export von TwinCAT 3 Scope: { $part ->
+        [first-line] die erste Zeile beginnt nicht mit `Name` und einem Trennzeichen
+        [names] keine Zeile des Kopfes nennt die Kanäle
+       *[end] keine leere Zeile beendet den Kopf
+    }
+    .hint = die Aufzeichnung erneut als CSV exportieren oder ein anderes `format` angeben
+
+twincat-head-ragged = Zeile `{ $row }` des Kopfes hat { $fields } Felder, die Zeile der Namen { $width }: das Trennzeichen kommt auch in Werten oder Namen vor
+    .hint = erneut exportieren, getrennt durch Tabulatoren oder Semikolons
+
+twincat-separated-by-blanks = der Export ist durch Leerzeichen getrennt, und ein Leerzeichen ist auch ein fehlender Wert und Teil von Namen
+    .hint = erneut exportieren, getrennt durch Tabulatoren oder Semikolons
+
+channel-scale-not-number = `{ $key }` von Kanal `{ $channel }` ist `{ $value }`, keine Zahl
+    .hint = die Aufzeichnung erneut exportieren
+
+delimiter-differs = der Export ist durch { $separator } getrennt
+    .hint = `delimiter` dieses Protokolls entfernen: der Export gibt es an
+
+coordinates-differ = Ist- und Sollpositionen haben verschiedene Koordinaten
+    .expected = die Koordinaten von `{ $file }`
+    .hint = ebene Roboter lassen `z_mm` in beiden Tabellen weg
+
+coordinate-missing = eine Koordinate fehlt oder ist nicht endlich
+    .hint = die Zelle ergänzen oder die Zeile entfernen
+
+columns-not-read = nicht gelesen: { $count ->
+        [one] Spalte
+       *[other] Spalten
+    } { $columns }
+
+joint-direction-missing = `backlash` von Gelenk `{ $joint }` braucht die Richtung, aus der es kam
+    .expected = eine Spalte `{ $column }`: +1, wo es von unten kam, -1 von oben
+    .hint = eine Kampagne entnimmt sie einem Protokoll mit Zeiten; oder das Gelenk aus `backlash` der Roboterdatei entfernen
+
+joint-direction-invalid = `{ $column }` { $value ->
+        [missing] fehlt
+       *[other] ist { $value }
+    }
+    .expected = +1, wo `{ $joint }` von unten kam, -1 von oben
+
+joint-column-twice = die Tabelle hat Gelenk `{ $joint }` zweimal: `{ $first }` und `{ $second }`
+    .hint = eine der Spalten entfernen
+
+in-row = Zeile { $row }: { $message }
+
+pose-commanded-twice = Pose { $pose } steht zweimal unter den Sollposen
+    .hint = eine der Zeilen entfernen oder umbenennen
+
+pose-not-commanded = Pose { $pose } ist nicht unter den Sollposen
+    .hint = sie in `{ $file }` ergänzen oder ihren Namen berichtigen
+
+pose-attained-twice = Pose { $pose } wurde in Zyklus { $cycle } zweimal angefahren
+    .hint = die Zyklen nummerieren, Anfahrrichtungen in `approach` nennen oder Ablesungen eines Besuchs in `reading` nummerieren
+
+commanded-pose-not-measured = Pose { $pose } ist Sollpose, wurde aber nicht gemessen
+
+no-pose-measured = keine Pose wurde gemessen
+    .hint = die Namen der Posen prüfen
+
+recording-time-missing = die Aufzeichnung hat keine Spalte der Zeit
+    .expected = eine Spalte `time_s` oder die Abtastrate
+    .hint = die Rate des Messgeräts angeben: `--rate-hz 1000`, in einer Kampagne `rate_hz = 1000`
+
+state-sampling-rate = die Abtastrate angeben (`--rate-hz`): Zeitstempel, die gröber als die Abtastung sind, ergeben keine Zeiten
+
+recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
+    .hint = Abtastrate, Einheit und Reihenfolge der Abtastwerte prüfen
+
+angles-not-compensated = Winkel sind nicht durch die Referenzziele um die Drift berichtigt
+    .expected = alle von a_deg, b_deg, c_deg (bei einem ebenen Roboter c_deg) und die Reihenfolge ihrer Drehungen
+    .hint = die Reihenfolge angeben: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`
+
+angles-not-separable = Winkel von Pose { $pose }, Zyklus { $cycle } sind unbestimmt: zwei Drehungen haben dieselbe Achse
+    .hint = eine andere Reihenfolge der Drehungen angeben
+
+cycle-before-reference-targets = Zyklus { $cycle } wurde vor allen Referenzzielen gemessen
+    .hint = die Referenzziele vor der Prüfung messen; die ersten gehören zu Zyklus { $first }
+
+reference-target-twice = das Referenzziel `{ $target }` wurde in Zyklus { $cycle } zweimal gemessen
+    .hint = eine der Zeilen entfernen oder ihren Namen berichtigen
+
+reference-targets-differ = die Referenzziele von Zyklus { $cycle } sind andere als die ersten
+    .expected = { $targets }
+
+observation-column-unknown = `{ $column }` ist keine Spalte von Beobachtungen
+    .hint = Koordinaten und Gelenke enden mit ihrer Einheit: x_mm, q1_deg; docs/observations.md nennt alle Spalten
+
+column-stated-twice = die Spalte `{ $column }` ist als `{ $first }` und als `{ $second }` angegeben
+    .hint = eine Angabe berichtigen
+
+heading-twice = der Kopf nennt `{ $column }` mehrmals
+    .hint = eine der Spalten umbenennen oder entfernen
+
+stated-and-in-table = `{ $key }` ist angegeben, und die Tabelle hat eine Spalte dieses Namens
+    .hint = eines davon entfernen
+
+no-row-selected = `only` und `without` wählen keine Zeile aus
+    .hint = ihre Zellen mit denen der Datei vergleichen
+
+computed-not-finite = der berechnete Wert von `{ $column }` ist { $value }
+    .hint = den Ausdruck prüfen: er teilt durch null oder läuft über
+
+name-is-formula = der Name `{ $name }` in der Spalte `{ $column }` wäre in einer Tabellenkalkulation eine Formel
+    .hint = einen Namen verwenden, der nicht mit = + - oder @ beginnt
+
+file-empty = die Datei ist leer
+    .hint = sie erneut exportieren
+
+file-without-points = das ist { $kind ->
+        [json] ein JSON-Dokument
+        [yaml] ein YAML-Dokument
+        [toml] ein TOML- oder INI-Dokument
+        [certificate] ein digitaler Kalibrierschein: Ergebnisse einer Kalibrierung ohne Messpunkte
+        [roughness] eine Datei mit Rauheitskennwerten eines Mitutoyo SJ-410 ohne Koordinaten
+       *[xml] ein XML-Dokument unbekannter Art
+    }
+    .expected = Messpunkte oder ein Protokoll, als Texttabelle oder Arbeitsmappe
+    .hint = { $kind ->
+        [certificate] die Datei der Messpunkte angeben
+        [roughness] die Datei der Messpunkte angeben
+       *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
+    }
+
+no-rows-of-numbers = { $file ->
+        [workbook] kein Blatt der Arbeitsmappe hat
+       *[text] keine Lesart als getrennter Text ergibt
+    } Zeilen mit zwei oder mehr Zahlen
+    .hint = die Punkte als Text exportieren, eine Zeile je Punkt

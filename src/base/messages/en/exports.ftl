@@ -1,0 +1,622 @@
+### Messages of formats: input files, exports and their numbers. Above each message: its explanation
+### (see CONTRIBUTING.md, "A message").
+
+in-file = `{ $file }`: { $message }
+
+# Means: A folder is named where a file is needed.
+# Matters: The measurements are in one of its files.
+# Do: Name a file in the folder.
+# Example: `file = "exports"`
+input-is-folder = `{ $folder }` is a folder
+    .expected = a file
+    .hint = name a file in it: { $files }
+
+# Means: The file does not exist.
+# Matters: The campaign is incomplete.
+# Do: Correct the path, or copy the file. Paths begin at the folder of the campaign.
+# Example: `file = "exports/pose.txt"` where the folder has `poses.txt`
+input-missing = there is no file `{ $file }`
+
+simulate-the-file = write it from truth.toml: `etalon simulate { $folder }`
+
+place-the-file = copy the file to this path, or name another path: paths begin at the folder of the campaign
+
+name-a-file = the folder has { $files }
+
+# Means: A line of the file is longer than any line of measurements.
+# Matters: The file is a binary recording or an archive, or its line ends are lost.
+# Do: Export the measurements as text with one row a line.
+# Example: a gigabyte of digits without a line end
+line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
+    .hint = export the file as text with lines: it may be a binary recording or an archive
+
+# Means: The first bytes of the file are those of a binary format without text.
+# Matters: Measurements are read from text, Excel workbooks (.xlsx), XML and PLY.
+# Do: Convert the file as the hint says.
+# Example: a MATLAB file `poses.mat`
+file-not-text = `{ $file }` is { $kind ->
+        [matlab] a MATLAB file
+        [hdf5] an HDF5 file
+        [gzip] compressed with gzip
+        [xls] an old Excel workbook (.xls)
+       *[pdf] a PDF document
+    }
+    .expected = text, or a workbook (.xlsx)
+    .hint = { $kind ->
+        [matlab] write its table as text with `writematrix`, and state the columns
+        [hdf5] write its table as text, and state the columns
+        [gzip] unpack the file
+        [xls] save it as .xlsx or as text
+       *[pdf] export the points as text
+    }
+
+# Means: The byte-order mark of the file is that of another encoding than `encoding` states.
+# Matters: Names would be read wrongly.
+# Do: Remove `encoding`; the byte-order mark states the encoding.
+# Example: `encoding = "utf-8"` for a file that begins with the bytes FF FE
+encoding-differs = the file begins with the mark of { $of_file }; the campaign states { $stated }
+    .hint = remove `encoding`: the mark of the file states it
+
+# Means: A byte of the file does not exist in the encoding.
+# Matters: Names and signs such as ± and µ would be read wrongly.
+# Do: State the encoding in which the file was written.
+# Example: the byte B1 (± in Windows-1252) in a file without `encoding`
+encoding-invalid = byte { $byte } (line { $line }, { $hex }) is not { $encoding }
+    .hint = state how the file was written, for example `encoding = "windows-1252"`
+
+encoding-windows = state how the file was written, for example `encoding = "windows-1252"`: this byte is then `{ $character }`
+
+# Means: The text contains a zero byte.
+# Matters: Text contains none: the file is damaged, binary, or UTF-16 without a byte-order mark.
+# Do: State `encoding = "utf-16le"` if the file is UTF-16; otherwise export the file again.
+# Example: UTF-16 text saved without its byte-order mark
+nul-byte = the file contains a NUL byte (line { $line })
+    .expected = text
+    .hint = state `encoding = "utf-16le"` if the file is UTF-16; otherwise export the file again
+
+# Means: The workbook has no sheet of this name.
+# Matters: It is unknown which sheet holds the measurements.
+# Do: Use a name of the workbook.
+# Example: `sheet = "CMM"` for a workbook with the sheet `CMM 1`
+sheet-missing = the workbook has no sheet `{ $sheet }`
+
+# Means: A cell of the sheet lies outside the range that is read.
+# Matters: Such a sheet is not a table of measurements, or a stray cell was filled by mistake.
+# Do: Delete the cell, or copy the table to a sheet of its own.
+# Example: a number in cell XFD1048576
+sheet-too-large = sheet `{ $sheet }` has a cell in column { $column }, row { $row }
+    .expected = at most { $columns } columns and { $rows } rows
+    .hint = delete the cell, or copy the table to a sheet of its own
+
+# Means: The unpacked workbook exceeds the maximum size.
+# Matters: It would exhaust the memory; a table of measurements is smaller.
+# Do: Save the sheet alone, or as text.
+# Example: a workbook of 200 MiB of blanks that is packed into 1 MiB
+workbook-too-large = the unpacked workbook is larger than { $most_mib } MiB
+    .hint = save the sheet alone, or as text
+
+# Means: The file is not a valid Excel workbook (.xlsx).
+# Matters: Its sheets cannot be read.
+# Do: Save the workbook again as .xlsx, or the sheet as text.
+# Example: a workbook whose second half is missing
+workbook-unreadable = the workbook cannot be read: { $reason }
+    .hint = save it again as .xlsx, or the sheet as text
+
+cells-unordered = the cells of sheet `{ $sheet }` are not in ascending order (row { $row })
+
+# Means: The XML of the file breaks a rule of XML.
+# Matters: What follows cannot be assigned to elements.
+# Do: Export the file again.
+# Example: `<Point>` closed by `</Points>`
+xml-malformed = the XML is not well-formed: { $reason }
+    .hint = export the file again
+
+entity-unknown = the entity `&{ $name };` is unknown
+
+second-root-element = a second root element follows
+
+# Means: The XML file declares a document type.
+# Matters: A document type may define entities that change the text or exhaust the memory.
+# Do: Remove the declaration `<!DOCTYPE ...>`.
+# Example: `<!DOCTYPE QIFDocument [<!ENTITY a "...">]>`
+xml-doctype = the XML file declares a document type
+    .hint = remove `<!DOCTYPE ...>`: measurements need none
+
+# Means: Elements or blocks are nested deeper than in any file of measurements.
+# Matters: The file is damaged, or not one of this format.
+# Do: Export the file again.
+# Example: 100 nested XML elements
+nested-too-deep = `{ $name }` is nested { $depth } levels deep
+    .expected = at most { $most } levels
+    .hint = export the file again
+
+# Means: The file has more elements, or its features more points, than are read.
+# Matters: The memory would be exhausted.
+# Do: Export fewer features at a time.
+# Example: a QIF file of five million elements
+file-too-many-items = the file has more than { $most } { $items ->
+        [elements] XML elements
+       *[points] points in its features
+    }
+    .hint = export fewer features at a time
+
+# Means: The file ends before a record that a complete file has.
+# Matters: Measurements may be missing.
+# Do: Export or copy the file again.
+# Example: a PLY file of 1000 vertices with 500 lines
+file-cut-off = the file ends before { $missing }
+    .hint = export or copy the file again: it is incomplete
+
+item-of-count = `{ $name }` { $number } of { $count }
+
+export-again-or-add = export or copy the file again; if it is complete, add the line `{ $line }`
+
+# Means: The file does not begin like a file of the stated format.
+# Matters: Read in this format, its numbers would have another meaning or none.
+# Do: State the format of the file; `etalon formats FILE` proposes it.
+# Example: `format = "ply"` for a PolyWorks text
+format-differs = the file is not in format `{ $format }`
+    .expected = { $signature }
+    .hint = state the format of the file: `etalon formats FILE` proposes it
+
+begins-with = a file that begins with `{ $text }`
+
+header-in-tabs = a header separated by tabs with { $names }
+
+header-with = a header with { $names }
+
+records-like = records like `{ $example }`
+
+root-element = an XML file with the root element `{ $name }`
+
+# Means: The version of the format is not supported.
+# Matters: Records of another version may have another meaning.
+# Do: Export the file in a supported version.
+# Example: a QIF file with `versionQIF="1.0"`
+version-unsupported = { $format } version `{ $version }` is not supported
+    .expected = { $versions }
+    .hint = export the file in a supported version
+
+# Means: A record, value or word is not one that the format defines.
+# Matters: Its meaning is unknown.
+# Do: Correct the record, or export the file again.
+# Example: `#04:XZ(Y)` in a scan of GEOPAK-Win
+record-invalid = `{ $text }` is not valid in format `{ $format }`
+    .expected = { $valid }
+
+k-field-or-values = a K field such as `K2002/1 Ball 1.X`, or a row of values
+
+unicode-in-hexadecimal = text, or `UNICODE( ... )` with four hexadecimal digits a character
+
+three-numbers = three numbers
+
+# Means: A record of the file needs another record before it.
+# Matters: It is unknown to which item the record belongs.
+# Do: Export the file again; the earlier record is missing or was moved.
+# Example: `K0002/1 0` before `K0001/1 12.5` in a Q-DAS file
+record-too-early = `{ $record }` needs an earlier `{ $needed }`
+    .hint = export the file again: a record is missing or misplaced
+
+# Means: An element of the file lacks a record that the format requires.
+# Matters: Its value is unknown.
+# Do: Export the file with this record.
+# Example: a PLY file without `property float z`
+record-missing = `{ $parent }` has no `{ $record }`
+    .hint = export the file with this record
+
+# Means: The format defines this element, and etalon does not read it.
+# Matters: Ignoring it could falsify the points.
+# Do: Export the points without it.
+# Example: `BinaryPoints` in a QIF file
+element-unsupported = `{ $element }` is not supported
+    .hint = export the points without it
+
+export-points-as-text = export the points as text: QIF does not state the byte order of binary points
+
+export-without-lists = export the points without lists
+
+# Means: The file has no points that were measured.
+# Matters: There is nothing to evaluate.
+# Do: Name the file that holds the measured points.
+# Example: a DMIS measuring program instead of its output file
+no-measured-points = the file has no measured points{ $contents ->
+        [none] {""}
+       *[other] : it contains { $contents }
+    }
+    .expected = records `{ $records }`
+
+measuring-program = a measuring program
+
+head-of-a-run = the head of a run
+
+output-of-program = name the output file that the program writes
+
+calypso-head = name the `_chr` or `_fet` file beside it; the head states the length unit `{ $unit }` and a workpiece temperature of { $temperature } °C
+
+export-measured-points = export the measured points instead of the geometry of the part
+
+export-one-dfq = export description and values in one .dfq file: a .dfd file has no values, a .dfx file no names
+
+fields-of-columns = { $count } fields, as `columns` states
+
+polyworks-fields = `x y z` or `x y z i j k`, optionally preceded by a name
+
+spatialanalyzer-fields = `collection, group, target, x, y, z`, or the last five, four or three of them
+
+three-to-eight-numbers = three to eight numbers separated by commas
+
+propose-format = `etalon formats FILE` proposes how to read the file
+
+quote-names = put names with blanks in quotes, or state the delimiter and the columns: `format = {"{"} delimiter = .., columns = .. {"}"}`
+
+state-as-delimited = state a file with names or tabs as delimited text: `format = {"{"} delimiter = .., columns = .. {"}"}`
+
+state-columns = export the axes as comments, or state the columns: format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
+
+commas-in-commas = export the report with semicolons: decimal commas and separating commas cannot be told apart
+
+# Means: A record has another number of numbers than its kind defines.
+# Matters: Its numbers cannot be assigned to coordinates, direction and diameter.
+# Do: Export the file again: it was edited or cut off.
+# Example: `#03: 1.0 2.0` in a scan of GEOPAK-Win
+number-count-differs = `{ $name }` has { $found ->
+        [one] 1 number
+       *[other] { $found } numbers
+    }
+    .expected = { $counts }
+    .hint = export the file again: it was edited or cut off
+
+three-per-point = three numbers for each point
+
+dmis-continuation = check whether the file was cut off: a record continues only after a line that ends in `$`
+
+# Means: The number of values differs from the count that the file states.
+# Matters: Values may be missing, or belong to other points.
+# Do: Export the file again: it was edited or cut off.
+# Example: `PSET / 5` followed by 14 numbers
+stated-count-differs = `{ $name }` has { $found ->
+        [one] 1 value
+       *[other] { $found } values
+    }
+    .expected = { $stated }, by the count that the file states
+    .hint = export the file again: it was edited or cut off
+
+# Means: A cell is empty that assigns the row to a pose, a cycle or a feature.
+# Matters: The row cannot be matched with others.
+# Do: Complete the cell, or export the file again.
+# Example: a row of a Calypso table without `featureid`
+cell-empty = `{ $column }` is empty
+    .hint = complete the cell, or export the file again: it was edited or cut off
+
+# Means: The text is not a number in the stated decimal and thousands marks.
+# Matters: A guessed mark would change the value by a factor of 1000.
+# Do: State `decimal` and `thousands` as the file uses them, or correct the cell.
+# Example: `10,5` in a file with decimal points
+not-a-number = `{ $text }` is not a number
+    .expected = a number with the decimal mark `{ $decimal }`{ $thousands ->
+            [none] {""}
+           *[other] , and `{ $thousands }` between groups of three digits
+        }
+
+number-marks = if the file writes numbers this way, state { $first }{ $second ->
+        [none] {""}
+       *[other] {" "}or { $second }
+    }
+
+format-with-decimal-comma = if the file has decimal commas, state `format = "{ $format }, decimal comma"`
+
+# Means: A cell is empty where the format needs a number.
+# Matters: The value is unknown; zero would be a guess.
+# Do: Complete the cell, or state with `missing` that empty cells were not measured.
+# Example: `K_1;10.5;;30` in a file separated by semicolons
+number-empty = a number is missing
+    .expected = a number with the decimal mark `{ $decimal }`{ $thousands ->
+            [none] {""}
+           *[other] , and `{ $thousands }` between groups of three digits
+        }
+
+save-computed-workbook = if the cell is a formula, save the workbook in the program that computes it
+
+# Means: A number has more characters than any number that a program writes.
+# Matters: The file is damaged, or its delimiter is another one.
+# Do: Export the file again, or state its delimiter.
+# Example: a field of 50000 digits
+number-too-long = `{ $start }...` has { $characters } characters
+    .expected = a number of at most { $most } characters
+    .hint = export the file again, or state its delimiter
+
+pose-number-or-name = a whole number, or a name like `home`
+
+whole-number = a whole number
+
+# Means: The text is not a date with a time of day, or day and month could be exchanged.
+# Matters: Poses are assigned to a log by time.
+# Do: Export times in one of the forms of the example.
+# Example: `11/02/2024 10:00:00` (11 February or 2 November)
+time-invalid = `{ $text }` is not a date with a time of day
+    .expected = a time like `11.10.2022 15:06:48.043` or `2022-10-11T15:06:48`
+
+# Means: A quote in the line has no partner, or text follows a closing quote.
+# Matters: The fields of the line cannot be separated.
+# Do: Close the quote, or write a quote inside a quoted field twice.
+# Example: `"ball 1,10.5,20,30`
+quote-unmatched = { $fault ->
+        [open] a quote is not closed on its line
+       *[behind] text follows a closing quote
+    }
+    .hint = close the quote; a quote inside a quoted field is written twice
+
+# Means: A row that is written begins like a comment.
+# Matters: A reader of the file would skip the row.
+# Do: State another `comment`, or rename the point.
+# Example: a label `#1` with `comment = "#"`
+row-is-comment = the row `{ $row }` would be read as a comment
+    .hint = state another `comment`
+
+state-column-number = state the number of the column instead of its name
+
+# Means: Rows follow the line that ends the data.
+# Matters: It is unknown whether they are measurements.
+# Do: Remove the rows, or the line that ends the data.
+# Example: points after the line `END` of a Calypso table
+rows-after-end = rows follow `{ $end }`, which ends the data
+    .hint = remove these rows, or `{ $end }`
+
+# Means: A row states a coordinate type that `types` does not explain.
+# Matters: Its numbers may be angles or lengths.
+# Do: Add the type to `types`.
+# Example: type 3 where `types` states 0 and 7
+coordinate-type-unknown = `types` does not state the coordinates of type `{ $name }`
+    .expected = { $known }
+    .hint = add the type to `types`
+
+# Means: The file states coordinates that are not Cartesian, and its format does not define their
+# columns and units.
+# Matters: Angles would be read as lengths.
+# Do: Export Cartesian coordinates.
+# Example: `// AXES = SPHERICAL: R, T, P` in a SpatialAnalyzer export
+coordinates-not-cartesian = the coordinates are `{ $found }`
+    .expected = Cartesian coordinates: { $cartesian }
+    .hint = export Cartesian coordinates
+
+export-cartesian-or-columns = export Cartesian coordinates, or state the columns: format = {"{"} delimiter = ",", comment = "//", columns = [{ $columns }], angle_unit = "deg" {"}"}
+
+# Means: The points of a feature are in another coordinate system than the first points, or in two
+# dimensions.
+# Matters: Points of two coordinate systems cannot be combined.
+# Do: Export all points in one coordinate system with three dimensions.
+# Example: `"Circle 1: 2D MCS Points"` in an InSpec export
+coordinate-system-differs = the points of `{ $feature }` are in `{ $found }`
+    .expected = `{ $needed }`
+    .hint = export all points in one coordinate system
+
+# Means: All rows have two small angles and one length in the columns x, y and z.
+# Matters: Spherical coordinates read as Cartesian ones give points on a line.
+# Do: State the columns as angles and distance, or confirm `coordinates = "cartesian"`.
+# Example: a tracker's export `K_1 0.7853 1.5707 3000.0` with `columns = ["label", "x", "y", "z"]`
+coordinates-look-spherical = x, y and z look like azimuth (rad), zenith (rad) and distance
+    .expected = Cartesian coordinates: all rows have two small angles and one length
+    .hint = state the columns "azimuth", "zenith", "distance" with `angle_unit = "rad"`, or `coordinates = "cartesian"`
+
+# Means: A row has some numbers of an orientation, and other cells of it are empty.
+# Matters: The orientation is undefined.
+# Do: Complete the orientation, or leave all its cells empty.
+# Example: a quaternion with `qw`, `qx`, `qy` and an empty `qz`
+orientation-incomplete = the orientation has { $found } of { $needed } numbers
+    .hint = complete the orientation, or leave all its cells empty
+
+# Means: The three numbers of a direction do not have the length 1.
+# Matters: They are probably another quantity, for example angles in degrees.
+# Do: Skip the columns, or export unit vectors.
+# Example: `i`, `j`, `k` with the values 90, 90, 0
+direction-not-unit = the direction ({ $i }, { $j }, { $k }) has the length { FIXED($length, 3) }
+    .expected = a unit vector
+
+skip-columns = skip the columns with "-" if they are another quantity
+
+skip-direction-angles = skip the columns with "-": they are the angles of the direction (deg)
+
+# Means: The direction of a feature is zero.
+# Matters: The feature has no orientation.
+# Do: Export the feature again.
+# Example: `<Normal>0 0 0</Normal>` in a QIF file
+direction-zero = the direction `{ $direction }` has no length
+    .expected = three numbers, not all zero
+
+# Means: The file writes directions otherwise than its stated format.
+# Matters: Angles (deg) read as unit vectors, or the reverse, turn the direction.
+# Do: State the format that the hint names.
+# Example: `90, 90, 0` as direction with `format = "dmis"`
+direction-notation-differs = the direction is written as { $found ->
+        [angles] angles (deg)
+       *[vector] a unit vector
+    }
+    .expected = { $found ->
+            [angles] a unit vector, as in DMIS
+           *[vector] angles (deg), as written by GEOPAK
+        }
+    .hint = state `format = "{ $format }"`
+
+# Means: The file states another length unit than the campaign or the command.
+# Matters: All coordinates would be wrong by a constant factor.
+# Do: State the unit of the file.
+# Example: `unit = "inch"` for a DMIS file with `UNITS/MM`
+unit-differs = the file is in { $of_file } ({ $how }); the stated unit is { $stated }
+    .hint = state the unit of the file
+
+default-of-format = no `{ $record }`: default of the format
+
+# Means: The unit that the file states is not a unit of this quantity.
+# Matters: The scale of its values is unknown.
+# Do: Export the file in one of the units that are expected.
+# Example: `UNITS/FEET` in a DMIS file
+unit-unknown = `{ $unit }` is not a known unit
+    .expected = { $units }
+    .hint = export the file in one of these units
+
+# Means: The file does not state its unit, and the unit is stated nowhere else.
+# Matters: A guessed unit would falsify every result.
+# Do: State the unit, or export the file with its units.
+# Example: `etalon fit plane part.qif` for a file without `FileUnits`
+file-unit-missing = the file does not state its unit of { $quantity ->
+        [length] length
+       *[angle] angle
+    }
+    .expected = `{ $record }` with its factor in `FileUnits/PrimaryUnits`
+    .hint = { $quantity ->
+        [length] state the unit: `unit` of the export, or `--unit`
+       *[angle] export the file with its units
+    }
+
+# Means: A unit of a QIF file has a factor that is zero or negative, or an offset.
+# Matters: Lengths and angles have a positive factor and no offset.
+# Do: Export the file again.
+# Example: `<Factor>0</Factor>`
+unit-factor-invalid = the unit has the factor { $factor } and the offset { $offset }
+    .expected = a positive factor, no offset
+
+# Means: Files of this format never have the stated unit.
+# Matters: A simulated file in this unit would be read wrongly by other programs.
+# Do: State a unit of the format.
+# Example: `etalon simulate` with `format = "pcdmis_xyz"` and `unit = "m"`
+format-without-unit = format `{ $format }` cannot have the unit { $unit }
+    .expected = { $units }
+    .hint = state one of these units
+
+# Means: `etalon simulate` cannot write this format or dialect.
+# Matters: The export of the simulated campaign would be missing.
+# Do: State another format for this export.
+# Example: `format = "qif"` in a campaign that is simulated
+format-not-simulated = `etalon simulate` cannot write { $kind ->
+        [fixed] fixed widths or workbooks
+        [types] rows that state their coordinate type
+        [numbers] columns that are stated by number
+       *[qif] QIF
+    }
+    .hint = { $kind ->
+        [fixed] state a `delimiter` for this export
+        [types] state `columns` with one coordinate type
+        [numbers] state the names of the columns
+       *[qif] state `format = "polyworks"` or a delimited format for this export
+    }
+
+# Means: The pattern of labels has an error.
+# Matters: Target, pose and cycle cannot be read from the labels.
+# Do: Correct the pattern.
+# Example: `label = "{target}_{pos}"`
+label-pattern-invalid = { $fault ->
+        [open] `{ $pattern }` has a `{"{"}` without `{"}"}`
+        [unknown] `{ $pattern }` has the unknown name `{ $name }`
+       *[twice] `{ $pattern }` has `{ $name }` twice
+    }
+    .expected = text with {"{"}target{"}"}, {"{"}pose{"}"} and {"{"}cycle{"}"}, each at most once
+    .hint = correct `label`
+
+state-encoding = state the encoding of the file: it was decoded in another one
+
+# Means: A Q-DAS file has several data sets.
+# Matters: Characteristics of different parts have the same numbers.
+# Do: Divide the file into one file for each data set, each with an [[export]].
+# Example: two fields `K0100` in one .dfq file
+several-data-sets = a second `{ $record }`: the file has several data sets
+    .hint = divide it into one file for each data set, each with an [[export]]
+
+# Means: A field of a Q-DAS file has a larger index than K0100 announces.
+# Matters: The file was cut off, or put together from several files.
+# Do: Export the file again.
+# Example: `K2002/7` after `K0100 6`
+characteristic-beyond-count = there is no characteristic { $index }: K0100 states { $count }
+    .hint = export the file again: it was edited or put together from several files
+
+# Means: Values of a characteristic are missing before this one.
+# Matters: Coordinates of different parts would be combined into one point.
+# Do: Write values that were not measured with the attribute 255 (K0002).
+# Example: a value of `Ball 1.Y` for piece 2 and none for piece 1
+value-of-piece-missing = value { $number } of `{ $name }` belongs to piece { $piece }: an earlier value is missing
+    .hint = export values that were not measured with the attribute 255 (K0002)
+
+# Means: The coordinates of a point have different numbers of values.
+# Matters: Coordinates of different parts would be combined into one point.
+# Do: Write values that were not measured with the attribute 255 (K0002).
+# Example: three values of `Ball 1.X` and two of `Ball 1.Y`
+coordinate-counts-differ = `{ $name }` has { $found ->
+        [one] 1 value
+       *[other] { $found } values
+    }; another coordinate of the point has { $count }
+    .hint = export values that were not measured with the attribute 255 (K0002)
+
+# Means: `METRIC` is in the first line, outside of columns 11 to 16.
+# Matters: By the rule of PC-DMIS the file is in inches, by its word in millimetres.
+# Do: Find out the unit from the author of the file, then correct line 1.
+# Example: `XYZIJK METRIC` with one blank
+metric-misplaced = `METRIC` is outside of columns 11 to 16: the unit is ambiguous (inch or mm)
+    .expected = `XYZIJK    METRIC`, or `XYZIJK` alone for inches
+    .hint = correct line 1, or state the file as delimited text with its unit
+
+# Means: A vertex of a PLY file is infinite or not a number.
+# Matters: It is not a measured point.
+# Do: Export the measured points alone.
+# Example: a vertex of a scanner without a return signal
+vertex-not-finite = vertex { $number } is { $coordinates }
+    .expected = finite coordinates
+    .hint = export the measured points alone
+
+# Means: Columns 73 to 80 hold eight digits that are not the number of the line.
+# Matters: They may be a part of a coordinate.
+# Do: Export the file without line numbers.
+# Example: `00000041` in line 42 of a VDA-FS file
+line-number-differs = columns 73 to 80 hold `{ $digits }`: a line number or a value
+    .expected = `{ $number }`, the number of this line
+    .hint = export the file without line numbers
+
+feature-without-points = `{ $feature }` has no usable points: { $message }
+
+# Means: Some points of a feature are contact points, others are centres of the probe or of another
+# probe.
+# Matters: The fitted element is corrected for one probe radius.
+# Do: Fit these points separately.
+# Example: a cylinder measured with two probes
+compensation-mixed = the points have different probe compensation
+    .hint = fit these points separately
+
+# Means: A reference leads to an element that the file lacks.
+# Matters: Points or names of the feature are missing.
+# Do: Export the file again: it was edited or cut off.
+# Example: `<WholePointSetId>7</WholePointSetId>` without a point set 7
+reference-broken = `{ $name }` refers to { $id }, which is not a `{ $kind }` of this file
+
+# Means: Points of a feature are in another QIF document.
+# Matters: Only one file is read; the feature has no points.
+# Do: Export feature and points in one document.
+# Example: `<WholePointSetId xId="2">7</WholePointSetId>`
+reference-external = point set { $id } is in another document
+    .hint = export feature and points in one document
+
+# Means: The range of points is not a part of the point set.
+# Matters: The points of the feature are unknown.
+# Do: Export the file again: it was edited.
+# Example: `range="90 110"` of a set of 100 points
+point-range-invalid = `{ $range }` is not a range of point set { $id } (line { $line })
+    .expected = whole numbers from 1 to { $count }, the smaller first
+
+# Means: No feature refers to a point set of the file.
+# Matters: Its points are not used.
+# Do: Check whether a feature is missing.
+# Example: a scanned surface without a feature
+point-set-unused = no feature refers to point set { $id }
+
+# Means: Two elements of the file have the same id.
+# Matters: References go to the first element, which may be the wrong one.
+# Do: Export the file again: it was put together from several files.
+# Example: two elements with `id="5"`
+id-repeated = id { $id } is used twice, first in line { $line }: references go to the first
+    .hint = export the file again: it was put together from several files
+
+# Means: The file has more messages than are shown.
+# Matters: They may have other causes than the messages that are shown.
+# Do: Correct the causes of the messages before, and read the file again.
+# Example: a QIF file with 80 broken references
+further-messages = { $count ->
+        [one] 1 further message
+       *[other] { $count } further messages
+    } about this file

@@ -1,0 +1,370 @@
+### Messages de formats : fichiers d’entrée, exports et leurs nombres ; explications dans en/exports.ftl.
+
+in-file = `{ $file }` : { $message }
+
+input-is-folder = `{ $folder }` est un dossier
+    .expected = un fichier
+    .hint = indiquer un fichier de ce dossier : { $files }
+
+input-missing = il n’y a pas de fichier `{ $file }`
+
+simulate-the-file = l’écrire à partir de truth.toml : `etalon simulate { $folder }`
+
+place-the-file = copier le fichier à cet endroit ou indiquer un autre chemin : les chemins partent du dossier de la campagne
+
+name-a-file = le dossier contient { $files }
+
+line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } MiB
+    .hint = exporter le fichier en texte avec des lignes : c’est peut-être un enregistrement binaire ou une archive
+
+file-not-text = `{ $file }` est { $kind ->
+        [matlab] un fichier MATLAB
+        [hdf5] un fichier HDF5
+        [gzip] comprimé par gzip
+        [xls] un ancien classeur Excel (.xls)
+       *[pdf] un document PDF
+    }
+    .expected = du texte ou un classeur (.xlsx)
+    .hint = { $kind ->
+        [matlab] écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [hdf5] écrire son tableau en texte, et indiquer les colonnes
+        [gzip] décomprimer le fichier
+        [xls] l’enregistrer en .xlsx ou en texte
+       *[pdf] exporter les points en texte
+    }
+
+encoding-differs = le fichier commence par la marque de { $of_file } ; la campagne indique { $stated }
+    .hint = omettre `encoding` : la marque du fichier l’indique
+
+encoding-invalid = l’octet { $byte } (ligne { $line }, { $hex }) n’est pas { $encoding }
+    .hint = indiquer comment le fichier a été écrit, par exemple `encoding = "windows-1252"`
+
+encoding-windows = indiquer comment le fichier a été écrit, par exemple `encoding = "windows-1252"` : cet octet est alors `{ $character }`
+
+nul-byte = le fichier contient un octet NUL (ligne { $line })
+    .expected = du texte
+    .hint = indiquer `encoding = "utf-16le"` si le fichier est en UTF-16 ; sinon exporter de nouveau le fichier
+
+sheet-missing = le classeur n’a pas de feuille `{ $sheet }`
+
+sheet-too-large = la feuille `{ $sheet }` a une cellule en colonne { $column }, ligne { $row }
+    .expected = au plus { $columns } colonnes et { $rows } lignes
+    .hint = supprimer la cellule ou copier le tableau dans une feuille à part
+
+workbook-too-large = le classeur décomprimé dépasse { $most_mib } MiB
+    .hint = enregistrer la feuille seule, ou en texte
+
+workbook-unreadable = le classeur ne peut pas être lu : { $reason }
+    .hint = l’enregistrer de nouveau en .xlsx, ou la feuille en texte
+
+cells-unordered = les cellules de la feuille `{ $sheet }` ne sont pas en ordre croissant (ligne { $row })
+
+xml-malformed = le XML n’est pas bien formé : { $reason }
+    .hint = exporter de nouveau le fichier
+
+entity-unknown = l’entité `&{ $name };` est inconnue
+
+second-root-element = un second élément racine suit
+
+xml-doctype = le fichier XML déclare un type de document
+    .hint = supprimer `<!DOCTYPE ...>` : des mesures n’en ont pas besoin
+
+nested-too-deep = `{ $name }` est imbriqué sur { $depth } niveaux
+    .expected = au plus { $most } niveaux
+    .hint = exporter de nouveau le fichier
+
+file-too-many-items = le fichier a plus de { $most } { $items ->
+        [elements] éléments XML
+       *[points] points dans ses éléments
+    }
+    .hint = exporter moins d’éléments à la fois
+
+file-cut-off = le fichier se termine avant { $missing }
+    .hint = exporter ou copier de nouveau le fichier : il est incomplet
+
+item-of-count = `{ $name }` { $number } sur { $count }
+
+export-again-or-add = exporter ou copier de nouveau le fichier ; s’il est complet, ajouter la ligne `{ $line }`
+
+format-differs = le fichier n’est pas au format `{ $format }`
+    .expected = { $signature }
+    .hint = indiquer le format du fichier : `etalon formats FICHIER` le propose
+
+begins-with = un fichier qui commence par `{ $text }`
+
+header-in-tabs = un en-tête séparé par des tabulations avec { $names }
+
+header-with = un en-tête avec { $names }
+
+records-like = des enregistrements comme `{ $example }`
+
+root-element = un fichier XML dont l’élément racine est `{ $name }`
+
+version-unsupported = la version `{ $version }` de { $format } n’est pas prise en charge
+    .expected = { $versions }
+    .hint = exporter le fichier dans une version prise en charge
+
+record-invalid = `{ $text }` n’est pas valable au format `{ $format }`
+    .expected = { $valid }
+
+k-field-or-values = un champ K comme `K2002/1 Ball 1.X`, ou une ligne de valeurs
+
+unicode-in-hexadecimal = du texte, ou `UNICODE( ... )` avec quatre chiffres hexadécimaux par caractère
+
+three-numbers = trois nombres
+
+record-too-early = `{ $record }` doit être précédé de `{ $needed }`
+    .hint = exporter de nouveau le fichier : un enregistrement manque ou est mal placé
+
+record-missing = `{ $parent }` n’a pas de `{ $record }`
+    .hint = exporter le fichier avec cet enregistrement
+
+element-unsupported = `{ $element }` n’est pas pris en charge
+    .hint = exporter les points sans cela
+
+export-points-as-text = exporter les points en texte : QIF n’indique pas l’ordre des octets des points binaires
+
+export-without-lists = exporter les points sans listes
+
+no-measured-points = le fichier n’a pas de points mesurés{ $contents ->
+        [none] {""}
+       *[other] {" "}: il contient { $contents }
+    }
+    .expected = des enregistrements `{ $records }`
+
+measuring-program = un programme de mesure
+
+head-of-a-run = l’en-tête d’une exécution
+
+output-of-program = indiquer le fichier de sortie que le programme écrit
+
+calypso-head = indiquer le fichier `_chr` ou `_fet` à côté ; l’en-tête donne l’unité de longueur `{ $unit }` et une température de pièce de { $temperature } °C
+
+export-measured-points = exporter les points mesurés au lieu de la géométrie de la pièce
+
+export-one-dfq = exporter la description et les valeurs dans un seul fichier .dfq : un .dfd n’a pas de valeurs, un .dfx pas de noms
+
+fields-of-columns = { $count } champs, comme l’indique `columns`
+
+polyworks-fields = `x y z` ou `x y z i j k`, éventuellement précédés d’un nom
+
+spatialanalyzer-fields = `collection, group, target, x, y, z`, ou les cinq, quatre ou trois derniers
+
+three-to-eight-numbers = trois à huit nombres séparés par des virgules
+
+propose-format = `etalon formats FICHIER` propose comment lire le fichier
+
+quote-names = mettre entre guillemets les noms qui ont des espaces, ou indiquer le séparateur et les colonnes : `format = {"{"} delimiter = .., columns = .. {"}"}`
+
+state-as-delimited = indiquer un fichier avec des noms ou des tabulations comme texte délimité : `format = {"{"} delimiter = .., columns = .. {"}"}`
+
+state-columns = exporter les axes en commentaire, ou indiquer les colonnes : format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
+
+commas-in-commas = exporter le rapport avec des points-virgules : virgules décimales et séparateurs ne se distinguent pas
+
+number-count-differs = `{ $name }` a { $found ->
+        [one] { $found } nombre
+       *[other] { $found } nombres
+    }
+    .expected = { $counts }
+    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
+
+three-per-point = trois nombres par point
+
+dmis-continuation = vérifier si le fichier est tronqué : un enregistrement ne continue qu’après une ligne qui se termine par `$`
+
+stated-count-differs = `{ $name }` a { $found ->
+        [one] { $found } valeur
+       *[other] { $found } valeurs
+    }
+    .expected = { $stated }, d’après le nombre que le fichier indique
+    .hint = exporter de nouveau le fichier : il a été modifié ou tronqué
+
+cell-empty = `{ $column }` est vide
+    .hint = compléter la cellule, ou exporter de nouveau le fichier : il a été modifié ou tronqué
+
+not-a-number = `{ $text }` n’est pas un nombre
+    .expected = un nombre avec le séparateur décimal `{ $decimal }`{ $thousands ->
+            [none] {""}
+           *[other] {" "}et `{ $thousands }` entre groupes de trois chiffres
+        }
+
+number-marks = si le fichier écrit ainsi les nombres, indiquer { $first }{ $second ->
+        [none] {""}
+       *[other] {" "}ou { $second }
+    }
+
+format-with-decimal-comma = si le fichier a des virgules décimales, indiquer `format = "{ $format }, decimal comma"`
+
+number-empty = un nombre manque
+    .expected = un nombre avec le séparateur décimal `{ $decimal }`{ $thousands ->
+            [none] {""}
+           *[other] {" "}et `{ $thousands }` entre groupes de trois chiffres
+        }
+
+save-computed-workbook = si la cellule est une formule, enregistrer le classeur dans le programme qui la calcule
+
+number-too-long = `{ $start }...` a { $characters } caractères
+    .expected = un nombre d’au plus { $most } caractères
+    .hint = exporter de nouveau le fichier, ou indiquer son séparateur
+
+pose-number-or-name = un nombre entier, ou un nom comme `home`
+
+whole-number = un nombre entier
+
+time-invalid = `{ $text }` n’est pas une date avec une heure
+    .expected = une heure comme `11.10.2022 15:06:48.043` ou `2022-10-11T15:06:48`
+
+quote-unmatched = { $fault ->
+        [open] un guillemet n’est pas fermé sur sa ligne
+       *[behind] du texte suit un guillemet fermant
+    }
+    .hint = fermer le guillemet ; dans un champ entre guillemets, il s’écrit deux fois
+
+row-is-comment = la ligne `{ $row }` serait lue comme un commentaire
+    .hint = indiquer un autre `comment`
+
+state-column-number = indiquer le numéro de la colonne au lieu de son nom
+
+rows-after-end = des lignes suivent `{ $end }`, qui termine les données
+    .hint = supprimer ces lignes, ou `{ $end }`
+
+coordinate-type-unknown = `types` n’indique pas les coordonnées du type `{ $name }`
+    .expected = { $known }
+    .hint = ajouter le type à `types`
+
+coordinates-not-cartesian = les coordonnées sont `{ $found }`
+    .expected = des coordonnées cartésiennes : { $cartesian }
+    .hint = exporter des coordonnées cartésiennes
+
+export-cartesian-or-columns = exporter des coordonnées cartésiennes, ou indiquer les colonnes : format = {"{"} delimiter = ",", comment = "//", columns = [{ $columns }], angle_unit = "deg" {"}"}
+
+coordinate-system-differs = les points de `{ $feature }` sont en `{ $found }`
+    .expected = `{ $needed }`
+    .hint = exporter tous les points dans un même système de coordonnées
+
+coordinates-look-spherical = x, y et z ressemblent à un azimut (rad), un angle zénithal (rad) et une distance
+    .expected = des coordonnées cartésiennes : toutes les lignes ont deux petits angles et une longueur
+    .hint = indiquer les colonnes "azimuth", "zenith", "distance" avec `angle_unit = "rad"`, ou `coordinates = "cartesian"`
+
+orientation-incomplete = l’orientation a { $found } nombres sur { $needed }
+    .hint = compléter l’orientation, ou laisser vides toutes ses cellules
+
+direction-not-unit = la direction ({ $i } ; { $j } ; { $k }) a la norme { FIXED($length, 3) }
+    .expected = un vecteur unitaire
+
+skip-columns = omettre les colonnes par "-" si elles sont une autre grandeur
+
+skip-direction-angles = omettre les colonnes par "-" : ce sont les angles de la direction (deg)
+
+direction-zero = la direction `{ $direction }` est nulle
+    .expected = trois nombres, pas tous nuls
+
+direction-notation-differs = la direction est écrite comme { $found ->
+        [angles] des angles (deg)
+       *[vector] un vecteur unitaire
+    }
+    .expected = { $found ->
+            [angles] un vecteur unitaire, comme en DMIS
+           *[vector] des angles (deg), comme les écrit GEOPAK
+        }
+    .hint = indiquer `format = "{ $format }"`
+
+unit-differs = le fichier est en { $of_file } ({ $how }) ; l’unité indiquée est { $stated }
+    .hint = indiquer l’unité du fichier
+
+default-of-format = pas de `{ $record }` : valeur par défaut du format
+
+unit-unknown = `{ $unit }` n’est pas une unité connue
+    .expected = { $units }
+    .hint = exporter le fichier dans l’une de ces unités
+
+file-unit-missing = le fichier n’indique pas son unité { $quantity ->
+        [length] de longueur
+       *[angle] d’angle
+    }
+    .expected = `{ $record }` avec son facteur dans `FileUnits/PrimaryUnits`
+    .hint = { $quantity ->
+        [length] indiquer l’unité : `unit` de l’export, ou `--unit`
+       *[angle] exporter le fichier avec ses unités
+    }
+
+unit-factor-invalid = l’unité a le facteur { $factor } et le décalage { $offset }
+    .expected = un facteur positif, pas de décalage
+
+format-without-unit = le format `{ $format }` ne peut pas avoir l’unité { $unit }
+    .expected = { $units }
+    .hint = indiquer l’une de ces unités
+
+format-not-simulated = `etalon simulate` ne peut pas écrire { $kind ->
+        [fixed] de largeurs fixes ni de classeurs
+        [types] de lignes qui indiquent leur type de coordonnées
+        [numbers] de colonnes indiquées par leur numéro
+       *[qif] de QIF
+    }
+    .hint = { $kind ->
+        [fixed] indiquer un `delimiter` pour cet export
+        [types] indiquer `columns` avec un seul type de coordonnées
+        [numbers] indiquer les noms des colonnes
+       *[qif] indiquer `format = "polyworks"` ou un format délimité pour cet export
+    }
+
+label-pattern-invalid = { $fault ->
+        [open] `{ $pattern }` a un `{"{"}` sans `{"}"}`
+        [unknown] `{ $pattern }` a le nom inconnu `{ $name }`
+       *[twice] `{ $pattern }` a deux fois `{ $name }`
+    }
+    .expected = du texte avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"}, au plus une fois chacun
+    .hint = corriger `label`
+
+state-encoding = indiquer l’encodage du fichier : il a été lu dans un autre
+
+several-data-sets = un second `{ $record }` : le fichier a plusieurs jeux de données
+    .hint = le diviser en un fichier par jeu de données, chacun avec un [[export]]
+
+characteristic-beyond-count = il n’y a pas de caractéristique { $index } : K0100 en indique { $count }
+    .hint = exporter de nouveau le fichier : il a été modifié ou assemblé à partir de plusieurs
+
+value-of-piece-missing = la valeur { $number } de `{ $name }` appartient à la pièce { $piece } : une valeur antérieure manque
+    .hint = exporter les valeurs non mesurées avec l’attribut 255 (K0002)
+
+coordinate-counts-differ = `{ $name }` a { $found ->
+        [one] { $found } valeur
+       *[other] { $found } valeurs
+    } ; une autre coordonnée du point en a { $count }
+    .hint = exporter les valeurs non mesurées avec l’attribut 255 (K0002)
+
+metric-misplaced = `METRIC` est hors des colonnes 11 à 16 : l’unité est ambiguë (inch ou mm)
+    .expected = `XYZIJK    METRIC`, ou `XYZIJK` seul pour des pouces
+    .hint = corriger la ligne 1, ou indiquer le fichier comme texte délimité avec son unité
+
+vertex-not-finite = le sommet { $number } est { $coordinates }
+    .expected = des coordonnées finies
+    .hint = n’exporter que les points mesurés
+
+line-number-differs = les colonnes 73 à 80 contiennent `{ $digits }` : un numéro de ligne ou une valeur
+    .expected = `{ $number }`, le numéro de cette ligne
+    .hint = exporter le fichier sans numéros de ligne
+
+feature-without-points = `{ $feature }` n’a pas de points utilisables : { $message }
+
+compensation-mixed = les points ont des corrections de palpeur différentes
+    .hint = ajuster ces points séparément
+
+reference-broken = `{ $name }` renvoie à { $id }, qui n’est pas un `{ $kind }` de ce fichier
+
+reference-external = l’ensemble de points { $id } est dans un autre document
+    .hint = exporter l’élément et les points dans un même document
+
+point-range-invalid = `{ $range }` n’est pas une plage de l’ensemble de points { $id } (ligne { $line })
+    .expected = des nombres entiers de 1 à { $count }, le plus petit d’abord
+
+point-set-unused = aucun élément ne renvoie à l’ensemble de points { $id }
+
+id-repeated = l’identifiant { $id } sert deux fois, d’abord à la ligne { $line } : les renvois vont au premier
+    .hint = exporter de nouveau le fichier : il a été assemblé à partir de plusieurs
+
+further-messages = { $count ->
+        [one] { $count } autre message
+       *[other] { $count } autres messages
+    } sur ce fichier

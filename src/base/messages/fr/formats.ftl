@@ -1,0 +1,386 @@
+### Messages de formats ; explications dans en/formats.ftl.
+
+columns-in-two-forms = `columns` nomme { $quantity ->
+        [orientation] deux formes de l’orientation
+       *[uncertainty] des incertitudes-types et des incertitudes élargies
+    }
+    .hint = omettre les colonnes de l’une des formes
+
+column-group-incomplete = `columns` ne nomme qu’une partie de { $names }
+    .hint = les nommer toutes, ou aucune
+
+key-needs-columns = `{ $key }` a besoin des colonnes { $columns }
+    .hint = nommer ces colonnes dans `columns`, ou supprimer `{ $key }`
+
+coverage-factor-missing = des incertitudes élargies ont besoin de leur facteur d’élargissement `coverage_factor`
+    .hint = l’indiquer dans `format`, par exemple `coverage_factor = 2`
+
+uncertainty-column-count = `columns` nomme { $stated ->
+        [one] { $stated } incertitude
+       *[other] { $stated } incertitudes
+    } pour { $coordinates ->
+        [one] { $coordinates } coordonnée
+       *[other] { $coordinates } coordonnées
+    }
+    .expected = une par coordonnée ({ $names }), ou aucune
+
+column-separation-unclear = le format indique { $stated ->
+        [0] aucune séparation des colonnes
+       *[other] { $stated } séparations des colonnes
+    }
+    .expected = l’une des clés `delimiter`, `widths` et `sheet`
+    .hint = `etalon formats FICHIER` propose une lecture du fichier
+
+column-width-zero = une colonne de `widths` a une largeur de 0 caractère
+    .hint = indiquer le nombre de caractères de chaque colonne
+
+more-columns-than-widths = `columns` nomme { $columns } colonnes, `widths` en a { $widths }
+    .hint = indiquer une largeur par colonne
+
+comma-ambiguous = une virgule ne peut pas à la fois séparer les colonnes et marquer les décimales : `1,25` serait un nombre ou deux
+    .hint = exporter le fichier avec des points-virgules ou des tabulations, ou avec un point décimal
+
+thousands-mark-ambiguous = le séparateur de milliers `{ $mark }` est aussi le { $other ->
+        [decimal] séparateur décimal
+       *[delimiter] séparateur de colonnes
+    }
+    .hint = exporter le fichier avec d’autres séparateurs
+
+column-role-twice = `columns` nomme `{ $role }` deux fois
+    .hint = corriger l’une des deux ; une colonne qui n’est pas lue est `-`
+
+coordinates-of-two-kinds = `columns` nomme à la fois des coordonnées de nature fixe et c1, c2, c3
+    .expected = soit x, y, z ou des angles et distances, soit c1, c2, c3
+
+row-types-missing = les colonnes c1, c2, c3 ont besoin d’une colonne `type` et de la clé `types`
+    .hint = par exemple `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
+
+row-type-incomplete = `{ $key }` n’indique pas ce que sont c1, c2 et c3
+    .expected = trois coordonnées, et c1, c2, c3 dans `columns`
+
+not-coordinates = `{ $key }` nomme { $count ->
+        [0] aucune coordonnée
+       *[other] { $names }, qui ne sont pas les coordonnées d’un point
+    }
+    .expected = x et y, et z dans l’espace ; rayon, azimut et z ; ou azimut, angle zénithal ou site, et distance
+
+angle-unit-missing = `{ $key }` nomme des angles sans unité
+    .hint = indiquer `angle_unit` : "deg", "rad" ou "gon"
+
+coordinate-type-differs = `coordinates` indique des coordonnées { $stated ->
+        [cartesian] cartésiennes
+        [cylindrical] cylindriques
+       *[spherical] sphériques
+    }, `{ $key }` nomme des coordonnées { $named ->
+        [cartesian] cartésiennes
+        [cylindrical] cylindriques
+       *[spherical] sphériques
+    }
+    .hint = corriger l’une des deux
+
+header-not-stated = `columns` nomme l’en-tête `{ $column }`, et aucune ligne d’en-tête n’est indiquée
+    .hint = indiquer `header = 1`, ou donner le numéro de la colonne
+
+expression-malformed = impossible de lire l’expression `{ $expression }` : { $fault ->
+        [too-long] elle dépasse 1000 caractères
+        [left-over] `{ $rest }` est de trop
+        [brackets-too-deep] ses parenthèses sont trop imbriquées
+        [too-many-signs] elle a trop de signes
+        [bracket-open] une parenthèse n’est pas fermée
+        [column-number] `$` n’est pas suivi d’un numéro de colonne, à partir de 1
+       *[incomplete] il manque une colonne ou un nombre
+    }
+    .expected = des en-têtes, `$3` pour la troisième colonne et des nombres, avec + - * / et des parenthèses
+
+column-unknown = il n’y a pas de colonne `{ $column }`
+
+table-failed = impossible de construire le tableau : { $reason }
+
+not-whole-number = `{ $value }` dans la colonne `{ $column }` n’est pas un nombre entier
+
+stored-table-damaged = le tableau enregistré est endommagé : { $reason }
+    .hint = exécuter de nouveau la campagne : `etalon run CAMPAGNE`
+
+stored-row-count = il a { $found ->
+        [one] { $found } ligne
+       *[other] { $found } lignes
+    } au lieu de { $rows }
+
+row-without-point = la ligne ne contient pas de point : { $reason }
+    .hint = supprimer la ligne du fichier
+
+rows-left-out = { $count ->
+        [one] { $count } ligne omise
+       *[other] { $count } lignes omises
+    } ; la première : { $reason }
+
+count-value-missing = `{ $key }` n’indique pas la valeur d’une impulsion : les tableaux Galil contiennent des impulsions de codeur
+    .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count dans l’unité de la clé
+
+galil-array-hole = le tableau de `{ $column }` a un trou
+    .hint = le relire de la commande
+
+galil-array-ended = pas d’impulsion : le tableau de { $columns } est terminé
+
+galil-array-empty = l’un des tableaux est vide
+    .hint = relire les tableaux après la fin de l’enregistrement
+
+not-a-count = { $value } n’est pas un nombre d’impulsions
+    .expected = un nombre entier de 32 bits
+    .hint = si les valeurs sont déjà converties, omettre `format = "galil"`
+
+counter-wrapped = le compteur a débordé : { $to } suit { $from }
+    .hint = mettre le codeur à zéro avant l’enregistrement
+
+rsi-cycles-missing = { $count ->
+        [one] { $count } ligne
+       *[other] { $count } lignes
+    } où `IPOC` n’avance pas de { $step_ms } ms
+    .hint = des télégrammes ont été perdus : l’ordinateur d’enregistrement était en retard
+
+ros-joints-change = l’articulation { $number } est `{ $found }` dans cette ligne et `{ $first }` dans la première
+    .hint = deux émetteurs partagent le topic : enregistrer chacun dans son propre fichier
+
+log-column-unknown = `{ $key }` n’est pas une colonne d’un journal
+    .expected = `pose`, `cycle`, `time_s`, `label`, ou une articulation avec son unité comme `q1_deg`, `q1_rad`, `rho1_mm`
+
+log-column-twice = `{ $key }` indique `{ $name }` une deuxième fois
+    .hint = omettre l’une des deux ; `pose = "row"` remplace la colonne de la pose, `period_s` celle du temps
+
+log-key-inapplicable = `{ $key }` ne s’applique pas à { $column ->
+        [none] ce journal
+       *[other] `{ $column }`
+    }
+    .hint = { $key ->
+        [per_count] `per_count` est la valeur d’une impulsion du codeur d’une articulation : la supprimer
+        [values] `values` appartient à `format = "twincat"` : la supprimer
+        [header] un export TwinCAT nomme ses voies : supprimer `header`
+       *[other] les voies d’un export TwinCAT ont leurs propres temps : supprimer `{ $key }`
+    }
+
+column-unit-differs = `{ $key }` indique { $stated }, `{ $column }` est en { $known ->
+        [wall-clock] secondes entières de l’heure ; l’horloge de ce journal est `IPOC`
+       *[other] { $known }
+    }
+
+write-column = écrire `{ $key } = "{ $column }"`
+
+column-in-unit = une colonne en { $unit }
+
+header-words-missing = aucune ligne ne contient les mots de l’en-tête : { $words }
+    .hint = copier les mots de la ligne d’en-tête du fichier
+
+data-rows-missing = le fichier n’a pas de lignes de données
+    .hint = l’exporter de nouveau ; si sa seule ligne contient des valeurs, indiquer `header = false`
+
+row-field-count = la ligne a { $fields ->
+        [one] { $fields } champ
+       *[other] { $fields } champs
+    }
+    .expected = { $expected }
+    .hint = vérifier le séparateur, le séparateur décimal et les guillemets : une virgule décimale ajoute des champs ; un fichier tronqué en manque
+
+fields-like = { $like ->
+        [header] { $width }, comme l’en-tête
+        [first-row] { $width }, comme la première ligne
+       *[names] au plus { $width }, comme la ligne des noms
+    }
+
+delimiter-does-not-split = séparées par `{ $delimiter }`, les lignes n’ont qu’une colonne
+
+state-delimiter = indiquer `delimiter = "{ $delimiter }"` et `decimal = "{ $decimal }"` (options --delimiter et --decimal)
+
+state-delimiter-of-rows = indiquer `delimiter` et `decimal` des lignes
+
+header-holds-numbers = la ligne d’en-tête ne contient que des nombres
+    .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et donner les colonnes par leur numéro
+
+column-by-number = une colonne de ce format ne peut pas être donnée par son numéro : { $format ->
+        [galil] les tableaux sont en ordre alphabétique, quelles que soient leurs articulations
+        [ros] l’ordre des articulations est arbitraire
+       *[twincat] l’ordre des voies change d’un export à l’autre
+    }
+    .hint = donner son nom
+
+column-number-unknown = il n’y a pas de colonne { $number }
+    .expected = un numéro de 1 à { $columns }
+
+heading-repeated = l’en-tête a { $times ->
+        [one] { $times } colonne
+       *[other] { $times } colonnes
+    } `{ $column }`
+    .expected = `occurrence` de 1 à { $times }
+    .hint = indiquer laquelle : `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
+
+log-row-needs-values = relire le journal de la commande, ou supprimer la ligne : chaque ligne a besoin de ses valeurs
+
+assembly-mode-invalid = le mode d’assemblage est { $value }
+    .expected = 1 ou -1
+    .hint = le corriger ; s’il est inconnu, omettre la colonne `assembly`
+
+standstill-missing = le robot du journal `{ $log }` n’est jamais à l’arrêt pendant { $at_least_s } s
+    .hint = son plus long arrêt dans les limites dure { FIXED($longest_s, 3) } s : vérifier `at_least_s` et les limites
+
+standstill-time-missing = [log.standstill] a besoin des temps des lignes
+    .hint = indiquer `time_s`, `time_ms` ou `time_ns` dans `columns`, ou `period_s`
+
+standstill-limit-missing = [log.standstill] n’a pas de limite pour `{ $column }`
+    .hint = indiquer `{ $key }` : la plus grande différence de deux valeurs à l’arrêt
+
+changes-at-standstill = `{ $column }` passe de { $from } à { $to } pendant un arrêt
+    .hint = omettre la colonne, ou abaisser les limites de [log.standstill]
+
+simulated-column-clash = la colonne de `{ $key }` ne peut pas être simulée
+    .expected = une colonne propre à chaque clé, au plus { $most } colonnes
+
+simulated-column-unknown = `{ $key }` ne peut pas être simulé
+    .expected = `pose`, `cycle`, `time_s` et les articulations avec leurs unités
+
+log-columns-missing = `columns` de ce journal ne nomme aucune voie
+
+twincat-two-scales = la voie `{ $channel }` a une échelle, et son unité aussi
+    .hint = exporter des valeurs mises à l’échelle et indiquer `values = "scaled"`
+
+twincat-scale-undecided = la voie `{ $channel }` a une échelle (facteur et décalage { $scale }, de l’unité { $unit_scale }) : on ignore si elle est appliquée
+    .hint = indiquer `values = "raw"` ou `values = "scaled"`, selon le réglage de l’export
+
+channel-resumes = la voie `{ $channel }` reprend après sa fin
+    .hint = exporter de nouveau l’enregistrement
+
+channels-without-common-time = ces voies n’ont aucun temps en commun
+    .hint = exporter des voies d’une même tâche, avec une même période d’échantillonnage
+
+channel-samples-unused = voie `{ $channel }` : { $count ->
+        [one] { $count } échantillon omis
+       *[other] { $count } échantillons omis
+    }, car une autre voie n’en a pas à ces temps
+
+twincat-head-malformed = ce n’est pas un export de TwinCAT 3 Scope : { $part ->
+        [first-line] sa première ligne ne commence pas par `Name` et un séparateur
+        [names] aucune ligne de son en-tête ne nomme les voies
+       *[end] aucune ligne vide ne termine son en-tête
+    }
+    .hint = exporter de nouveau l’enregistrement en CSV, ou indiquer un autre `format`
+
+twincat-head-ragged = la ligne `{ $row }` de l’en-tête a { $fields } champs, la ligne des noms { $width } : le séparateur figure aussi dans des valeurs ou des noms
+    .hint = exporter de nouveau, avec des tabulations ou des points-virgules
+
+twincat-separated-by-blanks = l’export est séparé par des espaces, et un espace est aussi une valeur manquante et une partie de noms
+    .hint = exporter de nouveau, avec des tabulations ou des points-virgules
+
+channel-scale-not-number = `{ $key }` de la voie `{ $channel }` est `{ $value }`, qui n’est pas un nombre
+    .hint = exporter de nouveau l’enregistrement
+
+delimiter-differs = l’export est séparé par { $separator }
+    .hint = supprimer `delimiter` de ce journal : l’export l’indique
+
+coordinates-differ = les positions atteintes et commandées ont des coordonnées différentes
+    .expected = les coordonnées de `{ $file }`
+    .hint = les robots plans omettent `z_mm` dans les deux tableaux
+
+coordinate-missing = une coordonnée manque ou n’est pas finie
+    .hint = compléter la cellule, ou supprimer la ligne
+
+columns-not-read = non lues : { $count ->
+        [one] colonne
+       *[other] colonnes
+    } { $columns }
+
+joint-direction-missing = `backlash` de l’articulation `{ $joint }` a besoin de la direction d’où elle est venue
+    .expected = une colonne `{ $column }` : +1 si elle est venue d’en bas, -1 d’en haut
+    .hint = une campagne la tire d’un journal avec temps ; ou retirer l’articulation de `backlash` du fichier du robot
+
+joint-direction-invalid = `{ $column }` { $value ->
+        [missing] manque
+       *[other] est { $value }
+    }
+    .expected = +1 si `{ $joint }` est venue d’en bas, -1 d’en haut
+
+joint-column-twice = le tableau a l’articulation `{ $joint }` deux fois : `{ $first }` et `{ $second }`
+    .hint = supprimer l’une des colonnes
+
+in-row = ligne { $row } : { $message }
+
+pose-commanded-twice = la pose { $pose } est commandée deux fois
+    .hint = supprimer ou renommer l’une des lignes
+
+pose-not-commanded = la pose { $pose } n’est pas parmi les poses commandées
+    .hint = l’ajouter à `{ $file }`, ou corriger son nom
+
+pose-attained-twice = la pose { $pose } a été atteinte deux fois au cycle { $cycle }
+    .hint = numéroter les cycles, nommer les approches dans `approach`, ou numéroter les lectures d’une visite dans `reading`
+
+commanded-pose-not-measured = la pose { $pose } est commandée mais n’a pas été mesurée
+
+no-pose-measured = aucune pose n’a été mesurée
+    .hint = vérifier les noms des poses
+
+recording-time-missing = l’enregistrement n’a pas de colonne de temps
+    .expected = une colonne `time_s`, ou la fréquence d’échantillonnage
+    .hint = indiquer la fréquence de l’instrument : `--rate-hz 1000`, dans une campagne `rate_hz = 1000`
+
+state-sampling-rate = indiquer la fréquence d’échantillonnage (`--rate-hz`) : un horodatage plus grossier que l’échantillonnage ne donne pas de temps
+
+recording-implausible = { $count } échantillons sur { $samples } dépassent 20 m/s : aucun robot n’est aussi rapide
+    .hint = vérifier la fréquence d’échantillonnage, l’unité et l’ordre des échantillons
+
+angles-not-compensated = les angles ne sont pas corrigés de la dérive par les cibles de référence
+    .expected = a_deg, b_deg et c_deg (c_deg pour un robot plan) et l’ordre de leurs rotations
+    .hint = indiquer l’ordre : `--rotation-order "Rz(c) Ry(b) Rx(a)"`, dans une campagne `rotation_order`
+
+angles-not-separable = les angles de la pose { $pose }, cycle { $cycle }, sont indéterminés : deux rotations ont le même axe
+    .hint = indiquer un autre ordre des rotations
+
+cycle-before-reference-targets = le cycle { $cycle } a été mesuré avant toute cible de référence
+    .hint = mesurer les cibles de référence avant l’essai ; les premières sont du cycle { $first }
+
+reference-target-twice = la cible de référence `{ $target }` a été mesurée deux fois au cycle { $cycle }
+    .hint = supprimer l’une des lignes, ou corriger son nom
+
+reference-targets-differ = les cibles de référence du cycle { $cycle } diffèrent des premières
+    .expected = { $targets }
+
+observation-column-unknown = `{ $column }` n’est pas une colonne d’observations
+    .hint = les coordonnées et les articulations se terminent par leur unité : x_mm, q1_deg ; docs/observations.md énumère les colonnes
+
+column-stated-twice = la colonne `{ $column }` est indiquée comme `{ $first }` et comme `{ $second }`
+    .hint = corriger l’une des deux
+
+heading-twice = l’en-tête nomme `{ $column }` plusieurs fois
+    .hint = renommer ou supprimer l’une des colonnes
+
+stated-and-in-table = `{ $key }` est indiqué, et le tableau a une colonne de ce nom
+    .hint = supprimer l’un des deux
+
+no-row-selected = `only` et `without` ne retiennent aucune ligne
+    .hint = comparer leurs cellules à celles du fichier
+
+computed-not-finite = la valeur calculée de `{ $column }` est { $value }
+    .hint = vérifier l’expression : elle divise par zéro ou déborde
+
+name-is-formula = le nom `{ $name }` dans la colonne `{ $column }` serait une formule dans un tableur
+    .hint = utiliser un nom qui ne commence pas par = + - ou @
+
+file-empty = le fichier est vide
+    .hint = l’exporter de nouveau
+
+file-without-points = c’est { $kind ->
+        [json] un document JSON
+        [yaml] un document YAML
+        [toml] un document TOML ou INI
+        [certificate] un certificat d’étalonnage numérique : des résultats d’étalonnage sans points mesurés
+        [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
+       *[xml] un document XML d’un genre inconnu
+    }
+    .expected = des points mesurés ou un journal, en tableau de texte ou classeur
+    .hint = { $kind ->
+        [certificate] nommer le fichier des points mesurés
+        [roughness] nommer le fichier des points mesurés
+       *[other] écrire les nombres en CSV : une ligne par point ou pose, les noms des colonnes au-dessus
+    }
+
+no-rows-of-numbers = { $file ->
+        [workbook] aucune feuille du classeur n’a
+       *[text] aucune lecture comme texte délimité ne donne
+    } de lignes de deux nombres ou plus
+    .hint = exporter les points en texte, une ligne par point
