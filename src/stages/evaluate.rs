@@ -3,9 +3,9 @@
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
 use etalon_base::message::Result;
-use etalon_base::{error, phrase};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{

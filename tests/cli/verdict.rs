@@ -115,7 +115,12 @@ fn synthetic_data_make_no_certificate() {
         assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
         for (language, title, rule, mark) in [
             ("en", "not a certificate", "guarded acceptance (ISO 14253-1)", "SYNTHETIC DATA"),
-            ("fr", "sans valeur de certificat", "acceptation avec bande de garde (ISO 14253-1)", "DONNÉES SYNTHÉTIQUES"),
+            (
+                "fr",
+                "sans valeur de certificat",
+                "acceptation avec bande de garde (ISO 14253-1)",
+                "DONNÉES SYNTHÉTIQUES",
+            ),
             ("de", "kein ", "Annahme mit Schutzabstand (ISO 14253-1)", "SYNTHETISCHE DATEN"),
         ] {
             let written = etalon(scratch.root(), &["report", "campaign/out", "--certificate", "--language", language]);
