@@ -686,6 +686,14 @@ pub struct Limits {
     pub position_rms_mm: Option<f64>,
     /// Largest orientation error.
     pub orientation_max_deg: Option<f64>,
+    /// Largest error of a distance between a target and a fixed point.
+    pub distance_max_mm: Option<f64>,
+    /// Largest distance of a target from the plane, line or sphere that it touches.
+    pub surface_max_mm: Option<f64>,
+    /// Largest distance of a target from the socket that it touches.
+    pub contact_max_mm: Option<f64>,
+    /// Largest error of a coordinate that was measured by itself.
+    pub coordinate_max_mm: Option<f64>,
     /// Largest repeatability RP of all poses.
     pub repeatability_max_mm: Option<f64>,
     /// Largest accuracy AP of all poses.
@@ -702,6 +710,10 @@ impl Limits {
             LimitQuantity::PositionMeanMm => self.position_mean_mm,
             LimitQuantity::PositionRmsMm => self.position_rms_mm,
             LimitQuantity::OrientationMaxDeg => self.orientation_max_deg,
+            LimitQuantity::DistanceMaxMm => self.distance_max_mm,
+            LimitQuantity::SurfaceMaxMm => self.surface_max_mm,
+            LimitQuantity::ContactMaxMm => self.contact_max_mm,
+            LimitQuantity::CoordinateMaxMm => self.coordinate_max_mm,
             LimitQuantity::RepeatabilityMaxMm => self.repeatability_max_mm,
             LimitQuantity::AccuracyMaxMm => self.accuracy_max_mm,
         }

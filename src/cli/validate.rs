@@ -6,6 +6,7 @@ use crate::run::documents::read_parameters;
 use crate::run::validation::validate;
 use crate::run::walk::presentation;
 use crate::stages::validation::Validated;
+use etalon_base::files;
 use etalon_campaign::Campaign;
 use etalon_documents::{GivenFrames, to_json};
 use etalon_report::Renderer;
@@ -39,7 +40,10 @@ impl Validate {
         let campaign = Campaign::read(&self.campaign)?;
         self.reports.check(&self.parameters)?;
         let document = self.parameters.as_deref().map(read_parameters).transpose()?;
-        let Validated { accuracy, messages } = validate(&campaign, document.as_ref(), self.frames)?;
+        let Validated { mut accuracy, messages } = validate(&campaign, document.as_ref(), self.frames)?;
+        if let Some(provenance) = &mut accuracy.provenance {
+            provenance.inputs.extend(files::sha256_of(&self.parameters)?);
+        }
         remark(&messages);
         let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
         self.reports.write(&renderer)?;

@@ -7,7 +7,7 @@ use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
 use super::{Verdict, answer, progress, remark};
-use crate::run::documents::read_parameters;
+use crate::run::documents::read_parameters_and_run;
 use crate::stages::joint_range::{self, Joints};
 use crate::stages::kinds;
 use crate::stages::positions;
@@ -16,7 +16,9 @@ use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, read_robot};
-use etalon_documents::{ParametersDocument, Presentation, VerificationDocument, to_json};
+use etalon_documents::{
+    CampaignReference, CampaignSummary, ParametersDocument, Presentation, VerificationDocument, to_json,
+};
 use etalon_identify::plan::candidates::Candidates;
 use etalon_report::Renderer;
 use std::collections::BTreeMap;
@@ -72,12 +74,14 @@ impl Verify {
         let given = [Some(&self.robot), Some(&self.parameters), self.observations.as_ref(), self.candidates.as_ref()];
         self.reports.check(given.into_iter().flatten())?;
         let robot_file = read_robot(&self.robot)?;
-        let document = read_parameters(&self.parameters)?;
+        let (document, run) = read_parameters_and_run(&self.parameters)?;
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
         let observed = self.format.read(observations)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
-        let found = self.verified(&robot_file, &document, &observed, inputs)?;
+        let mut found = self.verified(&robot_file, &document, &observed, inputs)?;
+        let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
+        found.calibration = campaign.map(CampaignReference::from);
         if !self.json {
             remark(&found.messages);
         }

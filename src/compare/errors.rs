@@ -10,7 +10,8 @@ pub(super) fn trends(all: &[&(ParametersDocument, AccuracyDocument)]) -> Vec<Com
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
     for set in &first.1.sets {
-        for error in [ErrorQuantity::Position, ErrorQuantity::Orientation].into_iter().filter_map(|q| set.of(q)) {
+        let kinds = [ErrorQuantity::Position, ErrorQuantity::Orientation].into_iter().chain(ErrorQuantity::OTHERS);
+        for error in kinds.filter_map(|q| set.of(q)) {
             for (word, of) in [
                 ("before", (|e| e.before) as fn(&ErrorStatistics) -> Statistics),
                 ("after", |e: &ErrorStatistics| e.after),

@@ -45,6 +45,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         covariance_without: vec![],
         budget: vec![],
         residuals: ResidualSummary {
+            position_rms_mm: None,
             kind: ResidualKind::Targets,
             count: 0,
             rms: 0.0,

@@ -1,7 +1,7 @@
 //! `accuracy.json`: errors before and after calibration, and limits.
 
 use super::LimitVerdict;
-use super::{Effect, Figure, ReadingReliability, ToolFrame, UncertaintySource};
+use super::{CampaignReference, Effect, Figure, Provenance, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::catalogue::Phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -14,6 +14,12 @@ use serde::{Deserialize, Serialize};
 pub struct AccuracyDocument {
     /// Schema and version: `etalon/accuracy/1`.
     pub schema: String,
+    /// Campaign whose data judge given parameters; absent in the output folder of a run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub campaign: Option<CampaignReference>,
+    /// Origin of the numbers of given parameters; absent in the output folder of a run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub provenance: Option<Provenance>,
     /// Definition of "before" and of "error" in this document, in words.
     pub definition: String,
     /// Text of the catalogue that is `definition` in English.
@@ -42,8 +48,9 @@ pub struct AccuracyDocument {
     /// by `effects = "proven"`, and effects that are not identified.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<EffectProof>,
-    /// Standard uncertainties of the position errors of the validation poses after calibration;
-    /// empty without a validation or a covariance.
+    /// Standard uncertainties of the errors after calibration that the limits judge: of the
+    /// validation poses, or of the calibration poses in a campaign without validation. The
+    /// parameters are what is judged, and add nothing. Empty if no uncertainty is stated.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
     /// Dependence of the mean errors of the calibration poses after identification on joints, reach
@@ -127,6 +134,10 @@ pub struct ResidualTrend {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FigureBudget {
+    /// Quantity of the errors.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub quantity: ErrorQuantity,
     /// Figure.
     pub figure: Figure,
     /// Standard uncertainty of the figure (mm, k = 1).
@@ -297,16 +308,32 @@ pub struct AccuracySet {
     pub poses: usize,
     /// Number of points or poses whose errors are counted.
     pub count: usize,
-    /// One per quantity: position, x, y, z, orientation.
+    /// One per quantity that was measured: position, x, y, z, orientation; distance, surface,
+    /// contact, coordinate.
     pub errors: Vec<ErrorStatistics>,
 }
 
 /// Quantity whose errors are counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::AsRefStr, strum::Display)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    strum::AsRefStr,
+    strum::Display,
+    strum::EnumString,
+)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum ErrorQuantity {
     /// Size of the position error.
+    #[default]
     Position,
     /// Position error along x.
     X,
@@ -316,27 +343,55 @@ pub enum ErrorQuantity {
     Z,
     /// Orientation error.
     Orientation,
+    /// Error of a distance between a target and a fixed point.
+    Distance,
+    /// Distance of a target from the plane, line or sphere that it touches.
+    Surface,
+    /// Distance of a target from the socket that it touches.
+    Contact,
+    /// Error of one coordinate that was measured by itself.
+    Coordinate,
 }
 
 impl ErrorQuantity {
     /// Coordinates, in order.
     pub const AXES: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    /// Quantities of single errors that are no position.
+    pub const OTHERS: [Self; 4] = [Self::Distance, Self::Surface, Self::Contact, Self::Coordinate];
+}
+
+impl From<etalon_identify::ErrorKind> for ErrorQuantity {
+    fn from(kind: etalon_identify::ErrorKind) -> Self {
+        use etalon_identify::ErrorKind;
+        match kind {
+            ErrorKind::Position => Self::Position,
+            ErrorKind::Axis(axis) => Self::AXES[axis.min(2)],
+            ErrorKind::Distance => Self::Distance,
+            ErrorKind::Surface => Self::Surface,
+            ErrorKind::Contact => Self::Contact,
+            ErrorKind::Coordinate => Self::Coordinate,
+        }
+    }
 }
 
 /// Statistics of one error before and after calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ErrorStatistics {
-    /// `position`, `x`, `y`, `z` or `orientation`.
+    /// `position`, `x`, `y`, `z`, `orientation`, `distance`, `surface`, `contact` or `coordinate`.
     #[schemars(with = "String")]
     pub quantity: ErrorQuantity,
+    /// Number of errors.
+    #[serde(default)]
+    pub count: usize,
     /// `mm` or `deg`.
     pub unit: String,
     /// Errors with nominal parameters; only base and targets are fitted.
     pub before: Statistics,
     /// Errors with the identified parameters.
     pub after: Statistics,
-    /// Expanded uncertainty (k = 2) of one error due to the instrument; absent if unknown.
+    /// Expanded uncertainty (k = 2) of the largest error after calibration, by instrument and
+    /// frames; absent if unknown.
     #[serde(default)]
     pub expanded_uncertainty: Option<f64>,
 }
@@ -345,6 +400,12 @@ impl AccuracySet {
     /// Statistics of one quantity, if its errors are counted.
     pub fn of(&self, quantity: ErrorQuantity) -> Option<&ErrorStatistics> {
         self.errors.iter().find(|e| e.quantity == quantity)
+    }
+
+    /// Statistics of the leading quantity: position if it was measured, otherwise the first other
+    /// length.
+    pub fn leading(&self) -> Option<&ErrorStatistics> {
+        self.of(ErrorQuantity::Position).or_else(|| self.errors.iter().find(|e| e.unit == "mm"))
     }
 }
 
@@ -375,10 +436,15 @@ pub struct PointError {
     pub cycle: i64,
     /// Target, or `C` for the centre of a planar platform.
     pub target: String,
+    /// Quantity of the error: `position`, `distance`, `surface`, `contact` or `coordinate`.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub quantity: ErrorQuantity,
     /// Measured position: a target in the world frame, or `C` in the base frame with the identified
     /// parameters.
     pub at_mm: Vector,
-    /// Measured minus predicted position before calibration.
+    /// Measured minus predicted position before calibration; of a distance a vector along it, of a
+    /// surface along its normal.
     pub before_mm: Vector,
     /// Measured minus predicted position after calibration.
     pub after_mm: Vector,

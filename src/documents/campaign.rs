@@ -52,6 +52,29 @@ pub struct CampaignSummary {
     pub report: Presentation,
 }
 
+/// Campaign to which an answer refers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CampaignReference {
+    /// Name of the campaign.
+    pub name: String,
+    /// Name of the robot, if its file states one.
+    pub robot: Option<String>,
+    /// Date as stated.
+    pub date: Option<String>,
+    /// Measuring instrument.
+    pub instrument: Option<String>,
+    /// Explanation of synthetic data; absent for measured data.
+    pub synthetic: Option<String>,
+}
+
+impl From<CampaignSummary> for CampaignReference {
+    fn from(summary: CampaignSummary) -> Self {
+        let CampaignSummary { name, robot, date, instrument, synthetic, .. } = summary;
+        Self { name, robot, date, instrument, synthetic }
+    }
+}
+
 /// Repeatability of the robot in returning to a measured point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -1,7 +1,7 @@
 //! `controllers.json`: values of controller files whose format leaves identified parameters out,
 //! and position errors with these values.
 
-use super::{AccuracySet, ErrorQuantity, ErrorStatistics, ParametersDocument, PoseSet, Statistics};
+use super::{AccuracySet, ErrorStatistics, ParametersDocument, PoseSet, Statistics};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -113,6 +113,9 @@ impl ControllerFiles {
     }
 }
 
+/// Smallest relative decrease of the root mean square that counts as an improvement.
+const HARDLY: f64 = 0.05;
+
 impl From<&Statistics> for PositionErrors {
     fn from(statistics: &Statistics) -> Self {
         Self { rms_mm: statistics.rms, max_mm: statistics.max }
@@ -122,9 +125,15 @@ impl From<&Statistics> for PositionErrors {
 impl ControllerErrors {
     /// Errors at a set of poses; `written` is `None` if the file holds the identified values.
     pub fn of(set: &AccuracySet, written: Option<&Statistics>) -> Option<Self> {
-        let ErrorStatistics { before, after, .. } = set.of(ErrorQuantity::Position)?;
+        let ErrorStatistics { before, after, .. } = set.leading()?;
         let written = written.unwrap_or(after).into();
         Some(Self { set: set.name, nominal: before.into(), identified: after.into(), written })
+    }
+
+    /// `true` if the largest error is larger than with nominal parameters, or the root mean square
+    /// less than 5 % smaller.
+    pub fn is_hardly_better_than_nominal(&self) -> bool {
+        self.written.max_mm > self.nominal.max_mm || self.written.rms_mm > (1.0 - HARDLY) * self.nominal.rms_mm
     }
 
     /// `true` if the root mean square is larger than with nominal parameters.

@@ -31,6 +31,7 @@ mod roles;
 pub mod schema;
 mod study;
 mod uncertainty;
+mod verdict;
 mod verification;
 
 pub use accuracy::*;
@@ -60,6 +61,7 @@ pub use results::*;
 pub use roles::{Effect, Role};
 pub use study::*;
 pub use uncertainty::*;
+pub use verdict::{Judged, Reason, VerdictDocument};
 pub use verification::*;
 
 use etalon_base::error;

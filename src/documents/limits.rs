@@ -2,7 +2,7 @@
 //! value.
 
 use crate::mirror::mirror;
-use crate::{ErrorQuantity, Statistics};
+use crate::{ErrorQuantity, Figure, Statistics};
 use etalon_standards::decision;
 use etalon_standards::iso9283::statistics::interval::Interval;
 use schemars::JsonSchema;
@@ -37,6 +37,34 @@ mirror! {
         NotConforming,
         /// Undecided because of the uncertainty.
         Neither,
+        /// The limited quantity was not measured.
+        NotAssessable,
+    }
+}
+
+mirror! {
+    /// Verdict on one limit or on everything that is judged, from the best to the worst.
+    #[derive(strum::Display, strum::IntoStaticStr)]
+    #[serde(rename_all = "snake_case")]
+    #[strum(serialize_all = "snake_case")]
+    enum Acceptance of decision::Acceptance {
+        /// Every limit is met, and nothing qualifies this; exit code 0.
+        Pass,
+        /// Every limit is met by its rule, with a stated reservation: a value within the guard
+        /// band, or a precondition that is not fulfilled; exit code 0.
+        Conditional,
+        /// A limit is within the uncertainty of its value, or its quantity was not measured; exit
+        /// code 1.
+        Undecided,
+        /// A limit is not met, or the result must not be used; exit code 1.
+        Fail,
+    }
+}
+
+impl Acceptance {
+    /// `true` if the answer may be loaded: exit code 0.
+    pub fn is_accepted(self) -> bool {
+        decision::Acceptance::from(self).is_accepted()
     }
 }
 
@@ -62,14 +90,19 @@ pub enum LimitQuantity {
     PositionRmsMm,
     /// Largest orientation error.
     OrientationMaxDeg,
+    /// Largest error of a distance between a target and a fixed point.
+    DistanceMaxMm,
+    /// Largest distance of a target from the plane, line or sphere that it touches.
+    SurfaceMaxMm,
+    /// Largest distance of a target from the socket that it touches.
+    ContactMaxMm,
+    /// Largest error of a coordinate that was measured by itself.
+    CoordinateMaxMm,
     /// Largest repeatability RP of all poses.
     RepeatabilityMaxMm,
     /// Largest accuracy AP of all poses.
     AccuracyMaxMm,
 }
-
-/// Selects one of the statistics of errors.
-pub type StatisticOf = fn(&Statistics) -> f64;
 
 impl LimitQuantity {
     /// All quantities.
@@ -83,13 +116,17 @@ impl LimitQuantity {
         }
     }
 
-    /// Limited error and statistic; `None` for characteristics of ISO 9283.
-    pub fn of_errors(self) -> Option<(ErrorQuantity, StatisticOf)> {
+    /// Limited error with its figure; `None` for characteristics of ISO 9283.
+    pub fn of_errors(self) -> Option<(ErrorQuantity, Figure)> {
         match self {
-            Self::PositionMaxMm => Some((ErrorQuantity::Position, |s| s.max)),
-            Self::PositionMeanMm => Some((ErrorQuantity::Position, |s| s.mean)),
-            Self::PositionRmsMm => Some((ErrorQuantity::Position, |s| s.rms)),
-            Self::OrientationMaxDeg => Some((ErrorQuantity::Orientation, |s| s.max)),
+            Self::PositionMaxMm => Some((ErrorQuantity::Position, Figure::Max)),
+            Self::PositionMeanMm => Some((ErrorQuantity::Position, Figure::Mean)),
+            Self::PositionRmsMm => Some((ErrorQuantity::Position, Figure::Rms)),
+            Self::OrientationMaxDeg => Some((ErrorQuantity::Orientation, Figure::Max)),
+            Self::DistanceMaxMm => Some((ErrorQuantity::Distance, Figure::Max)),
+            Self::SurfaceMaxMm => Some((ErrorQuantity::Surface, Figure::Max)),
+            Self::ContactMaxMm => Some((ErrorQuantity::Contact, Figure::Max)),
+            Self::CoordinateMaxMm => Some((ErrorQuantity::Coordinate, Figure::Max)),
             Self::RepeatabilityMaxMm | Self::AccuracyMaxMm => None,
         }
     }
@@ -97,10 +134,17 @@ impl LimitQuantity {
     /// Error that the limit holds for one by one; `None` if it limits a statistic of several errors
     /// or a characteristic of ISO 9283.
     pub fn of_each_error(self) -> Option<ErrorQuantity> {
+        self.of_errors().filter(|(_, figure)| *figure == Figure::Max).map(|(quantity, _)| quantity)
+    }
+}
+
+impl Figure {
+    /// The figure among these statistics.
+    pub fn of(self, statistics: &Statistics) -> f64 {
         match self {
-            Self::PositionMaxMm => Some(ErrorQuantity::Position),
-            Self::OrientationMaxDeg => Some(ErrorQuantity::Orientation),
-            Self::PositionMeanMm | Self::PositionRmsMm | Self::RepeatabilityMaxMm | Self::AccuracyMaxMm => None,
+            Self::Mean => statistics.mean,
+            Self::Rms => statistics.rms,
+            Self::Max => statistics.max,
         }
     }
 }
@@ -116,8 +160,9 @@ pub struct LimitVerdict {
     pub unit: String,
     /// Largest permissible value.
     pub limit: f64,
-    /// Measured value, at the validation poses if there are any.
-    pub value: f64,
+    /// Measured value, at the validation poses if there are any; null if the quantity was not
+    /// measured.
+    pub value: Option<f64>,
     /// Expanded uncertainty of the value (k = 2); null if unknown.
     pub expanded_uncertainty: Option<f64>,
     /// Decision rule.
@@ -126,28 +171,68 @@ pub struct LimitVerdict {
     pub conformity: Conformity,
     /// `true` if the limit is met by the rule.
     pub met: bool,
+    /// Verdict: the conformity, with a reservation if the value was accepted within its guard band.
+    pub acceptance: Acceptance,
+    /// Limit minus value; absent without a value.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub margin: Option<f64>,
+    /// Probability that the true value is within the limit, by the value with its uncertainty
+    /// (JCGM 106:2012, 7.2); the risk of a false acceptance is the complement. Absent if the
+    /// uncertainty is unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conformity_probability: Option<f64>,
 }
 
 impl LimitVerdict {
     /// Judges a value with its expanded uncertainty (k = 2).
     pub fn of(name: LimitQuantity, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
         let interval = expanded.map(|u| Interval { low_mm: value - u, high_mm: value + u });
+        let probability = |u: f64| decision::conformity_probability(value, 0.5 * u, limit);
         let judged = Self {
-            name,
-            unit: name.unit().to_owned(),
-            limit,
-            value,
+            value: Some(value),
             expanded_uncertainty: expanded,
-            decision_rule: rule,
-            conformity: Conformity::Neither,
-            met: false,
+            margin: Some(limit - value),
+            conformity_probability: expanded.map(probability),
+            ..Self::not_assessable(name, limit, rule)
         };
         judged.with(decision::DecisionRule::from(rule).judge(value, interval, limit).into())
     }
 
-    /// Replaces the conformity.
+    /// Limit of a quantity that was not measured.
+    pub fn not_assessable(name: LimitQuantity, limit: f64, rule: DecisionRule) -> Self {
+        Self {
+            name,
+            unit: name.unit().to_owned(),
+            limit,
+            value: None,
+            expanded_uncertainty: None,
+            decision_rule: rule,
+            conformity: Conformity::NotAssessable,
+            met: false,
+            acceptance: Acceptance::Undecided,
+            margin: None,
+            conformity_probability: None,
+        }
+    }
+
+    /// Replaces the conformity, and with it the verdict.
     pub fn with(self, conformity: Conformity) -> Self {
-        Self { conformity, met: conformity == Conformity::Conforming, ..self }
+        let met = conformity == Conformity::Conforming;
+        let acceptance = decision::Conformity::from(conformity).acceptance(self.is_within_guard_band()).into();
+        Self { conformity, met, acceptance, ..self }
+    }
+
+    /// `true` if the limit is less than an expanded uncertainty above the value, or the uncertainty
+    /// is unknown.
+    fn is_within_guard_band(&self) -> bool {
+        let within = |(value, u): (f64, f64)| value + u > self.limit;
+        self.value.zip(self.expanded_uncertainty).is_none_or(within)
+    }
+
+    /// Probability that an accepted value is beyond the limit (specific risk of a false acceptance,
+    /// JCGM 106:2012, 9.3.2).
+    pub fn risk(&self) -> Option<f64> {
+        self.conformity_probability.map(|p| 1.0 - p)
     }
 }
 
@@ -161,7 +246,30 @@ mod tests {
             for (value, u) in [(0.30, Some(0.03)), (0.39, Some(0.03)), (0.41, Some(0.03)), (0.30, None)] {
                 let of = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.4, value, u, rule);
                 assert_eq!(of.met, of.conformity == Conformity::Conforming, "{rule:?} {value} {u:?}");
+                assert_eq!(of.met, of.acceptance.is_accepted(), "{rule:?} {value} {u:?}");
             }
         }
+    }
+
+    /// The mean error of the sample abb-irb120 beside the figure of an independent fit.
+    #[test]
+    fn a_value_just_below_its_limit_is_undecided_or_accepted_with_its_risk() {
+        let of = |rule| LimitVerdict::of(LimitQuantity::PositionMeanMm, 0.122, 0.121, Some(0.015), rule);
+        let guarded = of(DecisionRule::default());
+        assert_eq!((guarded.conformity, guarded.acceptance), (Conformity::Neither, Acceptance::Undecided));
+        let simple = of(DecisionRule::SimpleAcceptance);
+        assert_eq!((simple.conformity, simple.acceptance), (Conformity::Conforming, Acceptance::Conditional));
+        assert!((simple.margin.unwrap() - 0.001).abs() < 1e-12);
+        // Φ(0.001/0.0075) = 0.553, by a table of the normal distribution
+        assert!((simple.risk().unwrap() - 0.447).abs() < 5e-4, "{simple:?}");
+        let far = LimitVerdict { limit: 0.2, ..simple }.with(Conformity::Conforming);
+        assert_eq!(far.acceptance, Acceptance::Pass);
+    }
+
+    #[test]
+    fn a_quantity_that_was_not_measured_is_not_assessable() {
+        let of = LimitVerdict::not_assessable(LimitQuantity::PositionMaxMm, 0.1, DecisionRule::SimpleAcceptance);
+        assert_eq!((of.conformity, of.acceptance, of.met), (Conformity::NotAssessable, Acceptance::Undecided, false));
+        assert_eq!(serde_json::to_value(&of).unwrap()["value"], serde_json::Value::Null);
     }
 }

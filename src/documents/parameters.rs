@@ -229,6 +229,10 @@ pub struct ResidualSummary {
     pub count: usize,
     /// Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26).
     pub rms: f64,
+    /// Root mean square of the position residuals (mm); absent if not all residuals are positions
+    /// of targets.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position_rms_mm: Option<f64>,
     /// Largest absolute residual.
     pub max: f64,
     /// Number of residuals minus number of identified parameters.

@@ -1,6 +1,6 @@
 //! Answer of `etalon recommend`: effects that the data prove, and parameters that should be loaded.
 
-use super::{Effect, ParametersDocument, Statistics};
+use super::{CampaignReference, Effect, ParametersDocument, Statistics};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use schemars::JsonSchema;
@@ -14,6 +14,9 @@ pub struct RecommendationDocument {
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
+    /// Campaign whose data recommend the parameters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub campaign: Option<CampaignReference>,
     /// Recommendation in words.
     pub meaning: Vec<String>,
     /// Texts of the catalogue that are `meaning` in English.

@@ -33,6 +33,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("recommendation", schema::<RecommendationDocument>()),
         ("study", schema::<StudiesDocument>()),
         ("uncertainty", schema::<UncertaintyDocument>()),
+        ("verdict", schema::<VerdictDocument>()),
         ("verification", schema::<VerificationDocument>()),
         ("verification-plan", schema::<VerificationPlanDocument>()),
         ("written", schema::<WrittenDocument>()),

@@ -1,6 +1,6 @@
 //! Answer of `etalon verify`: verdict on whether given parameters still apply.
 
-use super::Provenance;
+use super::{CampaignReference, Provenance};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
@@ -15,6 +15,9 @@ pub struct VerificationDocument {
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
+    /// Campaign that identified the parameters; absent if `campaign.json` is not beside them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CampaignReference>,
     /// Verdict on the parameters.
     pub verdict: VerificationVerdict,
     /// Verdict in words.
@@ -44,6 +47,10 @@ pub struct VerificationDocument {
     pub rms_mm: f64,
     /// Expected root-mean-square residual if nothing has changed (mm).
     pub expected_rms_mm: f64,
+    /// Root-mean-square residual of a position (mm).
+    pub position_rms_mm: f64,
+    /// Expected root-mean-square residual of a position if nothing has changed (mm).
+    pub expected_position_rms_mm: f64,
     /// Standard uncertainty of a measured coordinate (mm).
     pub standard_uncertainty_mm: f64,
     /// Standard deviation of the calibrated model's error of a coordinate, in addition to the
@@ -117,6 +124,8 @@ pub struct Movement {
     pub by: Vec<MovementValue>,
     /// Probability of residuals at least as large as those left after the movement.
     pub p_left: f64,
+    /// Share of the weighted sum of squared residuals that the movement explains.
+    pub explained_share: f64,
 }
 
 /// Kind of an object that can move.

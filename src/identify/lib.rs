@@ -10,10 +10,11 @@ mod solution;
 mod warning;
 
 pub use error::{Cause, Error};
-pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource, figure_budgets};
+pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::excitation::left_to_tolerances;
+pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::reliability::{
@@ -227,6 +228,11 @@ pub struct Identification {
 const LEAST_SHARE: f64 = 1e-3;
 
 impl Identification {
+    /// Indices of the identified parameters of base, targets and fixtures.
+    pub fn of_set_up(&self, robot: &dyn Robot) -> Vec<usize> {
+        self.free.iter().copied().filter(|&i| robot.parameters()[i].role != Role::Robot).collect()
+    }
+
     /// Values of the free parameters, in their order.
     fn free_values(&self) -> Vec<f64> {
         self.free.iter().map(|&i| self.values[i]).collect()
@@ -496,7 +502,7 @@ pub fn refit_frames(
 }
 
 /// Indices of the parameters of base, targets and fixtures that are wanted.
-fn wanted_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
+pub fn wanted_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
     let wanted = wanted_parameters(robot, observations, settings)?;
     Ok(wanted.into_iter().filter(|&i| robot.parameters()[i].role != Role::Robot).collect())
 }

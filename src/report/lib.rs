@@ -25,9 +25,10 @@ mod workbook;
 use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, FeaturesDocument,
-    FramesDocument, GeometricDocument, ImportDocument, ParametersDocument, PlanDocument, PointError, Presentation,
-    Provenance, RecommendationDocument, UncertaintyDocument, VerificationDocument, VerificationPlanDocument,
+    AccuracyDocument, CampaignReference, CampaignSummary, Characteristics, CompareDocument, ControllersDocument,
+    FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PlanDocument,
+    PointError, Presentation, Provenance, RecommendationDocument, UncertaintyDocument, VerdictDocument,
+    VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Section, Verdict};
 use serde::Serialize;
@@ -68,11 +69,21 @@ pub struct Identified<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// `true` if all limits are met, the result is plausible, and all controller files are written.
-    /// Creates no report.
+    /// Verdict on everything that the report judges, with its reasons. Creates no report.
+    pub fn judgement(&self) -> VerdictDocument {
+        let judged = Judged {
+            parameters: self.identified.map(|i| i.parameters),
+            accuracy: self.identified.map(|i| i.accuracy),
+            tested: self.tested,
+            controllers: self.controllers,
+            conditions: Some(&self.campaign.conditions),
+        };
+        judged.verdict()
+    }
+
+    /// `true` if the verdict allows the answer to be loaded. Creates no report.
     pub fn passes(&self) -> bool {
-        sections::verdict::met(self.identified.as_ref(), self.tested)
-            && self.controllers.is_none_or(ControllersDocument::is_complete)
+        self.judgement().passes()
     }
 
     /// Warnings and errors of all documents.
@@ -127,12 +138,7 @@ impl<'a> Report<'a> {
 
     /// Verdict in the first box.
     fn verdict(&self, words: &Words) -> Verdict {
-        let mut verdict = sections::verdict::verdict(self.identified.as_ref(), self.tested, words);
-        if self.controllers.is_some_and(|c| !c.is_complete()) {
-            (verdict.class, verdict.met) = (model::Grade::Bad, false);
-            verdict.sentences.push(tr!(words, "controller-file-not-written"));
-        }
-        verdict
+        sections::verdict::verdict(self, words)
     }
 
     /// Documents attached to the PDF.
@@ -159,6 +165,35 @@ impl<'a> Report<'a> {
 /// Title of the calibration of a robot without a name.
 fn of_model(document: &ParametersDocument, words: &Words) -> String {
     tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
+}
+
+/// Campaign to which an answer refers.
+struct Head<'a> {
+    label: String,
+    campaign: Option<&'a CampaignReference>,
+}
+
+impl Head<'_> {
+    /// Adds date, synthetic mark, campaign and files to the contents of an answer.
+    fn on(self, mut contents: Contents, provenance: Option<&Provenance>, words: &Words) -> Contents {
+        let Self { label, campaign } = self;
+        contents.date = campaign.and_then(|c| c.date.clone());
+        contents.synthetic = campaign.and_then(|c| c.synthetic.clone()).into_iter().collect();
+        let mut origin = match provenance {
+            Some(provenance) => sections::provenance::of(provenance, &[], words),
+            None => Section::new("provenance", tr!(words, "provenance")),
+        };
+        if let Some(c) = campaign {
+            origin.begin(model::Block::facts(vec![
+                (label, c.name.as_str().into()),
+                (tr!(words, "robot"), c.robot.as_ref().into()),
+                (tr!(words, "date"), c.date.as_ref().into()),
+                (tr!(words, "instrument"), c.instrument.as_ref().into()),
+            ]));
+        }
+        contents.sections.extend(origin.whole());
+        contents
+    }
 }
 
 /// Subject of an answer.
@@ -288,10 +323,15 @@ impl Renderer {
         let verdict = sections::verdict::of_validation(document, &words);
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
-        let sections = limits.into_iter().chain([sections::errors::of(document, &[], &words)]).collect();
+        let errors = sections::errors::of(document, &[], &words);
+        let sections = limits.into_iter().chain([errors]).collect();
         let title = tr!(words, "validation-of-given-parameters");
         let attached = Attachment::of("accuracy.json", "data", "Errors of given parameters", document)?;
-        Ok(Self::answer(Contents { title, verdict, sections, ..Contents::default() }, attached, presentation, words))
+        let subtitle = document.campaign.as_ref().map(|c| isolated(&one_line(&c.name))).unwrap_or_default();
+        let contents = Contents { title, subtitle, verdict, sections, ..Contents::default() };
+        let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
+        let contents = head.on(contents, document.provenance.as_ref(), &words);
+        Ok(Self::answer(contents, attached, presentation, words))
     }
 
     /// Creates the report on whether given parameters still apply.
@@ -305,6 +345,8 @@ impl Renderer {
             sections: verification(document, &words),
             ..Contents::default()
         };
+        let head = Head { label: tr!(words, "campaign-of-parameters"), campaign: document.calibration.as_ref() };
+        let contents = head.on(contents, Some(&document.provenance), &words);
         let attached = Attachment::of("verification.json", "data", "Verification", document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }
@@ -335,6 +377,8 @@ impl Renderer {
             sections: recommendation(document, &words),
             ..Contents::default()
         };
+        let head = Head { label: tr!(words, "campaign"), campaign: document.campaign.as_ref() };
+        let contents = head.on(contents, Some(&document.recommended.provenance), &words);
         let attached = Attachment::of("recommendation.json", "data", "Recommendation", document)?;
         Ok(Self::answer(contents, attached, presentation, words))
     }

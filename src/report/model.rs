@@ -8,6 +8,7 @@ use super::words::Words;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::one_line;
 use etalon_base::pose_name::PoseName;
+use etalon_documents::Acceptance;
 use serde::{Serialize, Serializer};
 
 /// Maximum number of rows of a table on a page; the workbook and the documents contain all rows.
@@ -92,6 +93,9 @@ pub(crate) struct Verdict {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Grade {
     Good,
+    /// Accepted with a reservation.
+    #[serde(rename = "warning")]
+    Conditional,
     Bad,
     #[default]
     Open,
@@ -101,6 +105,16 @@ impl Grade {
     /// Good if `met`, otherwise bad.
     pub fn of(met: bool) -> Self {
         if met { Self::Good } else { Self::Bad }
+    }
+
+    /// Style of a verdict; open if nothing was judged.
+    pub fn of_verdict(verdict: Option<Acceptance>) -> Self {
+        match verdict {
+            Some(Acceptance::Pass) => Self::Good,
+            Some(Acceptance::Conditional) => Self::Conditional,
+            Some(Acceptance::Fail) => Self::Bad,
+            Some(Acceptance::Undecided) | None => Self::Open,
+        }
     }
 }
 

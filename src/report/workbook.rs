@@ -19,7 +19,15 @@ const WIDTH: std::ops::RangeInclusive<usize> = 8..=60;
 const LOOKED_AT: usize = 1000;
 
 /// Colours of verdicts by their English terms.
-const VERDICTS: [(&str, u32); 3] = [("met", 0x00C6_EFCE), ("not met", 0x00FF_C7CE), ("undecided", 0x00FF_EB9C)];
+const VERDICTS: [(&str, u32); 7] = [
+    ("pass", 0x00C6_EFCE),
+    ("met", 0x00C6_EFCE),
+    ("conditional", 0x00FF_EB9C),
+    ("undecided", 0x00FF_EB9C),
+    ("not assessable", 0x00FF_EB9C),
+    ("not met", 0x00FF_C7CE),
+    ("fail", 0x00FF_C7CE),
+];
 
 /// Charts: sheet, kind, title, horizontal column, and vertical columns.
 const CHARTS: [(&str, ChartType, &str, &str, &[&str]); 3] = [

@@ -14,8 +14,8 @@ use etalon_base::message::{Message, Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict, CampaignSummary,
-    Characteristics, Conformity, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
+    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary,
+    Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Role, VerdictDocument,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -132,14 +132,17 @@ fn campaign(
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
         let report = run.report();
         describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
-        entry.checks = checks(identified, &run.tested, report.messages().into_iter());
+        let judgement = report.judgement();
+        entry.verdict = judgement.verdict;
+        entry.checks = checks(&judgement, identified.map(|i| i.0), report.messages().into_iter());
         return Ok((rows(identified, &run.tested), None));
     }
     let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
     entry.computed = true;
     let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
     describe(entry, &found.summary, found.met, identified.map(|i| i.0));
-    entry.checks = checks(identified, &found.tested, found.messages.iter());
+    entry.verdict = found.judgement.verdict;
+    entry.checks = checks(&found.judgement, identified.map(|i| i.0), found.messages.iter());
     Ok((rows(identified, &found.tested), Some(output)))
 }
 
@@ -164,33 +167,26 @@ fn nominal(document: &ParametersDocument) -> String {
 
 /// Checks of a result, in the order of reading.
 fn checks<'a>(
-    identified: Option<(&ParametersDocument, &AccuracyDocument)>,
-    tested: &Characteristics,
+    judgement: &VerdictDocument,
+    parameters: Option<&ParametersDocument>,
     messages: impl Iterator<Item = &'a Message>,
 ) -> Vec<BatchCheck> {
     let check =
         |name: &str, verdict| BatchCheck { name: name.to_owned(), verdict, value: None, limit: None, unit: None };
-    let pass = |passed| if passed { BatchVerdict::Pass } else { BatchVerdict::Fail };
-    let limits = identified.iter().flat_map(|i| &i.1.limits).chain(tested.limits()).map(|l| BatchCheck {
-        value: Some(l.value),
+    let pass = |passed| if passed { Acceptance::Pass } else { Acceptance::Fail };
+    let limit = |l: &LimitVerdict| BatchCheck {
+        value: l.value,
         limit: Some(l.limit),
         unit: Some(l.unit.clone()),
-        ..check(
-            l.name.into(),
-            match l.conformity {
-                Conformity::Conforming => BatchVerdict::Pass,
-                Conformity::Neither => BatchVerdict::Conditional,
-                Conformity::NotConforming => BatchVerdict::Fail,
-            },
-        )
-    });
-    let mut all: Vec<BatchCheck> = limits.collect();
-    if let Some((parameters, _)) = identified {
+        ..check(l.name.into(), l.acceptance)
+    };
+    let mut all: Vec<BatchCheck> = judgement.limits.iter().map(limit).collect();
+    if let Some(parameters) = parameters {
         all.push(check("solver", pass(parameters.solver.termination.is_success())));
         all.push(check("robot", pass(parameters.is_plausible())));
     }
     let decide = messages.filter(|m| m.rank == Rank::Decide).count();
-    let verdict = if decide > 0 { BatchVerdict::Conditional } else { BatchVerdict::Pass };
+    let verdict = if decide > 0 { Acceptance::Conditional } else { Acceptance::Pass };
     all.push(BatchCheck { value: Some(decide as f64), ..check("warnings", verdict) });
     all
 }
@@ -226,7 +222,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
             kind: "limit",
             item: l.name.to_string(),
             unit: l.unit.clone(),
-            value: l.value,
+            value: l.value.unwrap_or(f64::NAN),
             limit: Some(l.limit),
             met: Some(l.met),
             ..Row::default()

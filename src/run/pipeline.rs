@@ -14,6 +14,7 @@ use etalon_campaign::Campaign;
 use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
+    VerdictDocument,
 };
 use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
@@ -37,6 +38,8 @@ pub struct Outcome {
     pub tested: Characteristics,
     /// `true` if every limit is met, and the result can be that of a robot.
     pub met: bool,
+    /// The verdict with its reasons.
+    pub judgement: VerdictDocument,
     /// The report, where it was wanted.
     pub renderer: Option<Renderer>,
     /// Statements of the campaign about itself.
@@ -134,7 +137,8 @@ fn write(
     mut out: Output,
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
-    let met = found.report().passes();
+    let verdict = found.report().judgement();
+    let met = verdict.passes();
     let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
@@ -147,6 +151,7 @@ fn write(
     out.json("frames.json", &frames)?;
     out.observations(campaign, joined.filter(|_| tables))?;
     out.identified(identified.as_ref())?;
+    out.json("verdict.json", &verdict)?;
     out.optional("geometric.json", geometric.as_ref())?;
     out.optional("controllers.json", controllers.as_ref())?;
     out.optional("iso9283.json", tested.poses.as_ref())?;
@@ -172,7 +177,7 @@ fn write(
         out.reports(renderer.files()?);
     }
     let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, renderer, summary, messages })
+    Ok(Outcome { written, identified, tested, met, judgement: verdict, renderer, summary, messages })
 }
 
 /// Input of controller files before parameters are identified again for them.

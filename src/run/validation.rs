@@ -8,14 +8,19 @@ use crate::stages::validation::{self, Validated};
 use etalon_base::error;
 use etalon_base::message::{Place, Result};
 use etalon_campaign::{Campaign, Identify};
-use etalon_documents::{GivenFrames, ParametersDocument, RecommendationDocument, UncertaintyDocument};
+use etalon_documents::{
+    CampaignReference, GivenFrames, ParametersDocument, Provenance, RecommendationDocument, UncertaintyDocument,
+};
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is
 /// written.
 pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, given: GivenFrames) -> Result<Validated> {
-    let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
-    let selected = select(campaign, stated, robot.as_mut(), &joined)?;
+    let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
+    let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
     let mut found = validation::validate(campaign, selected, robot.as_mut(), document, given)?;
+    found.accuracy.campaign = Some(reference(campaign));
+    let (version, inputs) = (env!("CARGO_PKG_VERSION").to_owned(), gathered.document.inputs());
+    found.accuracy.provenance = Some(Provenance { version, inputs, seed: None });
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
 }
@@ -23,10 +28,11 @@ pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, give
 /// Judges which parameters of a campaign deserve to be loaded; `report` is called with the choices
 /// that were tried and the most that may be. Nothing is written.
 pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
-    let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
+    let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
     let inputs = gathered.document.inputs();
-    let selected = select(campaign, stated, robot.as_mut(), &joined)?;
+    let selected = select(campaign, stated, robot.as_mut(), &joined, &frames)?;
     let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
+    found.campaign = Some(reference(campaign));
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
 }
@@ -45,6 +51,18 @@ pub fn uncertainty(
     found.provenance.inputs = gathered.document.inputs();
     found.messages.splice(0..0, gathered.document.messages);
     Ok(found)
+}
+
+/// The campaign in the head of an answer.
+fn reference(campaign: &Campaign) -> CampaignReference {
+    let file = &campaign.file;
+    CampaignReference {
+        name: file.name.clone(),
+        robot: campaign.robot.name.clone(),
+        date: file.date.clone(),
+        instrument: Some(file.instrument.name.clone()),
+        synthetic: file.synthetic.clone(),
+    }
 }
 
 fn observed(campaign: &Campaign) -> Result<(&Identify, Observed)> {

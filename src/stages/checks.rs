@@ -203,6 +203,7 @@ mod tests {
             let joints = vec![noise.uniform(90.0), noise.uniform(90.0)];
             let bent = wave_mm * (joints[1].to_radians()).cos();
             [1, 2].map(|cycle| PointError {
+                quantity: Default::default(),
                 set: PoseSet::Calibration,
                 pose: i.into(),
                 cycle,

@@ -91,7 +91,8 @@ fn of_format(
 fn errors(robot: &dyn Robot, found: &Identified, values: &[f64]) -> Result<Vec<ControllerErrors>> {
     let written = found.errors_with(robot, values)?;
     let of_set = |set: &AccuracySet| {
-        let of_set = written.iter().filter(|e| e.set == set.name);
+        let leading = set.leading()?.quantity;
+        let of_set = written.iter().filter(|e| e.set == set.name && e.quantity == leading);
         let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.own_share()?)).collect();
         ControllerErrors::of(set, Some(&summarise(sizes)))
     };

@@ -2,6 +2,7 @@
 
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
+use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -9,11 +10,13 @@ use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorStatistics, FigureBudget, FigureContribution, LimitVerdict, PointError,
-    PoseSet, ReadingReliability, Statistics,
+    AccuracyDocument, AccuracySet, ErrorStatistics, Figure, FigureBudget, FigureContribution, LimitQuantity,
+    LimitVerdict, PointError, PoseSet, ReadingReliability, Statistics,
 };
 use etalon_formats::table::{self, XYZ};
-use etalon_identify::{self as identify, Condition, Contributions, Kind, Observation, Settings};
+use etalon_identify::{
+    self as identify, Condition, FigureUncertainty, FrameError, JudgedErrors, Observation, Settings, Systematic,
+};
 use etalon_math::statistics::{mean, quantile, rms};
 use etalon_robots::Robot;
 use polars::prelude::{Column, DataFrame};
@@ -91,6 +94,7 @@ impl BeforeAfter<'_> {
                             pose: o.pose,
                             cycle: o.cycle,
                             target: "C".to_owned(),
+                            quantity: Position,
                             at_mm: [at.x_mm, at.y_mm, 0.0],
                             before_mm: [b[0], b[1], 0.0],
                             after_mm: [a[0], a[1], 0.0],
@@ -117,10 +121,6 @@ impl BeforeAfter<'_> {
         let Self { robot, before, after } = *self;
         let target = &robot.targets()[condition.target];
         let (b, a) = (condition.error(robot, before), condition.error(robot, after));
-        if matches!(condition.kind, Kind::Joint(_)) {
-            // the value of a joint is not an error of a target
-            return;
-        }
         if condition.kind.is_orientation() {
             let same = |e: &&mut PointError| {
                 e.set == set && e.pose == condition.pose && e.cycle == condition.cycle && e.target == *target
@@ -131,11 +131,14 @@ impl BeforeAfter<'_> {
             }
             return;
         }
+        // the value of a joint is not an error of a target
+        let Some(kind) = condition.kind.error_kind() else { return };
         all.push(PointError {
             set,
             pose: condition.pose,
             cycle: condition.cycle,
             target: target.clone(),
+            quantity: kind.into(),
             at_mm: robot.position(after, &condition.joints, condition.target),
             before_mm: b,
             after_mm: a,
@@ -166,6 +169,7 @@ impl BeforeAfter<'_> {
             pose: o.pose,
             cycle: o.cycle,
             target: robot.targets()[seen[i].0].clone(),
+            quantity: Position,
             at_mm: measured[i],
             before_mm: minus(measured[i], b[i]),
             after_mm: minus(measured[i], a[i]),
@@ -206,46 +210,89 @@ fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
 }
 
-/// Standard uncertainty (k = 1) of measured errors, by the uncertainty of the instrument. The
-/// parameters are judged, and add nothing.
-#[derive(Clone, Copy, Debug)]
+/// Parameters that are judged, with the observations that judge them and those that place base,
+/// targets and fixtures.
+#[derive(Clone, Copy)]
+pub struct Judged<'a> {
+    /// Robot.
+    pub robot: &'a dyn Robot,
+    /// All parameters.
+    pub values: &'a [f64],
+    /// Indices of the parameters of base, targets and fixtures that were fitted to the calibration
+    /// poses.
+    pub set_up: &'a [usize],
+    /// All observations, those of targets that are placed by themselves included.
+    pub sets: &'a Sets,
+    /// Weights of the observations.
+    pub settings: &'a Settings,
+}
+
+/// Uncertainties of measured errors. The parameters are what is judged, and add nothing.
+#[derive(Clone, Debug, Default)]
 pub struct ErrorUncertainty {
-    /// Coordinate (mm).
-    pub coordinate_mm: f64,
-    /// Position (mm).
-    pub position_mm: f64,
-    /// Orientation (deg); `None` if unknown.
+    /// Of each figure of lengths, with its sources.
+    pub figures: Vec<FigureBudget>,
+    /// Standard uncertainty of an orientation (deg); `None` if unknown.
     pub orientation_deg: Option<f64>,
+    /// Standard uncertainty of a coordinate (mm).
+    coordinate_mm: f64,
 }
 
 impl ErrorUncertainty {
-    /// Uncertainties as the campaign states them. A position without its own has √3 (planar robots
-    /// √2) times the uncertainty of a coordinate; an orientation has the uncertainty of the targets
-    /// about their centroid, at the observation where it is largest.
-    pub fn of(campaign: &Campaign, robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Self {
+    /// Propagates the uncertainty of instrument, frames, scale, temperature and homing to the errors
+    /// of the poses that decide.
+    ///
+    /// # Errors
+    /// If residuals cannot be evaluated.
+    pub fn of(campaign: &Campaign, judged: Judged, systematic: &Systematic) -> Result<Self> {
+        let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;
         let coordinate_mm = settings.coordinate_uncertainty_mm();
+        let validates = !sets.validation.is_empty()
+            || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
+        let (observations, conditions) =
+            sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
+        let errors = JudgedErrors {
+            robot,
+            values,
+            set_up,
+            calibration: &sets.calibration,
+            observations,
+            conditions,
+            position_mm: instrument.position_uncertainty_mm(),
+        };
+        let planar = robot.dimension() == 2;
         let all = || sets.calibration.iter().chain(&sets.validation);
-        let turned = |o| rotation_per_mm(o, robot.dimension() == 2);
+        let turned = |o| rotation_per_mm(o, planar);
         let of_targets = all().filter_map(turned).reduce(f64::max).map(|per_mm| (per_mm * coordinate_mm).to_degrees());
         let stated = instrument.rotation_uncertainty_rad().map(|u| 3f64.sqrt() * u.to_degrees());
-        let coordinates = (robot.dimension() as f64).sqrt() * coordinate_mm;
-        Self {
+        let of_frame = frame_rotation_rad(systematic, planar).to_degrees();
+        Ok(Self {
+            figures: budgets(errors.figures(settings, systematic).map_err(remedied)?),
+            orientation_deg: stated.or(of_targets).map(|u| u.hypot(of_frame)),
             coordinate_mm,
-            position_mm: instrument.position_uncertainty_mm().unwrap_or(coordinates),
-            orientation_deg: stated.or(of_targets),
-        }
+        })
     }
 
-    /// Expanded uncertainty (k = 2) of a quantity.
-    fn expanded(self, quantity: ErrorQuantity) -> Option<f64> {
-        let standard = match quantity {
-            Position => Some(self.position_mm),
-            Orientation => self.orientation_deg,
-            _ => Some(self.coordinate_mm),
-        };
-        standard.map(|u| 2.0 * u)
+    /// Expanded uncertainty (k = 2) of a figure.
+    fn expanded(&self, quantity: ErrorQuantity, figure: Figure) -> Option<f64> {
+        if quantity == Orientation {
+            return self.orientation_deg.map(|u| 2.0 * u);
+        }
+        let of_figure = |b: &&FigureBudget| b.quantity == quantity && b.figure == figure;
+        let budget = self.figures.iter().find(of_figure).map(|b| 2.0 * b.standard_uncertainty_mm);
+        // positions of another station have no axes of their own
+        let coordinate = (ErrorQuantity::AXES.contains(&quantity) && self.coordinate_mm > 0.0).then_some(2.0);
+        budget.or(coordinate.map(|k| k * self.coordinate_mm))
     }
+}
+
+/// Largest standard uncertainty (rad) of the rotation of a frame that was measured again at each
+/// pose; the base is fitted in what all poses have in common.
+fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
+    let axes = if planar { 5..6 } else { 3..6 };
+    let of = |frame: &FrameError| axes.clone().map(|i| frame.covariance[i][i]).sum::<f64>();
+    systematic.frames.iter().filter(|f| f.pose.is_some()).map(of).fold(0.0, f64::max).sqrt()
 }
 
 /// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a
@@ -267,34 +314,26 @@ pub fn evaluate(
     errors: &[PointError],
     limits: &Limits,
     uncertainty: ErrorUncertainty,
-) -> Result<AccuracyDocument> {
+) -> AccuracyDocument {
     let planar = robot.dimension() == 2;
     let mut sets = Vec::new();
     for name in PoseSet::ALL {
         let of: Vec<&PointError> = errors.iter().filter(|e| e.set == name && e.own_share().is_some()).collect();
         if !of.is_empty() {
-            sets.push(accuracy_of(name, &of, planar, uncertainty));
+            sets.push(accuracy_of(name, &of, planar, &uncertainty));
         }
     }
-    let judged = sets.last();
-    let rule = limits.decision_rule.unwrap_or_default();
-    let mut verdicts = Vec::new();
-    for (name, limit) in limits.stated() {
-        let Some((quantity, pick)) = name.of_errors() else { continue };
-        let errors = judged
-            .and_then(|set| set.of(quantity))
-            .ok_or_else(|| error!("limit-of-missing-error", limit = name.to_string()))?;
-        let expanded = uncertainty.expanded(quantity);
-        verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
-    }
+    let verdicts = verdicts(limits, sets.last(), &uncertainty);
     let (point, error) = match robot.platform() {
         // parameters that shift balls and tool alike do not show in these errors
         Some(_) => (phrase!("platform-as-measured"), phrase!("error-of-platform")),
         None => (phrase!("targets-as-measured"), phrase!("error-of-targets")),
     };
     let definition = phrase!("error-definition", error, values = phrase!("values-of-identification"));
-    Ok(AccuracyDocument {
+    AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
+        campaign: None,
+        provenance: None,
         definition: definition.to_string(),
         definition_phrase: Some(definition),
         point: point.to_string(),
@@ -304,41 +343,61 @@ pub fn evaluate(
         validation_distance: None,
         placed_apart: Vec::new(),
         effects: Vec::new(),
-        budget: Vec::new(),
+        budget: uncertainty.figures,
         trends: Vec::new(),
         limits: verdicts,
         tool: None,
         map: None,
         given: None,
-    })
+    }
 }
 
-fn accuracy_of(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty: ErrorUncertainty) -> AccuracySet {
+/// Verdicts on the limits of errors, at the poses that decide. A quantity that these do not show is
+/// not assessable.
+fn verdicts(limits: &Limits, judged: Option<&AccuracySet>, uncertainty: &ErrorUncertainty) -> Vec<LimitVerdict> {
+    let rule = limits.decision_rule.unwrap_or_default();
+    let verdict = |(name, limit): (LimitQuantity, f64)| {
+        let (quantity, figure) = name.of_errors()?;
+        Some(match judged.and_then(|set| set.of(quantity)) {
+            Some(errors) => {
+                let expanded = uncertainty.expanded(quantity, figure);
+                LimitVerdict::of(name, limit, figure.of(&errors.after), expanded, rule)
+            }
+            None => LimitVerdict::not_assessable(name, limit, rule),
+        })
+    };
+    limits.stated().filter_map(verdict).collect()
+}
+
+fn accuracy_of(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty: &ErrorUncertainty) -> AccuracySet {
     let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
-    let mut quantities = vec![statistics(Position, "mm", errors, &|v, _| Some(norm(v)))];
+    let of = |quantity| errors.iter().copied().filter(|e| e.quantity == quantity).collect::<Vec<&PointError>>();
+    let positions = of(Position);
+    let mut quantities = vec![statistics(Position, "mm", &positions, &|v, _| Some(norm(v)))];
     for (axis, quantity) in ErrorQuantity::AXES.into_iter().enumerate().take(if planar { 2 } else { 3 }) {
-        quantities.push(statistics(quantity, "mm", errors, &move |v, _| Some(v[axis].abs())));
+        quantities.push(statistics(quantity, "mm", &positions, &move |v, _| Some(v[axis].abs())));
     }
-    let orientation = statistics(Orientation, "deg", errors, &|_, deg| deg.map(f64::abs));
-    if errors.iter().any(|e| e.after_deg.is_some()) {
-        quantities.push(orientation);
-    }
+    quantities.push(statistics(Orientation, "deg", errors, &|_, deg| deg.map(f64::abs)));
+    let other = |quantity| statistics(quantity, "mm", &of(quantity), &|v, _| Some(norm(v)));
+    quantities.extend(ErrorQuantity::OTHERS.map(other));
+    quantities.retain(|of| of.count > 0);
     for of in &mut quantities {
-        of.expanded_uncertainty = uncertainty.expanded(of.quantity);
+        of.expanded_uncertainty = uncertainty.expanded(of.quantity, Figure::Max);
     }
     AccuracySet { name, poses: poses.len(), count: errors.len(), errors: quantities }
 }
 
-/// The budgets of figures, from the variances that each source contributes (mm²).
-pub fn budgets(figures: Vec<(identify::Figure, Contributions)>) -> Vec<FigureBudget> {
+/// Budgets of figures from the variances that each source contributes (mm²).
+fn budgets(figures: Vec<FigureUncertainty>) -> Vec<FigureBudget> {
     let contribution = |(source, variance): (identify::UncertaintySource, f64)| FigureContribution {
         source: source.into(),
         standard_uncertainty_mm: variance.sqrt(),
     };
-    let of = |(figure, variances): (identify::Figure, Contributions)| FigureBudget {
+    let of = |FigureUncertainty { kind, figure, contributions }| FigureBudget {
+        quantity: kind.into(),
         figure: figure.into(),
-        standard_uncertainty_mm: variances.iter().map(|(_, v)| v).sum::<f64>().sqrt(),
-        contributions: variances.into_iter().map(contribution).collect(),
+        standard_uncertainty_mm: contributions.iter().map(|(_, v)| v).sum::<f64>().sqrt(),
+        contributions: contributions.into_iter().map(contribution).collect(),
     };
     figures.into_iter().map(of).collect()
 }
@@ -351,6 +410,7 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
     };
     ErrorStatistics {
         quantity,
+        count: errors.iter().filter(|e| size(e.after_mm, e.after_deg).is_some()).count(),
         unit: unit.to_owned(),
         before: of(&|e| size(e.before_mm, e.before_deg)),
         after: of(&|e| size(e.after_mm, e.after_deg)),
@@ -378,6 +438,7 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
         table::pose_column("pose", &errors.iter().map(|e| Some(e.pose)).collect::<Vec<_>>()),
         whole("cycle", |e| e.cycle),
         text("target", |e| &e.target),
+        text(QUANTITY, |e| e.quantity.as_ref()),
     ];
     for (prefix, of) in VECTORS {
         for (axis, name) in XYZ.iter().enumerate() {
@@ -398,6 +459,9 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     }
     table::frame(errors.len(), columns)
 }
+
+/// Column of the quantities of errors.
+const QUANTITY: &str = "quantity";
 
 /// Column of the redundancy of readings that place their own target.
 const OWN_REDUNDANCY: &str = "own_redundancy";
@@ -428,7 +492,10 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
     };
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
     let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
-    let known = ["set", "pose", "cycle", "target", "before_deg", "after_deg"];
+    let quantity = |name: &String| name.parse().map_err(|_| error!("error-quantity-unknown", name));
+    let quantities: Vec<ErrorQuantity> =
+        table::texts(frame, QUANTITY)?.iter().map(quantity).collect::<std::result::Result<_, _>>()?;
+    let known = ["set", "pose", "cycle", "target", QUANTITY, "before_deg", "after_deg"];
     let of_reading = |name: &str| name == OWN_REDUNDANCY || RELIABILITY.iter().any(|column| column.0 == name);
     let is_joint =
         |name: &str| !known.contains(&name) && !of_reading(name) && !XYZ.iter().any(|axis| name.ends_with(axis));
@@ -445,6 +512,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         pose: poses[i],
         cycle: cycles[i],
         target: targets[i].clone(),
+        quantity: quantities[i],
         at_mm: at[i],
         before_mm: before[i],
         after_mm: after[i],
@@ -483,6 +551,7 @@ mod tests {
             pose: pose.into(),
             cycle: 1,
             target: target.to_owned(),
+            quantity: Position,
             at_mm: [0.0; 3],
             before_mm: [0.0; 3],
             after_mm: [0.0; 3],

@@ -6,7 +6,7 @@ use crate::stages::commanded::commanded;
 use crate::stages::controlled::base_elsewhere;
 use crate::stages::cross_validation::{proven, undescribed_bending, unused};
 use crate::stages::distance::{far_or_near, validation_distance};
-use crate::stages::evaluate::{self, ErrorUncertainty, Sets};
+use crate::stages::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use crate::stages::excitation::{still_joints, travels};
 use crate::stages::exclusions::{Exclusion, exclude};
 use crate::stages::join::{Joined, Observations};
@@ -107,11 +107,10 @@ pub fn identify(
     joined: &Joined,
     frames: &FramesDocument,
 ) -> Result<Identified> {
-    let selected = select(campaign, stated, robot, joined)?;
+    let selected = select(campaign, stated, robot, joined, frames)?;
     let robot: &dyn Robot = robot;
-    let Selected { mut sets, mut settings, poses, selections, apart, mut messages } = selected;
+    let Selected { mut sets, mut settings, poses, selections, apart, systematic, mut messages } = selected;
     let proofs = proven_effects(robot, stated, &sets, &mut settings)?;
-    let systematic = campaign.systematic(robot, frame_errors(&frames.world));
     let mut solved = Solved::new(robot, &sets, &settings, &systematic)?;
     if stated.outliers == OutlierRule::Exclude {
         messages.extend(solved.exclude_outliers(robot, &mut sets, &settings, &systematic)?);
@@ -137,8 +136,10 @@ pub fn identify(
     errors.extend(apart.errors(robot, &solved.before, &solved.found.values, &placed));
     let Solved { before, mut found } = solved;
     let all = apart.beside(&sets);
-    let uncertainty = ErrorUncertainty::of(campaign, robot, &all, &settings);
-    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
+    let set_up = found.of_set_up(robot);
+    let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: &all, settings: &settings };
+    let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     accuracy.placed_apart = placed.documents(robot);
     accuracy.effects = proofs.unwrap_or_else(|| unused(robot, &sets, &settings, &found));
     accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, &sets, &settings, &found));
@@ -149,11 +150,6 @@ pub fn identify(
         accuracy.joints.push(table::TIME.to_owned());
     }
     found.warnings.extend(accuracy.validation_distance.as_ref().and_then(far_or_near).map(Into::into));
-    if sets.validation_conditions.is_empty() && !sets.validation.is_empty() {
-        let budgets = etalon_identify::figure_budgets(robot, &sets.validation, &settings, &found, &systematic)
-            .map_err(remedied)?;
-        accuracy.budget = evaluate::budgets(budgets.unwrap_or_default());
-    }
     let tool = campaign.file.tool.map(|tool| tool.point());
     let at_tool = |problems: Problems| problems.at(&campaign.place_of(&["tool"]));
     let point = tool.or_else(|| ToolPoint::centre(robot)).unwrap_or(ToolPoint::FIRST_TARGET);
@@ -263,6 +259,8 @@ pub struct Selected {
     pub settings: Settings,
     /// Readings of targets and fixtures that no calibration pose shows: they are in neither set.
     pub apart: Apart,
+    /// Errors that all readings, or those of a pose, have in common.
+    pub systematic: Systematic,
     poses: BTreeSet<PoseName>,
     selections: Selections,
     /// Warnings.
@@ -271,7 +269,13 @@ pub struct Selected {
 
 /// Selects the observations of the first log as the campaign states; the fixed things that they
 /// refer to become parameters of `robot`.
-pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joined: &Joined) -> Result<Selected> {
+pub fn select(
+    campaign: &Campaign,
+    stated: &Identify,
+    robot: &mut dyn Robot,
+    joined: &Joined,
+    frames: &FramesDocument,
+) -> Result<Selected> {
     let mut messages = Vec::new();
     let observed = Input::of(campaign, stated, &joined.observations[0].1)?.observed(robot, &mut messages)?;
     let robot: &dyn Robot = robot;
@@ -284,7 +288,8 @@ pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joi
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.place_of(&["identify", "residuals"])))?);
     let apart = Apart::take(robot, &mut sets, &mut settings);
-    Ok(Selected { sets, settings, poses, selections, apart, messages })
+    let systematic = campaign.systematic(robot, frame_errors(&frames.world));
+    Ok(Selected { sets, settings, apart, systematic, poses, selections, messages })
 }
 
 /// The uncertainties of the world frame: what each pose has by itself, and what all have in common.
@@ -429,14 +434,15 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
     if compared.correlation <= 0.3 {
         return None;
     }
+    let of_position = (robot.dimension() as f64).sqrt();
     let message = |log: &LogFit, hint| {
         warning!(
             "log-correlates",
             log = this.name,
             correlation = compared.correlation,
-            rms_mm = this.found.rms,
+            rms_mm = of_position * this.found.rms,
             other = that.name,
-            other_rms_mm = that.found.rms
+            other_rms_mm = of_position * that.found.rms
         )
         .hint(phrase!("use-log", log = log.name, hint))
     };

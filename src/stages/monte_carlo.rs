@@ -12,7 +12,7 @@ use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    DistributionEntry, Figure, FigureBudget, FramePose, FramesDocument, Provenance, UncertaintyDocument,
+    DistributionEntry, ErrorQuantity, Figure, FigureBudget, FramePose, FramesDocument, Provenance, UncertaintyDocument,
 };
 use etalon_formats::Point;
 use etalon_identify::{Identification, Observation, Repeated, Settings, UncertaintySource};
@@ -163,7 +163,7 @@ impl<'a> Trials<'a> {
         };
         let figure = |(i, figure): (usize, Figure)| {
             let drawn = Distribution::of(monte_carlo.iter().map(|trial| trial[n + i]).collect());
-            let of_budget = trials.budget.iter().find(|b| b.figure == figure);
+            let of_budget = trials.budget.iter().find(|b| b.figure == figure && b.quantity == ErrorQuantity::Position);
             DistributionEntry {
                 name: format!("{figure:?}").to_lowercase(),
                 unit: Quantity::Length.unit().to_owned(),

@@ -108,6 +108,7 @@ impl Recommendation<'_> {
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
+            campaign: None,
             meaning: meaning.iter().map(Phrase::to_string).collect(),
             meaning_phrases: meaning,
             poses: study.poses,

@@ -7,7 +7,7 @@ use etalon_base::message::Result;
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{AccuracyDocument, ErrorQuantity, MapNode, PredictionMap, Statistics, ToolAccuracy};
+use etalon_documents::{AccuracyDocument, MapNode, PredictionMap, Statistics, ToolAccuracy};
 use etalon_identify::{Settings, ToolError, ToolFrame, ToolPrediction, UncertaintyFrom};
 use etalon_robots::Kinematics;
 use nalgebra::Matrix3;
@@ -34,7 +34,7 @@ impl<'a> Expected<'a> {
         let dimension = prediction.robot.dimension() as f64;
         // what is measured beyond the instrument's own error, where the residuals show that there
         // is something
-        let position = accuracy.sets.last().and_then(|set| set.of(ErrorQuantity::Position));
+        let position = accuracy.sets.last().and_then(|set| set.leading());
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
         let model_mm = match prediction.found.uncertainty_from {

@@ -1,6 +1,6 @@
 //! Validate: given parameters judged on the data of a campaign; nothing of the robot is identified.
 
-use super::evaluate::{self, ErrorUncertainty, Sets};
+use super::evaluate::{self, ErrorUncertainty, Judged, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
@@ -8,7 +8,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
-use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument};
+use etalon_documents::{AccuracyDocument, GivenFrames, GivenSummary, ParametersDocument};
 use etalon_identify::{Comparison, GivenParameters, Settings};
 use etalon_robots::{Robot, Role};
 
@@ -30,7 +30,7 @@ pub fn validate(
     document: Option<&ParametersDocument>,
     frames: GivenFrames,
 ) -> Result<Validated> {
-    let Selected { mut sets, settings, mut apart, mut messages, .. } = selected;
+    let Selected { mut sets, settings, mut apart, systematic, mut messages, .. } = selected;
     if frames == GivenFrames::Given {
         // all places are given
         sets = std::mem::take(&mut apart).beside(&sets);
@@ -46,8 +46,16 @@ pub fn validate(
     messages.extend(placed.message(robot, &sets)?);
     let mut errors = evaluate::errors(robot, &sets, &values.before, &values.after);
     errors.extend(apart.errors(robot, &values.before, &values.after, &placed));
-    let uncertainty = ErrorUncertainty::of(campaign, robot, &apart.beside(&sets), &settings);
-    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
+    let set_up = match frames {
+        GivenFrames::Given => Vec::new(),
+        GivenFrames::Refit | GivenFrames::Prior => {
+            etalon_identify::wanted_frames(robot, &sets.calibration, &settings).map_err(remedied)?
+        }
+    };
+    let all = apart.beside(&sets);
+    let judged = Judged { robot, values: &values.after, set_up: &set_up, sets: &all, settings: &settings };
+    let uncertainty = ErrorUncertainty::of(campaign, judged, &systematic)?;
+    let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
     accuracy.placed_apart = placed.documents(robot);
     let definition = definition(accuracy.definition_phrase, document.is_some(), frames);
     (accuracy.definition, accuracy.definition_phrase) = (definition.to_string(), Some(definition));
@@ -157,7 +165,7 @@ fn definition(of: Option<Phrase>, identified: bool, frames: GivenFrames) -> Phra
 
 /// A warning where the given parameters are worse than nominal ones.
 fn worse(accuracy: &AccuracyDocument) -> Option<Message> {
-    let position = accuracy.sets.last()?.of(ErrorQuantity::Position)?;
+    let position = accuracy.sets.last()?.leading()?;
     let (given_mm, nominal_mm) = (position.after.rms, position.before.rms);
     (given_mm > nominal_mm).then(|| warning!("given-parameters-worse", given_mm, nominal_mm).to_decide())
 }

@@ -68,8 +68,12 @@ pub fn verify(
             kept.p_value(noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
         }));
     }
-    let explanations: Vec<Movement> = found.explanations.iter().map(|e| movement(robot, e)).collect();
-    let moved = found.cause().map(|e| movement(robot, e));
+    let whole = found.of_changes.sum + found.of_rest.sum;
+    let movement = |e: &Explanation| movement(robot, e, whole);
+    let explanations: Vec<Movement> = found.explanations.iter().map(movement).collect();
+    let moved = found.cause().map(movement);
+    let dominant = dominant(&found).map(|(e, share)| (movement(e), share));
+    let of_position = (robot.dimension() as f64).sqrt();
     let verdict = match found.cause().map(|cause| cause.moved) {
         _ if !found.is_changed() => VerificationVerdict::Valid,
         Some(Moved::Base) => VerificationVerdict::BaseMoved,
@@ -81,6 +85,7 @@ pub fn verify(
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
+        calibration: None,
         meaning: meaning.to_string(),
         meaning_phrase: Some(meaning),
         verdict,
@@ -99,6 +104,8 @@ pub fn verify(
         points: observations.iter().map(|o| o.targets.iter().flatten().count()).sum(),
         rms_mm: found.rms_mm,
         expected_rms_mm: found.expected_rms_mm,
+        position_rms_mm: of_position * found.rms_mm,
+        expected_position_rms_mm: of_position * found.expected_rms_mm,
         standard_uncertainty_mm: noise.measured_mm,
         model_mm: noise.model_mm,
         messages,
@@ -207,7 +214,8 @@ fn exchanged_targets(
     });
     let (left_mm, a, b) = of_pair.min_by(|x, y| x.0.total_cmp(&y.0))?;
     let names = robot.targets();
-    let (first, second, before_mm) = (&names[a], &names[b], found.rms_mm);
+    let (first, second) = (&names[a], &names[b]);
+    let [before_mm, left_mm] = [found.rms_mm, left_mm].map(|mm| (robot.dimension() as f64).sqrt() * mm);
     (left_mm < 0.1 * before_mm).then(|| error!("target-names-exchanged", first, second, before_mm, left_mm))
 }
 
@@ -242,7 +250,20 @@ fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
     }
 }
 
-fn movement(robot: &dyn Robot, found: &Explanation) -> Movement {
+/// Smallest share of the excess of squares that names a motion which does not explain everything.
+const DOMINANT: f64 = 0.5;
+
+/// The motion that explains most of what the parameters and their uncertainty do not, with its
+/// share; `None` if no motion explains half of it.
+fn dominant(found: &Verification) -> Option<(&Explanation, f64)> {
+    let (changes, rest) = (&found.of_changes, &found.of_rest);
+    let excess = changes.sum + rest.sum - (changes.degrees_of_freedom + rest.degrees_of_freedom) as f64;
+    let share = |e: &Explanation| (e.explained - e.change.len() as f64) / excess;
+    let best = found.explanations.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    (excess > 0.0 && share(best) >= DOMINANT).then(|| (best, share(best).min(1.0)))
+}
+
+fn movement(robot: &dyn Robot, found: &Explanation, whole: f64) -> Movement {
     let numbers = found.change.iter().zip(&found.standard_uncertainty);
     let by =
         components(robot, found.moved).into_iter().zip(numbers).map(|((name, quantity), (value, u))| MovementValue {
@@ -256,7 +277,8 @@ fn movement(robot: &dyn Robot, found: &Explanation) -> Movement {
         Moved::Joint(j) => (MovementKind::Joint, robot.joints()[j].name.clone()),
         Moved::Target(k) => (MovementKind::Target, robot.targets()[k].clone()),
     };
-    Movement { name, kind, by: by.collect(), p_left: found.p_left }
+    let explained_share = if whole > 0.0 { (found.explained / whole).clamp(0.0, 1.0) } else { 0.0 };
+    Movement { name, kind, by: by.collect(), p_left: found.p_left, explained_share }
 }
 
 fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
@@ -273,8 +295,9 @@ fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
     names.into_iter().zip(&detectable.change).map(of).collect()
 }
 
-fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> Phrase {
-    let by = moved.map(|m| m.by.iter().map(number).collect::<Vec<_>>().join(", ")).unwrap_or_default();
+fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>, dominant: Option<&(Movement, f64)>) -> Phrase {
+    let numbers = |m: &Movement| m.by.iter().map(number).collect::<Vec<_>>().join(", ");
+    let by = moved.map(numbers).unwrap_or_default();
     let name = moved.map(|m| m.name.as_str()).unwrap_or_default();
     match (verdict, moved) {
         (VerificationVerdict::Valid, _) => phrase!("parameters-still-valid"),
@@ -283,7 +306,20 @@ fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> Phrase {
             phrase!("joint-zero-moved", joint = name, by = by.trim_start_matches(name).trim_start())
         }
         (VerificationVerdict::Other, Some(_)) => phrase!("target-moved", target = name, by),
-        (VerificationVerdict::Other, None) => phrase!("parameters-no-longer-valid"),
+        (VerificationVerdict::Other, None) => match dominant {
+            Some((m, share)) => partly_explained(m, numbers(m), *share),
+            None => phrase!("parameters-no-longer-valid"),
+        },
+    }
+}
+
+/// Statement about a motion that explains most of a deviation, with its share.
+fn partly_explained(m: &Movement, by: String, share: f64) -> Phrase {
+    let percent = (100.0 * share).round();
+    match m.kind {
+        MovementKind::Base => phrase!("base-motion-explains-most", by, percent),
+        MovementKind::Joint => phrase!("joint-motion-explains-most", joint = m.name, by, percent),
+        MovementKind::Target => phrase!("target-motion-explains-most", target = m.name, by, percent),
     }
 }
 
@@ -298,6 +334,6 @@ fn number(v: &MovementValue) -> String {
 fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
     let as_well = |e: &&Explanation| *e != cause && e.p_left > etalon_identify::EXPLAINED;
-    let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e).name).collect();
+    let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect();
     (!others.is_empty()).then(|| warning!("motions-alike", count = others.len(), motions = others))
 }

@@ -1,7 +1,8 @@
 //! Decision rules: role of the uncertainty of a value when its limit is judged (JCGM 106:2012, ISO
-//! 14253-1, ILAC-G8:09/2019).
+//! 14253-1, ILAC-G8:09/2019), and the verdict that follows.
 
 use crate::iso9283::statistics::interval::Interval;
+use statrs::distribution::{ContinuousCDF, Normal};
 
 /// Decision rule.
 ///
@@ -43,6 +44,22 @@ pub enum Conformity {
     NotConforming,
     /// Undecided: the limit is within the uncertainty.
     Neither,
+    /// The limited quantity was not measured.
+    NotAssessable,
+}
+
+/// Verdict on one limit or on everything that is judged, from the best to the worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Acceptance {
+    /// Every limit is met, and nothing qualifies this.
+    Pass,
+    /// Every limit is met by its rule, with a stated reservation: a value within the guard band, or
+    /// a precondition that is not fulfilled.
+    Conditional,
+    /// A limit is within the uncertainty of its value, or its quantity was not measured.
+    Undecided,
+    /// A limit is not met, or the result must not be used.
+    Fail,
 }
 
 /// Largest ratio of expanded uncertainty to limit for shared risk.
@@ -72,6 +89,48 @@ impl Conformity {
             _ => Self::Neither,
         })
     }
+
+    /// Verdict on a limit. A value that is accepted although its guard band holds the limit is
+    /// accepted with a reservation.
+    pub fn acceptance(self, is_within_guard_band: bool) -> Acceptance {
+        match self {
+            Self::Conforming if is_within_guard_band => Acceptance::Conditional,
+            Self::Conforming => Acceptance::Pass,
+            Self::NotConforming => Acceptance::Fail,
+            Self::Neither | Self::NotAssessable => Acceptance::Undecided,
+        }
+    }
+}
+
+impl Acceptance {
+    /// `true` if the answer may be loaded: exit code 0.
+    pub fn is_accepted(self) -> bool {
+        self <= Self::Conditional
+    }
+
+    /// The worst of several verdicts; `None` if nothing was judged.
+    pub fn of_all(values: impl IntoIterator<Item = Self>) -> Option<Self> {
+        values.into_iter().max()
+    }
+}
+
+/// Probability that the true value is within an upper limit, by the measured value with its
+/// standard uncertainty alone (JCGM 106:2012, 7.2, normal distribution). The specific risk of a
+/// false acceptance is the complement (JCGM 106:2012, 9.3.2).
+///
+/// # Examples
+///
+/// ```
+/// use etalon_standards::decision::conformity_probability;
+///
+/// // 0.121 mm against 0.122 mm with u = 0.0075 mm: hardly more than a toss of a coin
+/// assert!((conformity_probability(0.121, 0.0075, 0.122) - 0.553).abs() < 5e-4);
+/// ```
+pub fn conformity_probability(value: f64, standard_uncertainty: f64, limit: f64) -> f64 {
+    match standard_uncertainty > 0.0 {
+        true => Normal::standard().cdf((limit - value) / standard_uncertainty),
+        false => f64::from(u8::from(value <= limit)),
+    }
 }
 
 #[cfg(test)]
@@ -98,5 +157,29 @@ mod tests {
         assert_eq!(Conformity::of_all([Conforming, Neither]), Neither);
         assert_eq!(Conformity::of_all([Neither, NotConforming, Conforming]), NotConforming);
         assert_eq!(Conformity::of_all([]), Conforming);
+        assert_eq!(Conformity::of_all([Conforming, Conformity::NotAssessable]), Neither);
+    }
+
+    #[test]
+    fn a_value_within_its_guard_band_is_accepted_with_a_reservation() {
+        assert_eq!(Conforming.acceptance(false), Acceptance::Pass);
+        assert_eq!(Conforming.acceptance(true), Acceptance::Conditional);
+        assert_eq!(NotConforming.acceptance(true), Acceptance::Fail);
+        assert_eq!(Neither.acceptance(true), Acceptance::Undecided);
+        assert_eq!(Conformity::NotAssessable.acceptance(false), Acceptance::Undecided);
+        let all = [Acceptance::Conditional, Acceptance::Undecided, Acceptance::Pass];
+        assert_eq!(Acceptance::of_all(all), Some(Acceptance::Undecided));
+        assert_eq!(Acceptance::of_all([]), None);
+        let accepted = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail];
+        assert_eq!(accepted.map(Acceptance::is_accepted), [true, true, false, false]);
+    }
+
+    /// Standard normal distribution at 0, 1 and -1.644854.
+    #[test]
+    fn the_probability_of_conformity_is_that_of_a_normal_distribution() {
+        for (value, expected) in [(0.40, 0.5), (0.37, 0.841_345), (0.40 + 0.03 * 1.644_854, 0.05)] {
+            assert!((conformity_probability(value, 0.03, 0.40) - expected).abs() < 1e-6, "{value}");
+        }
+        assert_eq!([0.3, 0.5].map(|value| conformity_probability(value, 0.0, 0.4)), [1.0, 0.0]);
     }
 }

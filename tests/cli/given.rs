@@ -216,6 +216,56 @@ fn add(header: &[&str], cells: &mut [String], column: &str, by: f64) {
     cells[at] = (cells[at].parse::<f64>().unwrap() + by).to_string();
 }
 
+/// Answers name campaign, files and synthetic data; residuals are those of positions.
+#[test]
+fn answers_name_their_campaign_and_files() {
+    let folder = run("draw-wire");
+    let hash = |name: &str| etalon::base::files::sha256_of_file(&folder.path().join(name)).unwrap();
+    let validate = ["validate", ".", "--parameters", "out/parameters.json", "--report", "answer.html", "--json"];
+    let answer = json(&etalon(&folder.path(), &validate));
+    assert_eq!(answer["campaign"]["name"].as_str(), Some("Draw wires (synthetic)"), "{answer}");
+    assert_eq!(answer["provenance"]["inputs"]["observations.csv"].as_str(), Some(hash("observations.csv").as_str()));
+    let page = std::fs::read_to_string(folder.path().join("answer.html")).unwrap();
+    assert!(page.contains("Synthetic data:") && page.contains(&hash("out/parameters.json")));
+    let recommend = etalon(&folder.path(), &["recommend", ".", "--report", "answer.html", "--json"]);
+    assert_eq!(json(&recommend)["campaign"]["name"].as_str(), Some("Draw wires (synthetic)"));
+    let page = std::fs::read_to_string(folder.path().join("answer.html")).unwrap();
+    assert!(page.contains("Synthetic data:") && page.contains(&hash("observations.csv")));
+    let folder = run("prexyt-cmm");
+    std::fs::write(folder.path().join("few.csv"), observations(&folder.path(), |_, _| {})).unwrap();
+    let verify = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json"];
+    let verified = etalon(&folder.path(), &[&verify[..], &["--report", "answer.html", "--json"]].concat());
+    let answer = json(&verified);
+    let campaign = document(&folder.path(), "campaign.json");
+    assert_eq!(answer["calibration"]["name"], campaign["name"], "{answer}");
+    // two coordinates a position
+    let ratio = answer["position_rms_mm"].as_f64().unwrap() / answer["rms_mm"].as_f64().unwrap();
+    assert!((ratio - 2f64.sqrt()).abs() < 1e-12, "{ratio}");
+    let page = std::fs::read_to_string(folder.path().join("answer.html")).unwrap();
+    let few = etalon::base::files::sha256_of_file(&folder.path().join("few.csv")).unwrap();
+    assert!(page.contains(campaign["name"].as_str().unwrap()) && page.contains(&few));
+}
+
+/// The base has moved, and one pose was measured wrongly: the motion is named with its share, not as the cause.
+#[test]
+fn a_motion_that_does_not_explain_everything_is_named() {
+    let folder = run("prexyt-cmm");
+    let table = observations(&folder.path(), |header, cells| {
+        add(header, cells, "x_mm", 0.05);
+        if cells[0] == "33" {
+            let by = if cells.contains(&"K".to_owned()) { 0.03 } else { -0.03 };
+            add(header, cells, "y_mm", by);
+        }
+    });
+    std::fs::write(folder.path().join("few.csv"), table).unwrap();
+    let arguments = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json", "--json"];
+    let answer = json(&etalon(&folder.path(), &arguments));
+    let meaning = answer["meaning"].as_str().unwrap();
+    assert_eq!((answer["verdict"].as_str(), answer["moved"].is_null()), (Some("other"), true), "{answer}");
+    assert!(meaning.contains("a movement of the base by x +0.0"), "{meaning}");
+    assert!(!meaning.contains("no motion"), "{meaning}");
+}
+
 #[test]
 fn a_verification_says_what_has_moved() {
     let folder = run("prexyt-cmm");

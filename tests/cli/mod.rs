@@ -203,7 +203,7 @@ fn a_synthetic_campaign_simulates_checks_and_runs() {
         )
     );
     let ran = done(&["run", "mine"]);
-    assert!(judged(&ran, "position_max_mm", "mm met") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
+    assert!(judged(&ran, "largest position error", "pass") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
     // what `formats` proposes for the simulated file is what the campaign states
     let proposed = done(&["formats", "mine/exports/poses.txt"]);
     let stated =
@@ -528,7 +528,7 @@ fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again
         assert!(said.contains(part), "{part}: {said}");
     }
     assert!(rows(&said).iter().any(|row| row.starts_with("homing 1.6 0.0 to 2.7")), "{said}");
-    assert!(judged(&said, "5", "not met") && judged(&said, "repeatability_max_mm", "mm met"), "{said}");
+    assert!(judged(&said, "5", "not met") && judged(&said, "largest repeatability RP", "pass"), "{said}");
     let report = scratch.path().join("out/report.html");
     let first = std::fs::read(&report).unwrap();
     assert!(text(&first).contains("from pose 5 (29)") && text(&first).contains("Synthetic data"));

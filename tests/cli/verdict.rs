@@ -4,6 +4,7 @@ use super::reports::tool;
 use super::{etalon, text, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::{Reader, Xlsx};
+use etalon::documents::{Acceptance, AccuracyDocument, ErrorQuantity, Figure, LimitQuantity, Reason, VerdictDocument};
 use std::io::Cursor;
 
 /// Exit code and terminal text of a run of the CMM sample with these statements.
@@ -21,19 +22,31 @@ fn ran(um: &str, rule: &str) -> (Scratch, Option<i32>, String) {
 fn a_worse_instrument_changes_the_statement_of_conformity() {
     let rule = |name: &str| format!("decision_rule = \"{name}\"");
     for (um, rule, code, verdict, named) in [
-        ("10", String::new(), 0, "met", "guarded acceptance (ISO 14253-1)"),
+        ("10", String::new(), 0, "pass", "guarded acceptance (ISO 14253-1)"),
         ("90", String::new(), 1, "undecided", "guarded acceptance (ISO 14253-1)"),
         ("90", rule("guarded"), 1, "undecided", "guarded acceptance (ISO 14253-1)"),
-        ("90", rule("simple-acceptance"), 0, "met", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
+        ("90", rule("simple-acceptance"), 0, "conditional", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
         ("90", rule("shared-risk"), 1, "undecided", "shared risk (JCGM 106:2012, 8.2.1)"),
     ] {
         let (scratch, ended, shown) = ran(um, &rule);
         assert_eq!(ended, Some(code), "{um} {rule}\n{shown}");
-        let sentence = shown.lines().nth(1).unwrap();
-        assert!(sentence.ends_with(&format!(": {verdict}).")), "{um} {rule}: {sentence}");
-        // √2 times U of a coordinate, in the plane
-        let expanded = um.parse::<f64>().unwrap() * 2f64.sqrt();
-        assert!(sentence.contains(&format!(" ± {expanded:.0} µm")), "{sentence}");
+        let sentence = shown.lines().find(|line| line.starts_with("Largest position error at")).unwrap();
+        assert!(sentence.contains(&format!("limit 44 µm: {verdict}")), "{um} {rule}: {sentence}");
+        assert_eq!(sentence.contains("risk of a false acceptance"), verdict == "conditional", "{sentence}");
+        let accuracy: AccuracyDocument = document(&scratch, "accuracy.json");
+        let limit = &accuracy.limits[0];
+        let u = limit.expanded_uncertainty.unwrap();
+        // Limits and budget have one uncertainty
+        let budget =
+            accuracy.budget.iter().find(|b| b.figure == Figure::Max && b.quantity == ErrorQuantity::Position).unwrap();
+        assert!((u / (2.0 * budget.standard_uncertainty_mm) - 1.0).abs() < 1e-12, "{u}");
+        // the centre of two balls is known better than one ball, and not better than their mean
+        let of_coordinate = 1e-3 * um.parse::<f64>().unwrap();
+        assert!((0.7 * of_coordinate..1.5 * of_coordinate).contains(&u), "{um}: {u}");
+        let judged: VerdictDocument = document(&scratch, "verdict.json");
+        let expected = [("pass", Acceptance::Pass), ("conditional", Acceptance::Conditional)];
+        let expected = expected.iter().find(|e| e.0 == verdict).map_or(Acceptance::Undecided, |e| e.1);
+        assert_eq!((judged.verdict, i32::from(judged.exit_code)), (Some(expected), code), "{um} {rule}");
         assert!(shown.contains(&format!("Decision rule: {named}.")), "{shown}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
         assert_eq!(html.contains("The campaign states no rule; this one then applies."), rule.is_empty(), "{rule}");
@@ -43,8 +56,8 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
 #[test]
 fn every_output_has_the_same_sentence() {
     let (scratch, code, shown) = ran("10", "");
-    let sentence = shown.lines().nth(1).unwrap();
-    assert!(code == Some(0) && sentence.starts_with("The largest position error at 51 validation poses fell from "));
+    let sentence = shown.lines().nth(2).unwrap();
+    assert!(code == Some(0) && sentence.starts_with("Largest position error at 51 validation poses: "), "{shown}");
     let out = scratch.path().join("out");
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains(sentence));
     let mut book = Xlsx::new(Cursor::new(std::fs::read(out.join("report.xlsx")).unwrap())).unwrap();
@@ -55,13 +68,70 @@ fn every_output_has_the_same_sentence() {
     {
         assert!(words.split_whitespace().collect::<Vec<_>>().join(" ").contains(sentence), "{words}");
     }
-    for (language, part) in [("fr", "(limite 44 µm : respectée)."), ("de", "(Grenzwert 44 µm: eingehalten).")] {
+    for (language, part) in [("fr", "limite 44 µm : conforme."), ("de", "Grenzwert 44 µm: bestanden.")] {
         let written = etalon(scratch.root(), &["report", "campaign/out", "--language", language]);
         assert!(written.status.success(), "{}", text_of(&written));
         let page = std::fs::read_to_string(out.join("report.html")).unwrap();
-        assert!(page.contains(part) && page.contains(" ± 14 µm"), "{language}");
+        assert!(page.contains(part) && page.contains(" ± "), "{language}");
         assert!(page.contains("± 2u") && !page.contains("intervalles à 95 %"), "{language}: U is k = 2, not 95 %");
     }
+}
+
+fn document<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
+    serde_json::from_str(&std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap()).unwrap()
+}
+
+/// A length between two points says nothing of a position, and has the uncertainty of a length.
+#[test]
+fn each_kind_of_observation_has_its_own_error_uncertainty_and_limit() {
+    for (sample, key, quantity, expanded_mm) in [
+        ("two-arms", "distance_max_mm", ErrorQuantity::Distance, 0.020),
+        ("draw-wire", "distance_max_mm", ErrorQuantity::Distance, 0.100),
+        ("surfaces", "surface_max_mm", ErrorQuantity::Surface, 0.040),
+    ] {
+        let scratch = copy_sample(sample);
+        let run = etalon(scratch.root(), &["run", "campaign"]);
+        assert_eq!(run.status.code(), Some(0), "{sample}: {}", text_of(&run));
+        let accuracy: AccuracyDocument = document(&scratch, "accuracy.json");
+        let set = accuracy.sets.last().unwrap();
+        assert!(set.of(ErrorQuantity::Position).is_none() && set.of(quantity).is_some(), "{sample}: {set:?}");
+        let u = accuracy.limits[0].expanded_uncertainty.unwrap();
+        // that of one length as stated, with base, targets and fixtures beside it: not √3 times as much
+        assert!((expanded_mm..1.5 * expanded_mm).contains(&u), "{sample}: {u}");
+        assert!(!text(&run.stdout).contains("osition error"), "{sample}: {}", text(&run.stdout));
+        // a limit of what was not measured
+        scratch.replace("campaign.toml", key, "position_max_mm");
+        let run = etalon(scratch.root(), &["run", "campaign"]);
+        assert_eq!(run.status.code(), Some(1), "{sample}: {}", text_of(&run));
+        assert!(text(&run.stdout).contains("not assessable"), "{sample}: {}", text(&run.stdout));
+        let verdict: VerdictDocument = document(&scratch, "verdict.json");
+        assert_eq!(verdict.verdict, Some(Acceptance::Undecided), "{sample}");
+        assert_eq!(verdict.reasons, [Reason::NotAssessable { limit: LimitQuantity::PositionMaxMm }], "{sample}");
+    }
+}
+
+/// All limits of the sample are proven, by an instrument that is too coarse, on a cold robot.
+#[test]
+fn preconditions_of_iso_9283_are_reservations_of_the_verdict() {
+    let scratch = copy_sample("pose-test");
+    let run = etalon(scratch.root(), &["run", "campaign"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text_of(&run));
+    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    assert_eq!(verdict.verdict, Some(Acceptance::Conditional));
+    let coarse = Reason::InstrumentTooCoarse { poses: [1, 2, 3, 4].map(Into::into).to_vec() };
+    assert!(verdict.reasons.contains(&coarse) && verdict.reasons.contains(&Reason::NoWarmUp), "{verdict:?}");
+    assert!(verdict.reasons.iter().any(|r| matches!(r, Reason::DriftNotSettled { .. })), "{verdict:?}");
+    let shown = text(&run.stdout);
+    assert!(shown.contains("Verdict: conditional pass.") && shown.contains("Reservations: "), "{shown}");
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    assert!(html.contains("<div class=\"box warning\"><p><strong class=\"head\">Verdict: conditional pass."));
+    // warmed up, with an instrument ten times as good, and drift of no interest
+    scratch.replace("campaign.toml", "warm_up_minutes = 0", "warm_up_minutes = 60");
+    scratch.replace("campaign.toml", "expanded_uncertainty_um = 10", "expanded_uncertainty_um = 1");
+    scratch.replace("campaign.toml", "drift_set = 5 ", "# drift_set = 5");
+    let run = etalon(scratch.root(), &["run", "campaign"]);
+    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    assert_eq!((run.status.code(), verdict.verdict), (Some(0), Some(Acceptance::Pass)), "{verdict:?}");
 }
 
 /// Twelve parameters of a hexapod are taken up by base and targets, and many are weak: two remarks, of which one is routine.

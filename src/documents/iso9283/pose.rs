@@ -372,6 +372,17 @@ mirror! {
         drp_mm: f64,
         /// Number of sets until AP settled.
         settled_after: Option<usize>,
+        /// `true` if dAP exceeds what the scatter within the sets explains, at a significance level
+        /// of 0.1 %.
+        #[serde(default)]
+        is_significant: bool,
+    }
+}
+
+impl Iso9283Drift {
+    /// `true` if AP drifted significantly and has not settled.
+    pub fn is_unsettled(&self) -> bool {
+        self.is_significant && self.settled_after.is_none()
     }
 }
 

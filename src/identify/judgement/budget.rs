@@ -7,10 +7,10 @@ use crate::judgement::significance::Variance;
 use crate::model::frame_error::{FrameError, carry, response};
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::Shape;
-use crate::{Covariance, Identification, Observation, ResidualKind, Settings};
+use crate::{Observation, Settings};
 use UncertaintySource as Source;
 use etalon_base::pose_name::PoseName;
-use etalon_math::statistics::{mean, rms};
+use etalon_math::statistics::mean;
 use etalon_math::{Problem, Solution};
 use etalon_robots::Robot;
 use nalgebra::{DMatrix, Matrix6, SymmetricEigen};
@@ -84,8 +84,6 @@ pub struct Budget {
     readings: Vec<f64>,
     /// Variance of repeats beyond the instrument's, over the instrument's.
     repeats: f64,
-    /// Standard uncertainty of a coordinate, mm; `None` where none is stated.
-    stated_mm: Option<f64>,
     /// The frames of single poses, where `readings` do not contain them.
     of_poses: Vec<f64>,
     /// Response of the parameters to one standard uncertainty of each common error.
@@ -150,11 +148,11 @@ pub(crate) struct Observed<'a> {
 }
 
 impl<'a> Observed<'a> {
-    fn problem(&self) -> Result<Residuals<'a>> {
+    pub fn problem(&self) -> Result<Residuals<'a>> {
         Residuals::new(self.robot, self.observations, self.settings, self.free, self.values)
     }
 
-    fn x(&self) -> Vec<f64> {
+    pub fn x(&self) -> Vec<f64> {
         self.free.iter().map(|&i| self.values[i]).collect()
     }
 
@@ -187,7 +185,6 @@ impl Budget {
         let stated = instrument.map(|all| by_rows((problem, solution, jacobian), all)).unwrap_or_default();
         let beyond = |r: &Replicates| settings.standard_uncertainty_mm.map(|u| (r.repeats_mm / u).powi(2) - 1.0);
         Self {
-            stated_mm: settings.standard_uncertainty_mm.map(|_| settings.coordinate_uncertainty_mm()),
             stated,
             readings: readings.to_vec(),
             repeats: replicates.and_then(beyond).unwrap_or(0.0).max(0.0),
@@ -240,17 +237,11 @@ impl Budget {
             return Vec::new();
         }
         let n = self.readings.len().isqrt();
-        self.contributions(|covariance| covariance[k * n + k], 0.0, |e| self.common[e].1[k])
+        self.contributions(|covariance| covariance[k * n + k], |e| self.common[e].1[k])
     }
 
-    /// Contributions from the variance by a covariance of the parameters, the part of the
-    /// instrument, and the response to each common error.
-    fn contributions(
-        &self,
-        form: impl Fn(&[f64]) -> f64,
-        instrument: f64,
-        response: impl Fn(usize) -> f64,
-    ) -> Contributions {
+    /// By the variance that a covariance of the parameters gives, and the response to each common error.
+    fn contributions(&self, form: impl Fn(&[f64]) -> f64, response: impl Fn(usize) -> f64) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
         let mut rest = form(&self.readings);
@@ -270,7 +261,6 @@ impl Budget {
             add(Source::Repeatability, repeats);
             add(Source::Model, rest - repeats);
         }
-        add(Source::Instrument, instrument);
         if !self.of_poses.is_empty() {
             add(Source::FrameOfPoses, form(&self.of_poses));
         }
@@ -324,7 +314,7 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
     parts
 }
 
-/// A figure made of the position errors of an identification: its derivatives by each of them.
+/// A figure made of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// Their mean size.
@@ -333,86 +323,6 @@ pub enum Figure {
     Rms,
     /// The largest.
     Max,
-}
-
-/// Contribution of each source to the variance (mm²) of figures of the position errors of
-/// `observations` other than those of the identification. `None` without a covariance, or if points
-/// were eliminated.
-pub fn figure_budgets(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    found: &Identification,
-    systematic: &Systematic,
-) -> Result<Option<Vec<(Figure, Contributions)>>> {
-    if observations.is_empty() || found.budget.readings.is_empty() {
-        return Ok(None);
-    }
-    let covariance = |o: &Observation, k: usize| o.covariances_mm2.get(k).copied().flatten();
-    let measured = |o: &Observation| (0..o.targets.len()).filter(|&k| o.targets[k].is_some()).collect::<Vec<_>>();
-    let covariances: Vec<Option<Covariance>> =
-        observations.iter().flat_map(|o| measured(o).into_iter().map(|k| covariance(o, k))).collect();
-    let plain = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
-    let observations: Vec<Observation> = observations.iter().map(plain).collect();
-    // of a platform the errors are those of its centre
-    let kind = if robot.platform().is_some() { ResidualKind::Pose } else { ResidualKind::Targets };
-    let settings =
-        Settings { kind, standard_uncertainty_mm: Some(1.0), hold: settings.hold.clone(), ..Settings::default() };
-    let (free, values) = (&found.free[..], &found.values[..]);
-    let observed = Observed { robot, observations: &observations, settings: &settings, free, values };
-    let (problem, x) = (observed.problem()?, observed.x());
-    let mut residuals = vec![0.0; problem.residual_count()];
-    problem.residuals(&x, &mut residuals);
-    let jacobian = problem.jacobian_at(&x);
-    let rows = problem.rows_of(&jacobian);
-    let errors = systematic.errors(&observed)?;
-    let sensitivities = problem.target_sensitivities(&x);
-    // of a platform the third residual is an angle
-    let (width, used) = if sensitivities.is_some() { (3, 2) } else { (robot.dimension(), robot.dimension()) };
-    let size = |e: &[f64]| e[..used].iter().map(|v| v * v).sum::<f64>().sqrt();
-    let sizes: Vec<f64> = residuals.chunks_exact(width).map(size).collect();
-    let count = sizes.len() as f64;
-    let rms = rms(sizes.iter().copied());
-    let largest = sizes.iter().copied().fold(0.0, f64::max);
-    let u_mm = found.budget.stated_mm.unwrap_or(0.0);
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let of = |figure: Figure| {
-        let weight = |s: f64| match figure {
-            _ if s == 0.0 => 0.0,
-            Figure::Mean => 1.0 / (s * count),
-            Figure::Rms => 1.0 / (rms * count),
-            Figure::Max => f64::from(u8::from(s == largest)) / s,
-        };
-        let by: Vec<f64> = (0..residuals.len())
-            .map(|row| if row % width < used { residuals[row] * weight(sizes[row / width]) } else { 0.0 })
-            .collect();
-        let gradient: Vec<f64> = rows.transposed_times::<1>(&by).into_iter().map(|[g]| g).collect();
-        let noise: f64 = match &sensitivities {
-            Some(all) => {
-                let of_pose = |(s, by): (&[[f64; 4]; 3], &[f64])| -> f64 {
-                    (0..4).map(|c| (0..2).map(|i| s[i][c] * by[i]).sum::<f64>().powi(2)).sum()
-                };
-                u_mm * u_mm * all.iter().zip(by.chunks_exact(3)).map(of_pose).sum::<f64>()
-            }
-            None => {
-                let readings = by.chunks_exact(width).zip(&covariances);
-                let of_reading = |(by, covariance): (&[f64], &Option<Covariance>)| -> f64 {
-                    let own = |c: &Covariance| (0..width).map(|i| by[i] * dot(&c[i][..width], by)).sum();
-                    covariance.as_ref().map_or_else(|| u_mm * u_mm * dot(by, by), own)
-                };
-                readings.map(of_reading).sum()
-            }
-        };
-        let n = gradient.len();
-        let form = |c: &[f64]| c.chunks_exact(n).zip(&gradient).map(|(row, g)| g * dot(row, &gradient)).sum();
-        let budget = &found.budget;
-        let moved = |e: usize| {
-            let direct = errors.get(e).map_or(0.0, |(_, change)| dot(&by, change));
-            direct + dot(&gradient, &budget.common[e].1)
-        };
-        (figure, budget.contributions(form, noise, moved))
-    };
-    Ok(Some([Figure::Mean, Figure::Rms, Figure::Max].map(of).to_vec()))
 }
 
 /// Scatter of repeats of a pose against the rest of the residuals; `None` where no pose was

@@ -6,6 +6,7 @@ pub(crate) mod chi_square;
 pub(crate) mod clusters;
 pub(crate) mod diagnosis;
 pub(crate) mod excitation;
+pub(crate) mod figures;
 pub(crate) mod logs;
 pub(crate) mod predict;
 pub(crate) mod regional;

@@ -6,10 +6,9 @@ use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, ter
 use crate::number;
 use crate::plots::shares;
 use crate::words::{Words, names, tr};
-use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
-    AccuracyDocument, BudgetSource, Figure, FigureBudget, ParameterEntry, ParametersDocument,
+    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, ParameterEntry, ParametersDocument,
     UncertaintySource as Source,
 };
 
@@ -98,7 +97,7 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     let mut sources: Vec<Source> = document.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
-    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, figure(f)));
+    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, names::error(f.quantity, f.figure)));
     let columns = sources.into_iter().fold(start, |columns, source| {
         let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)
@@ -108,15 +107,11 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
     let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
-    Table::of(words, &document.budget, columns).on("Budget of errors")
-}
-
-fn figure(f: &FigureBudget) -> Phrase {
-    match f.figure {
-        Figure::Mean => phrase!("mean-error-of-validation"),
-        Figure::Rms => phrase!("rms-error-of-validation"),
-        Figure::Max => phrase!("largest-error-of-validation"),
-    }
+    let has_name = |f: &&FigureBudget| match f.quantity {
+        ErrorQuantity::Position => true,
+        quantity => f.figure == Figure::Max && ErrorQuantity::OTHERS.contains(&quantity),
+    };
+    Table::of(words, document.budget.iter().filter(has_name), columns).on("Budget of errors")
 }
 
 /// Sentence on repeats of poses.

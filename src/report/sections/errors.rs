@@ -108,6 +108,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
         section.push(Block::heading(tr!(words, "at-tool-point", count = tool.poses)));
         let of_tool = ErrorStatistics {
             quantity: ErrorQuantity::Position,
+            count: tool.poses,
             unit: "mm".to_owned(),
             before: tool.before,
             after: tool.after,
@@ -367,7 +368,14 @@ mod tests {
     fn errors(quantity: ErrorQuantity, before_mm: f64, after_mm: f64) -> ErrorStatistics {
         let of = |size: f64| Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size };
         let unit = "mm".to_owned();
-        ErrorStatistics { quantity, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
+        ErrorStatistics {
+            quantity,
+            count: 1,
+            unit,
+            before: of(before_mm),
+            after: of(after_mm),
+            expanded_uncertainty: None,
+        }
     }
 
     /// Rows of a set's table as shown on a page.
@@ -375,6 +383,8 @@ mod tests {
         let set = set(PoseSet::Validation, all);
         let document = AccuracyDocument {
             given: None,
+            campaign: None,
+            provenance: None,
             joints: vec![],
             trends: vec![],
             schema: String::new(),

@@ -42,7 +42,10 @@ pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &W
     let r = &document.residuals;
     section.summarise(tr!(words, "model-of-the-robot"), document.robot.as_str(), "");
     section.summarise(tr!(words, "residuals"), r.count, "");
-    section.summarise(tr!(words, "residuals-rms"), r.rms, "");
+    match r.position_rms_mm {
+        Some(rms_mm) => section.summarise(tr!(words, "position-residuals-rms"), rms_mm, "mm"),
+        None => section.summarise(tr!(words, "residuals-rms"), r.rms, ""),
+    }
     section.summarise(tr!(words, "residuals-max"), r.max, "");
     section.summarise(tr!(words, "degrees-of-freedom"), r.degrees_of_freedom, "");
     section.summarise(tr!(words, "chi-square"), r.chi_square, "");
@@ -103,9 +106,16 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     };
     let chi_square =
         r.chi_square.map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
+    let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
+    let [of_position, of_both, of_max] = match r.position_rms_mm {
+        Some(rms_mm) => [Some(format!("{} mm", three(rms_mm))), None, Some(format!("{} mm", three(r.max)))],
+        None => [None, Some(both), None],
+    };
     vec![
         (tr!(words, "residuals"), count.into()),
-        (tr!(words, "rms-and-max"), tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max)).into()),
+        (tr!(words, "position-residuals-rms"), of_position.into()),
+        (tr!(words, "rms-and-max"), of_both.into()),
+        (tr!(words, "largest-residual-of-a-coordinate"), of_max.into()),
         (tr!(words, "degrees-of-freedom"), r.degrees_of_freedom.into()),
         (tr!(words, "stated-uncertainty"), own.into()),
         (tr!(words, "chi-square"), chi_square.into()),

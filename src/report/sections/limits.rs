@@ -5,7 +5,7 @@ use crate::number;
 use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::phrase;
-use etalon_documents::{Characteristics, Conformity, DecisionRule, LimitVerdict};
+use etalon_documents::{Acceptance, Characteristics, Conformity, DecisionRule, LimitVerdict};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     of(&limits(report.identified.as_ref(), report.tested), report.campaign.decision_rule.is_none(), words)
@@ -17,10 +17,14 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
         .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))
         .sheet("limit", "", |l| l.name.to_string())
         .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
-        .both(phrase!("reached"), "", |l| Cell::Number { value: l.value, shown: reached(l) })
+        .both(phrase!("reached"), "", |l| {
+            reached(l).map_or(Cell::Missing, |shown| Cell::Number { value: l.value.unwrap_or(f64::NAN), shown })
+        })
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both(phrase!("unit"), "", |l| l.unit.as_str())
-        .both(phrase!("verdict"), "", |l| judged(l.conformity, words))
+        .both(phrase!("margin"), "", |l| significant(l.margin, 2))
+        .both(phrase!("risk"), "%", |l| significant(l.risk().map(|risk| 100.0 * risk), 2))
+        .both(phrase!("verdict"), "", |l| judged(l, words))
         .decisive()
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", tr!(words, "limits"));
@@ -31,12 +35,14 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
     section.on_terminal().whole()
 }
 
-/// Decision on a limit.
-pub(super) fn judged(conformity: Conformity, words: &Words) -> Cell {
-    match conformity {
-        Conformity::Conforming => term(words, phrase!("met")),
-        Conformity::NotConforming => strong_term(words, phrase!("not-met")),
-        Conformity::Neither => strong_term(words, phrase!("undecided")),
+/// Verdict on a limit.
+pub(super) fn judged(l: &LimitVerdict, words: &Words) -> Cell {
+    match l.acceptance {
+        Acceptance::Pass => term(words, phrase!("pass")),
+        Acceptance::Conditional => strong_term(words, phrase!("conditional")),
+        Acceptance::Fail => strong_term(words, phrase!("fail")),
+        Acceptance::Undecided if l.conformity == Conformity::NotAssessable => strong_term(words, phrase!("not-assessable")),
+        Acceptance::Undecided => strong_term(words, phrase!("undecided")),
     }
 }
 
@@ -72,10 +78,10 @@ pub(super) fn limits<'a>(identified: Option<&'a Identified>, tested: &'a Charact
 
 /// Value to the second digit of its uncertainty, or with as many digits as distinguish it from its
 /// limit.
-fn reached(l: &LimitVerdict) -> String {
+fn reached(l: &LimitVerdict) -> Option<String> {
     let least =
         l.expanded_uncertainty.and_then(|u| number::decimals(u, 2)).or(number::decimals(l.limit, 3)).unwrap_or(4);
-    number::apart(l.value, l.limit, least)
+    Some(number::apart(l.value?, l.limit, least))
 }
 
 #[cfg(test)]
@@ -96,7 +102,7 @@ mod tests {
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
         let of =
-            |value, u| reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded));
+            |value, u| reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap();
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
         assert_eq!(of(0.034_567, Some(0.0123)), "0.035");

@@ -186,6 +186,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
 /// Largest error of a place as a mark of a map.
 fn error(place: &StudiedPlace, words: &Words) -> PointError {
     PointError {
+        quantity: Default::default(),
         set: PoseSet::Validation,
         pose: place.pose,
         cycle: 1,

@@ -65,7 +65,7 @@ pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     of.map_or(Cell::Missing, |c| match c {
         Conformity::Conforming => term(words, phrase!("conforming")),
         Conformity::NotConforming => strong_term(words, phrase!("not-conforming")),
-        Conformity::Neither => term(words, phrase!("undecided")),
+        Conformity::Neither | Conformity::NotAssessable => term(words, phrase!("undecided")),
     })
 }
 
@@ -151,7 +151,7 @@ pub(super) fn columns<'a>() -> Columns<'a, Named<'a>> {
         c.map(|c| match c {
             Conformity::Conforming => "proved",
             Conformity::NotConforming => "disproved",
-            Conformity::Neither => "neither proved nor disproved",
+            Conformity::Neither | Conformity::NotAssessable => "neither proved nor disproved",
         })
     };
     Columns::<Named>::new()

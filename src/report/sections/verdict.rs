@@ -1,16 +1,16 @@
 //! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
-use super::limits::{judged, limits, name};
+use super::limits::{judged, name};
 use super::repeatability::quarter_sentence;
-use crate::Identified;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, Shown};
 use crate::words::{Words, names, tr};
+use crate::{Identified, Report};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, ErrorStatistics,
-    Iso9283Document, Iso9283Variation, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PoseSet,
-    ResidualSummary, Statistics, ToolAccuracy,
+    Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
+    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitQuantity, LimitVerdict,
+    ParametersDocument, PoseCharacteristic, PoseSet, Reason, ToolAccuracy, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -24,21 +24,19 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
 
 /// Verdict on everything that is judged: plausibility of the result, characteristics of ISO 9283,
 /// instrument, and all limits of the campaign.
-pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics, words: &Words) -> Verdict {
-    let (limits, alarm) = (limits(identified, tested), identified.and_then(|i| alarm(i.parameters, words)));
-    let class = match Conformity::of_all(limits.iter().map(|l| l.conformity)) {
-        _ if alarm.is_some() => Grade::Bad,
-        Conformity::NotConforming => Grade::Bad,
-        Conformity::Conforming if !limits.is_empty() => Grade::Good,
-        _ => Grade::Open,
-    };
+pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
+    let (identified, tested) = (report.identified.as_ref(), report.tested);
+    let judgement = report.judgement();
+    let limits: Vec<&LimitVerdict> = judgement.limits.iter().collect();
     let set = identified.and_then(|i| headline_set(i.accuracy));
-    let mut sentences: Vec<String> = alarm.into_iter().collect();
-    sentences.extend(identified.zip(set).and_then(|(i, set)| largest_error(i.accuracy, set, words)));
-    sentences.extend(identified.and_then(|i| unexplained(&i.parameters.residuals, words)));
+    let mut sentences: Vec<String> = identified.and_then(|i| alarm(i.parameters, words)).into_iter().collect();
+    sentences.extend(named(&judgement, words));
+    sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(i.accuracy, set, words)));
+    sentences.extend(identified.and_then(|i| unexplained(i, words)));
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
+    sentences.extend(reservations(&judgement, words));
     let point = identified
         .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
         .filter(|point| !point.is_empty());
@@ -49,134 +47,225 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
         None => tr!(words, "errors-before-after", set = words.tr(&names::set(s.name))),
     });
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| headline_at_tool(tool, words));
+    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
     Verdict {
-        class,
-        met: met(identified, tested),
+        class: Grade::of_verdict(judgement.verdict),
+        met: judgement.passes(),
         sentences,
         about: about.unwrap_or_default(),
-        headlines: set.map_or_else(Vec::new, |set| headlines(set, words)).into_iter().chain(tool).collect(),
+        headlines: shown.into_iter().chain(tool).collect(),
     }
+}
+
+/// The verdict by its name; `None` if nothing was judged.
+fn named(judgement: &VerdictDocument, words: &Words) -> Option<String> {
+    Some(match judgement.verdict? {
+        Acceptance::Pass => tr!(words, "verdict-pass"),
+        Acceptance::Conditional => tr!(words, "verdict-conditional"),
+        Acceptance::Undecided => tr!(words, "verdict-undecided"),
+        Acceptance::Fail => tr!(words, "verdict-fail"),
+    })
+}
+
+/// Reservations under which a verdict applies.
+fn reservations(judgement: &VerdictDocument, words: &Words) -> Option<String> {
+    let all: Vec<String> = judgement.reasons.iter().filter_map(|r| reservation(r, words)).collect();
+    (!all.is_empty()).then(|| tr!(words, "reservations", reasons = all.join("; ")))
+}
+
+/// Reservation in words; `None` for reasons that other sentences state.
+fn reservation(reason: &Reason, words: &Words) -> Option<String> {
+    let list = |poses: &[PoseName]| poses.iter().map(PoseName::to_string).collect::<Vec<_>>().join(", ");
+    Some(match reason {
+        Reason::FileRefused => tr!(words, "reservation-file-not-written"),
+        Reason::InstrumentTooCoarse { poses } => {
+            tr!(words, "reservation-instrument-too-coarse", count = poses.len(), poses = list(poses))
+        }
+        Reason::NoWarmUp => tr!(words, "reservation-no-warm-up"),
+        Reason::DriftNotSettled { poses, dap_mm } => tr!(
+            words,
+            "reservation-drift",
+            change = number::fixed(1e3 * dap_mm, 0),
+            count = poses.len(),
+            poses = list(poses)
+        ),
+        Reason::FewCycles { poses, required } => {
+            tr!(words, "reservation-few-cycles", required, count = poses.len(), poses = list(poses))
+        }
+        Reason::HardlyBetter { formats, nominal, written } => {
+            let [rms, max, of_rms, of_max] =
+                [written.rms_mm, written.max_mm, nominal.rms_mm, nominal.max_mm].map(|mm| number::significant(mm, 3));
+            match formats.is_empty() {
+                true => tr!(words, "reservation-hardly-better", rms, max, nominal_rms = of_rms, nominal_max = of_max),
+                false => tr!(
+                    words,
+                    "reservation-file-hardly-better",
+                    formats = formats.join(", "),
+                    rms,
+                    max,
+                    nominal_rms = of_rms,
+                    nominal_max = of_max
+                ),
+            }
+        }
+        _ => return None,
+    })
 }
 
 /// Number of limits met, undecided limits, and decision rule.
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
-    let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
-    let undecided: Vec<String> = limits
-        .iter()
-        .filter(|l| l.conformity == Conformity::Neither)
-        .map(|l| words.tr(&names::limit(l.name)))
-        .collect();
+    let missed = limits.iter().filter(|l| l.acceptance == Acceptance::Fail).count();
+    let undecided: Vec<String> =
+        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| words.tr(&names::limit(l.name))).collect();
+    let not_measured: Vec<String> =
+        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| words.tr(&names::limit(l.name))).collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return tr!(words, "the-campaign-states-no-limits"),
-        (_, 0) if !undecided.is_empty() => String::new(),
+        (_, 0) if !undecided.is_empty() || !not_measured.is_empty() => String::new(),
         (1, 0) => tr!(words, "limit-met-sentence"),
         (2, 0) => tr!(words, "limits-both-met"),
         (n, 0) => tr!(words, "limits-all-met", count = n),
         (1, _) => tr!(words, "limit-not-met-sentence"),
         (n, m) => tr!(words, "limits-not-met", count = m, total = n),
     };
-    let open = match &undecided[..] {
-        [] => String::new(),
-        names => {
-            tr!(words, "limits-undecided", limits = names.join(", "))
-        }
-    };
+    let open = (!undecided.is_empty()).then(|| tr!(words, "limits-undecided", limits = undecided.join(", ")));
+    let without = (!not_measured.is_empty())
+        .then(|| tr!(words, "limits-not-assessable", limits = not_measured.join(", ")));
     let rule = limits.first().map(|l| tr!(words, "decision-rule-named", rule = name(l.decision_rule, words)));
-    let said = [sentence, open, rule.unwrap_or_default()];
-    said.into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
+    let said = [Some(sentence), open, without, rule];
+    said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Change of the largest error, with its uncertainty and limit.
-fn largest_error(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Option<String> {
-    let e = set.of(ErrorQuantity::Position)?;
+/// Sentences on the errors that are limited; without limits, on the largest leading error.
+fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<String> {
+    let limited: Vec<String> = accuracy.limits.iter().filter_map(|l| limited(l, set, words)).collect();
+    if accuracy.limits.is_empty() { largest_error(set, words).into_iter().collect() } else { limited }
+}
+
+/// A limited error with its uncertainty, its value before calibration, its limit and verdict.
+fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String> {
+    let (of, figure) = l.name.of_errors()?;
+    let (e, after) = (set.of(of)?, l.value?);
+    let before = figure.of(&e.before);
+    let Shown { unit, factor } = number::shown(&e.unit, before);
+    let u = l.expanded_uncertainty.map(|u| u * factor);
+    let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after * factor, 3)).unwrap_or(1);
+    let reached = number::apart(after * factor, l.limit * factor, decimals);
+    let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
+    let judged = judged(l, words).shown().plain();
+    let sentence = tr!(
+        words,
+        "limited-error",
+        quantity = words.tr(&names::limit(l.name)),
+        count = set.poses,
+        set = words.tr(&names::set(set.name)),
+        before = number::fixed(before * factor, decimals),
+        after = reached,
+        unit,
+        limit = allowed,
+        verdict = judged
+    );
+    let reservation = (l.acceptance == Acceptance::Conditional).then(|| margin(l, factor, unit, words));
+    Some(reservation.map_or_else(|| format!("{sentence}."), |more| format!("{sentence}, {more}.")))
+}
+
+/// Margin to a limit, with the risk of a false acceptance.
+fn margin(l: &LimitVerdict, factor: f64, unit: &str, words: &Words) -> String {
+    let margin = l.margin.map_or_else(String::new, |m| number::significant(m * factor, 2));
+    match l.risk() {
+        Some(risk) => tr!(words, "limit-margin", margin, unit, risk = percent(risk)),
+        None => tr!(words, "limit-margin-without-uncertainty", margin, unit),
+    }
+}
+
+/// A probability in percent.
+pub(super) fn percent(probability: f64) -> String {
+    number::significant(100.0 * probability, 2)
+}
+
+/// Change of the largest error, with its uncertainty.
+fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
+    let e = set.leading()?;
     let Shown { unit, factor } = number::shown(&e.unit, e.before.max);
-    let limit = accuracy.limits.iter().find(|l| l.name == LimitQuantity::PositionMaxMm);
     let u = e.expanded_uncertainty.map(|u| u * factor);
     let (before, after) = (e.before.max * factor, e.after.max * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
-    let reached =
-        limit.map_or_else(|| number::fixed(after, decimals), |l| number::apart(after, l.limit * factor, decimals));
+    let reached = number::fixed(after, decimals);
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
-    let (n, set) = (set.poses, words.tr(&names::set(set.name)));
-    let changed = match after <= before {
-        true => tr!(
-            words,
-            "largest-error-fell",
-            count = n,
-            set,
-            before = number::fixed(before, decimals),
-            after = reached,
-            unit
-        ),
-        false => tr!(
-            words,
-            "largest-error-rose",
-            count = n,
-            set,
-            before = number::fixed(before, decimals),
-            after = reached,
-            unit
-        ),
-    };
-    let judged = limit.map(|l| {
-        let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
-        let verdict = judged(l.conformity, words).shown().plain();
-        tr!(words, "limit-in-parentheses", limit = allowed, unit, verdict)
-    });
-    Some(judged.map_or_else(|| format!("{changed}."), |judged| format!("{changed} {judged}.")))
+    Some(tr!(
+        words,
+        "error-at-poses",
+        quantity = words.tr(&names::error(e.quantity, Figure::Max)),
+        count = set.poses,
+        set = words.tr(&names::set(set.name)),
+        before = number::fixed(before, decimals),
+        after = reached,
+        unit
+    ))
 }
 
 /// Size of the residuals relative to the measurement uncertainty.
-fn unexplained(r: &ResidualSummary, words: &Words) -> Option<String> {
+fn unexplained(of: &Identified, words: &Words) -> Option<String> {
+    let r = &of.parameters.residuals;
     let ratio = (r.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
-    let of = match r.common_standard_uncertainty_mm {
+    let by = match r.common_standard_uncertainty_mm {
         Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
         None => tr!(words, "uncertainty-of-instrument"),
     };
-    ratio.is_finite().then(|| match r.chi_square_rejected {
-        true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = of),
-        false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = of),
-    })
+    let numbers = position_rms(of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
+        let Shown { unit, factor } = number::shown("mm", rms_mm);
+        let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
+        tr!(words, "position-residuals-explained", rms, expected, unit)
+    });
+    let sentence = ratio.is_finite().then(|| match r.chi_square_rejected {
+        true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = by),
+        false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = by),
+    })?;
+    Some(numbers.map_or(sentence.clone(), |numbers| format!("{numbers} {sentence}")))
 }
 
-/// `true` if all limits are met and proved, and the result is plausible.
-pub(crate) fn met(identified: Option<&Identified>, tested: &Characteristics) -> bool {
-    limits(identified, tested).iter().all(|l| l.met)
-        && proven(tested)
-        && identified.is_none_or(|i| i.parameters.is_plausible())
+/// Root mean square of the position residuals of the calibration, if all residuals are positions.
+fn position_rms(accuracy: &AccuracyDocument) -> Option<f64> {
+    let set = accuracy.sets.iter().find(|s| s.name == PoseSet::Calibration)?;
+    let others = ErrorQuantity::OTHERS.iter().any(|q| set.of(*q).is_some());
+    Some(set.of(ErrorQuantity::Position)?.after.rms).filter(|_| !others)
 }
 
 /// Verdict on given parameters, judged on the data of a campaign.
 pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
+    let tested = Characteristics::default();
+    let judged = Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
+    let judgement = judged.verdict();
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
-    let largest = headline_set(accuracy).and_then(|set| largest_error(accuracy, set, words));
-    let sentences = largest.into_iter().chain([counted(&limits, words)]).collect();
-    let met = limits.iter().all(|l| l.met);
-    Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
+    let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
+    let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
+    Verdict {
+        met: judgement.passes(),
+        class: Grade::of_verdict(judgement.verdict),
+        sentences: sentences.collect(),
+        ..Verdict::default()
+    }
 }
 
 /// Verdict of a test without a campaign.
 pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
-    Verdict { met: proven(tested), sentences: characteristics(tested, words), ..Verdict::default() }
-}
-
-/// `true` if the intervals of all poses prove all limits. The intervals contain the instrument's
-/// uncertainty; that it exceeds a quarter of a characteristic is a warning.
-fn proven(tested: &Characteristics) -> bool {
-    conformities(tested).all(|c| c == Conformity::Conforming)
+    let judged = Judged { parameters: None, accuracy: None, tested, controllers: None, conditions: None };
+    let judgement = judged.verdict();
+    let sentences = named(&judgement, words).into_iter().chain(characteristics(tested, words));
+    Verdict {
+        met: judgement.passes(),
+        class: Grade::of_verdict(judgement.verdict),
+        sentences: sentences.chain(reservations(&judgement, words)).collect(),
+        ..Verdict::default()
+    }
 }
 
 /// Verdict of an identification without a campaign.
 pub(crate) fn of_identification(document: &ParametersDocument, words: &Words) -> Verdict {
     let sentences = alarm(document, words).into_iter().collect();
     Verdict { met: document.is_plausible(), sentences, ..Verdict::default() }
-}
-
-/// Conformities of all poses with all limits.
-fn conformities(tested: &Characteristics) -> impl Iterator<Item = Conformity> {
-    let poses = tested.poses.iter().flat_map(|d| &d.poses);
-    poses.flat_map(|p| PoseCharacteristic::ALL.map(|c| (c.conformity)(p))).flatten()
 }
 
 /// Reason why the numbers must not be used.
@@ -196,16 +285,24 @@ fn headline_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
     counted().find(|s| s.name == PoseSet::Validation).or_else(|| counted().next())
 }
 
-fn headlines(set: &AccuracySet, words: &Words) -> Vec<Headline> {
-    [ErrorQuantity::Position, ErrorQuantity::Orientation]
-        .into_iter()
-        .filter_map(|quantity| set.of(quantity))
-        .flat_map(|e| {
-            let name = words.tr(&names::quantity(e.quantity));
-            let (max, rms) = (tr!(words, "max-of", quantity = name), tr!(words, "rms-of", quantity = name));
-            [headline(e, max, |s| s.max), headline(e, rms, |s| s.rms)]
-        })
-        .collect()
+/// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
+fn headlines(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<Headline> {
+    let of = |quantity: ErrorQuantity, figure: Figure| {
+        let name = words.tr(&names::quantity(quantity));
+        let what = match figure {
+            Figure::Mean => tr!(words, "mean-of", quantity = name),
+            Figure::Rms => tr!(words, "rms-of", quantity = name),
+            Figure::Max => tr!(words, "max-of", quantity = name),
+        };
+        Some(headline(set.of(quantity)?, what, figure))
+    };
+    let limited: Vec<Headline> =
+        accuracy.limits.iter().filter_map(|l| l.name.of_errors()).filter_map(|(q, figure)| of(q, figure)).collect();
+    if !limited.is_empty() {
+        return limited;
+    }
+    let kinds = set.leading().map(|e| e.quantity).into_iter().chain([ErrorQuantity::Orientation]);
+    kinds.flat_map(|q| [of(q, Figure::Max), of(q, Figure::Rms)]).flatten().collect()
 }
 
 /// Headline of the expected error at the tool point.
@@ -216,8 +313,8 @@ fn headline_at_tool(tool: &ToolAccuracy, words: &Words) -> Headline {
     Headline { what, before: text(tool.before.rms), after: text(tool.after.rms), unit }
 }
 
-fn headline(errors: &ErrorStatistics, what: String, number: fn(&Statistics) -> f64) -> Headline {
-    let (before, after) = (number(&errors.before), number(&errors.after));
+fn headline(errors: &ErrorStatistics, what: String, figure: Figure) -> Headline {
+    let (before, after) = (figure.of(&errors.before), figure.of(&errors.after));
     let Shown { unit, factor } = number::shown(&errors.unit, errors.before.max);
     let by_uncertainty = errors.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2));
     let text = |v: f64| match by_uncertainty {
@@ -313,7 +410,7 @@ mod tests {
 
     fn of(documents: &Documents) -> Verdict {
         let report = documents.report();
-        verdict(report.identified.as_ref(), report.tested, &Words::default())
+        verdict(&report, &Words::default())
     }
 
     #[test]
@@ -321,8 +418,11 @@ mod tests {
         let mut documents = Documents::demo();
         let good = of(&documents);
         let expected = [
-            "The largest position error at 51 validation poses fell from 2.0895 to 0.0442 ± 0.0038 mm (limit 0.05 mm: met).",
-            "What is left is 1.19 times the instrument's uncertainty: the model does not explain everything.",
+            "Verdict: pass.",
+            "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
+            "",
+            "Position residuals: RMS 26 µm, of which instrument and frames explain 21.8 µm. What is left is 1.19 times the \
+             instrument's uncertainty: the model does not explain everything.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
@@ -330,19 +430,40 @@ mod tests {
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = of(&documents);
         assert!(
-            open.class == Grade::Open && !open.met && open.sentences[0].ends_with("(limit 0.05 mm: undecided)."),
+            open.class == Grade::Open && !open.met && open.sentences[1].ends_with("limit 0.05 mm: undecided."),
             "{open:?}"
         );
+        assert_eq!(open.sentences[0], "Verdict: undecided.");
         assert!(
-            open.sentences[2]
-                .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error")
+            open.sentences[4]
+                .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error"),
+            "{open:?}"
         );
+        let simple = LimitVerdict::of(
+            LimitQuantity::PositionMaxMm,
+            0.05,
+            0.0442,
+            Some(0.038),
+            DecisionRule::SimpleAcceptance,
+        );
+        documents.accuracy.limits[0] = simple;
+        let conditional = of(&documents);
+        assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
+        // Φ(0.0058/0.019) = 0.62
+        let ends = "conditional, margin 0.0058 mm, risk of a false acceptance 38 %.";
+        assert!(conditional.sentences[1].ends_with(ends), "{conditional:?}");
+        documents.accuracy.limits[0] =
+            LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.05, DecisionRule::Guarded);
+        let open = of(&documents);
+        assert_eq!((open.class, open.met), (Grade::Open, false));
+        assert!(open.sentences.iter().any(|s| s.starts_with("Not assessable, because")), "{open:?}");
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
         assert_eq!(bad.class, Grade::Bad);
-        assert!(bad.sentences[2].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
+        assert!(bad.sentences[4].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
         documents.accuracy.limits.clear();
-        assert_eq!(of(&documents).class, Grade::Open);
+        let without = of(&documents);
+        assert!(without.class == Grade::Open && without.met, "{without:?}");
     }
 
     #[test]

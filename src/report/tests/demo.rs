@@ -16,6 +16,7 @@ pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vecto
         pose: pose.into(),
         cycle: 1,
         target,
+        quantity: ErrorQuantity::Position,
         at_mm,
         before_mm,
         after_mm,
@@ -65,6 +66,7 @@ impl Documents {
             |factor: f64| Statistics { mean: 0.9 * factor, rms: factor, p95: 1.4 * factor, max: 1.7 * factor };
         let error = |quantity, unit: &str, before: f64, after: f64| ErrorStatistics {
             quantity,
+            count: 255,
             unit: unit.to_owned(),
             before: statistics(before),
             after: statistics(after),
@@ -108,6 +110,8 @@ impl Documents {
             frames: frames(),
             parameters: parameters(),
             accuracy: AccuracyDocument {
+                campaign: None,
+                provenance: None,
                 given: None,
                 joints: vec![],
                 trends: vec![],
@@ -149,6 +153,7 @@ fn errors() -> Vec<PointError> {
                 pose: i64::from(pose).into(),
                 cycle,
                 target: "C".to_owned(),
+                quantity: ErrorQuantity::Position,
                 at_mm: [x, y, 0.0],
                 before_mm: [1.2 + 0.0022 * (x - 150.0) + draw(), 0.1 + 0.0012 * (y - 120.0) + draw(), 0.0],
                 after_mm: [bend + draw(), 0.008 * (x - 150.0) / 85.0 + draw(), 0.0],
@@ -319,6 +324,7 @@ fn observability() -> ObservabilitySummary {
 
 fn residuals() -> ResidualSummary {
     ResidualSummary {
+        position_rms_mm: None,
         kind: ResidualKind::Targets,
         count: 160,
         rms: 0.0162,

@@ -35,6 +35,7 @@ pub(crate) fn whole() -> Characteristics {
     }];
     poses.approaches[0].vap_angles_deg = vec![0.0021];
     poses.drifts = vec![Iso9283Drift {
+        is_significant: false,
         pose: 1.into(),
         ap_mm: vec![0.04, 0.05, 0.056],
         rp_mm: vec![0.02, 0.021, 0.02],

@@ -225,7 +225,7 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
             d.features.features[0].direction = [size; 3];
             d.accuracy.sets[0].errors[0].before = Statistics { mean: size, rms: size, p95: size, max: size };
             d.accuracy.sets[1].errors[0].after = Statistics { mean: size, rms: size, p95: size, max: size };
-            d.accuracy.limits[0].value = size;
+            d.accuracy.limits[0].value = Some(size);
             let page = page(&d);
             assert!(!page.contains("NaN") && !page.contains(">inf"), "{size}");
             assert_eq!(page.contains("id=\"histogram-after-title\""), size.is_finite() && size < 1e7, "{size}");

@@ -2,7 +2,7 @@
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{Effect, ErrorQuantity, LimitQuantity, PoseSet, SourceKind, UncertaintySource};
+use etalon_documents::{Effect, ErrorQuantity, Figure, LimitQuantity, PoseSet, SourceKind, UncertaintySource};
 
 /// Name of a set of poses.
 pub(crate) fn set(set: PoseSet) -> Phrase {
@@ -20,6 +20,10 @@ pub(crate) fn quantity(quantity: ErrorQuantity) -> Phrase {
         ErrorQuantity::Y => phrase!("axis-y"),
         ErrorQuantity::Z => phrase!("axis-z"),
         ErrorQuantity::Orientation => phrase!("orientation"),
+        ErrorQuantity::Distance => phrase!("distance"),
+        ErrorQuantity::Surface => phrase!("surface"),
+        ErrorQuantity::Contact => phrase!("contact"),
+        ErrorQuantity::Coordinate => phrase!("coordinate"),
     }
 }
 
@@ -40,6 +44,10 @@ pub(crate) fn model(key: &str) -> Option<Phrase> {
 /// Name of a limited quantity.
 pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
     match quantity {
+        LimitQuantity::DistanceMaxMm => phrase!("limit-distance-max"),
+        LimitQuantity::SurfaceMaxMm => phrase!("limit-surface-max"),
+        LimitQuantity::ContactMaxMm => phrase!("limit-contact-max"),
+        LimitQuantity::CoordinateMaxMm => phrase!("limit-coordinate-max"),
         LimitQuantity::PositionMaxMm => phrase!("limit-position-max"),
         LimitQuantity::PositionMeanMm => phrase!("limit-position-mean"),
         LimitQuantity::PositionRmsMm => phrase!("limit-position-rms"),
@@ -47,6 +55,20 @@ pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
         LimitQuantity::RepeatabilityMaxMm => phrase!("limit-repeatability-max"),
         LimitQuantity::AccuracyMaxMm => phrase!("limit-accuracy-max"),
     }
+}
+
+/// Name of a figure of errors.
+pub(crate) fn error(quantity: ErrorQuantity, figure: Figure) -> Phrase {
+    limit(match (quantity, figure) {
+        (ErrorQuantity::Position, Figure::Mean) => LimitQuantity::PositionMeanMm,
+        (ErrorQuantity::Position, Figure::Rms) => LimitQuantity::PositionRmsMm,
+        (ErrorQuantity::Orientation, _) => LimitQuantity::OrientationMaxDeg,
+        (ErrorQuantity::Distance, _) => LimitQuantity::DistanceMaxMm,
+        (ErrorQuantity::Surface, _) => LimitQuantity::SurfaceMaxMm,
+        (ErrorQuantity::Contact, _) => LimitQuantity::ContactMaxMm,
+        (ErrorQuantity::Coordinate, _) => LimitQuantity::CoordinateMaxMm,
+        _ => LimitQuantity::PositionMaxMm,
+    })
 }
 
 /// Name of an effect of the robot.

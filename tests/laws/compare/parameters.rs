@@ -14,6 +14,7 @@ const PAIRS: u64 = 2000;
 /// Residuals that the instrument explains.
 fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
     ResidualSummary {
+        position_rms_mm: None,
         kind: etalon::documents::ResidualKind::Targets,
         count: 100,
         rms: 0.001,
@@ -32,6 +33,8 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
 /// Errors of no pose.
 fn no_errors() -> AccuracyDocument {
     AccuracyDocument {
+        campaign: None,
+        provenance: None,
         given: None,
         joints: vec![],
         trends: vec![],

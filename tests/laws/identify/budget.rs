@@ -4,8 +4,8 @@ use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Vector, minus, norm};
 use etalon::identify::{
-    Figure, Identification, Observation, Settings, Systematic, UncertaintySource as Source, figure_budgets,
-    identify_with,
+    ErrorKind, Figure, FrameError, Identification, JudgedErrors, Observation, Settings, Systematic,
+    UncertaintySource as Source, identify_with, refit_frames,
 };
 use etalon::robots::{Prexyt, Quantity, Robot};
 
@@ -83,6 +83,28 @@ impl Case {
     }
 }
 
+/// Variances of mean, root mean square and maximum of the position errors of validation poses.
+fn figure_budgets(
+    case: &Case,
+    calibration: &[Observation],
+    validation: &[Observation],
+    found: &Identification,
+    systematic: &Systematic,
+) -> Vec<(Figure, Vec<(Source, f64)>)> {
+    let errors = JudgedErrors {
+        robot: case.robot.as_ref(),
+        values: &found.values,
+        set_up: &found.of_set_up(case.robot.as_ref()),
+        calibration,
+        observations: validation,
+        conditions: &[],
+        position_mm: None,
+    };
+    let all = errors.figures(&settings(), systematic).unwrap();
+    let positions = all.into_iter().filter(|f| f.kind == ErrorKind::Position);
+    positions.map(|f| (f.figure, f.contributions)).collect()
+}
+
 fn settings() -> Settings {
     Settings { standard_uncertainty_mm: Some(U_MM), ..Settings::default() }
 }
@@ -106,15 +128,19 @@ fn common_errors_contribute_what_they_change_in_an_identification_that_is_made_a
             joints.iter().map(|j| if j.quantity == Quantity::Angle { 2e-6 } else { 2e-4 }).collect();
         let systematic = Systematic { scale: 1e-6, expansion: 3e-6, homing: u_joint.clone(), ..Systematic::default() };
         let none = vec![0.0; joints.len()];
+        let exact = case.identify(&case.measure(&case.calibration, &none, 0.0, || 0.0), &systematic);
         let run = |shift: &[f64], scale: f64| {
-            let found = case.identify(&case.measure(&case.calibration, shift, scale, || 0.0), &systematic);
-            let figures = case.figures(&case.measure(&case.validation, shift, scale, wave(1)), &found.values);
+            let calibration = case.measure(&case.calibration, shift, scale, || 0.0);
+            let found = case.identify(&calibration, &systematic);
+            // figures judge the parameters of the robot: base and targets are measured with the error
+            let judged = refit_frames(case.robot.as_ref(), &calibration, &settings(), &exact.values).unwrap();
+            let figures = case.figures(&case.measure(&case.validation, shift, scale, wave(1)), &judged);
             (found, figures)
         };
         let (found, figures) = run(&none, 0.0);
         let validation = case.measure(&case.validation, &none, 0.0, wave(1));
-        let budgets =
-            figure_budgets(case.robot.as_ref(), &validation, &settings(), &found, &systematic).unwrap().unwrap();
+        let calibration = case.measure(&case.calibration, &none, 0.0, || 0.0);
+        let budgets = figure_budgets(&case, &calibration, &validation, &found, &systematic);
         let scaled = run(&none, 1e-6);
         let shifted: Vec<_> = (0..joints.len())
             .map(|j| {
@@ -152,21 +178,19 @@ fn figures_scatter_over_draws_as_their_budget_states() {
     const DRAWS: u64 = 400;
     for case in cases() {
         let none = vec![0.0; case.robot.joints().len()];
+        // the parameters of the robot are what is judged: every draw has the same
+        let found = case.identify(&case.measure(&case.calibration, &none, 0.0, || 0.0), &Systematic::default());
         let draw = |seed: u64| {
             let mut noise = Noise::new(77, seed);
-            let found = case.identify(
-                &case.measure(&case.calibration, &none, 0.0, || noise.gaussian(U_MM)),
-                &Systematic::default(),
-            );
+            let calibration = case.measure(&case.calibration, &none, 0.0, || noise.gaussian(U_MM));
+            let judged = refit_frames(case.robot.as_ref(), &calibration, &settings(), &found.values).unwrap();
             let mut wave = wave(2);
             let validation = case.measure(&case.validation, &none, 0.0, || wave() + noise.gaussian(U_MM));
-            let figures = case.figures(&validation, &found.values);
-            (found, validation, figures)
+            let figures = case.figures(&validation, &judged);
+            (calibration, validation, figures)
         };
-        let (found, validation, _) = draw(0);
-        let budgets = figure_budgets(case.robot.as_ref(), &validation, &settings(), &found, &Systematic::default())
-            .unwrap()
-            .unwrap();
+        let (calibration, validation, _) = draw(0);
+        let budgets = figure_budgets(&case, &calibration, &validation, &found, &Systematic::default());
         let drawn: Vec<[f64; 3]> = (0..DRAWS).map(|seed| draw(seed).2).collect();
         for (f, (figure, parts)) in budgets.iter().enumerate() {
             let mean = drawn.iter().map(|d| d[f]).sum::<f64>() / DRAWS as f64;
@@ -176,6 +200,48 @@ fn figures_scatter_over_draws_as_their_budget_states() {
             assert!((sd / stated - 1.0).abs() < 0.12, "{figure:?}: {sd} {stated}");
         }
         assert_eq!(budgets.iter().map(|b| b.0).collect::<Vec<_>>(), [Figure::Mean, Figure::Rms, Figure::Max]);
+    }
+}
+
+/// A frame that is measured again at each pose moves all targets of the pose together.
+#[test]
+fn figures_scatter_by_frames_that_are_measured_again_at_each_pose() {
+    const DRAWS: u64 = 400;
+    let [_, case] = cases();
+    let none = vec![0.0; case.robot.joints().len()];
+    let calibration = case.measure(&case.calibration, &none, 0.0, || 0.0);
+    let found = case.identify(&calibration, &Systematic::default());
+    let mut exact = wave(2);
+    let mut validation = case.measure(&case.validation, &none, 0.0, &mut exact);
+    // the frames of calibration poses are exact
+    validation.iter_mut().enumerate().for_each(|(i, o)| o.pose = (1000 + i as i64).into());
+    let (shift_mm, turn_rad) = (0.004, 1e-5);
+    let covariance = std::array::from_fn(|i| {
+        std::array::from_fn(
+            |j| if i == j { if i < 3 { shift_mm * shift_mm } else { turn_rad * turn_rad } } else { 0.0 },
+        )
+    });
+    let frames = validation.iter().map(|o| FrameError { pose: Some((o.pose, o.cycle)), covariance }).collect();
+    let systematic = Systematic { frames, ..Systematic::default() };
+    let budgets = figure_budgets(&case, &calibration, &validation, &found, &systematic);
+    let draw = |seed: u64| {
+        let mut noise = Noise::new(78, seed);
+        let mut moved = validation.clone();
+        for o in &mut moved {
+            let [t, w] = [shift_mm, turn_rad].map(|u| [0, 1, 2].map(|_| noise.gaussian(u)));
+            for p in o.targets.iter_mut().flatten() {
+                let turned = [w[1] * p[2] - w[2] * p[1], w[2] * p[0] - w[0] * p[2], w[0] * p[1] - w[1] * p[0]];
+                *p = std::array::from_fn(|i| p[i] + t[i] + turned[i]);
+            }
+        }
+        case.figures(&moved, &found.values)
+    };
+    let drawn: Vec<[f64; 3]> = (0..DRAWS).map(draw).collect();
+    for (f, (figure, parts)) in budgets.iter().enumerate() {
+        let mean = drawn.iter().map(|d| d[f]).sum::<f64>() / DRAWS as f64;
+        let sd = (drawn.iter().map(|d| (d[f] - mean).powi(2)).sum::<f64>() / (DRAWS - 1) as f64).sqrt();
+        let stated = of(parts, Source::FrameOfPoses);
+        assert!((sd / stated - 1.0).abs() < 0.15, "{figure:?}: {sd} {stated}");
     }
 }
 

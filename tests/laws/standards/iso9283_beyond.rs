@@ -89,7 +89,7 @@ fn a_robot_at_its_limit_is_judged_wrongly_in_no_more_tests_than_stated() {
             match DecisionRule::Guarded.judge(found.rp_mm, Some(interval), limit) {
                 Conformity::Conforming => counts[0] += 1,
                 Conformity::NotConforming => counts[1] += 1,
-                Conformity::Neither => {}
+                Conformity::Neither | Conformity::NotAssessable => {}
             }
         }
         println!("scatter {sigma:?}: proved conforming {}, not conforming {} of {TESTS}", counts[0], counts[1]);

@@ -581,8 +581,8 @@ validation-repeats-calibration = die Validierung wiederholt die Kalibrierung: di
 validation-far = die Validierung ist weit von der Kalibrierung entfernt: die Hälfte der Validierungsposen liegt weiter als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen von der nächsten; Grenze { $limit }
     .hint = an Posen kalibrieren, die über den benutzten Arbeitsraum verteilt sind
 
-limit-of-missing-error = der Grenzwert `{ $limit }` kann nicht beurteilt werden: diese Daten ergeben keine solche Abweichung
-    .hint = eine Orientierung braucht drei Zielmarken, die nicht auf einer Geraden liegen; den Grenzwert entfernen oder sie messen
+error-quantity-unknown = `{ $name }` ist keine Größe von Abweichungen
+    .hint = die Kampagne neu rechnen: `etalon run CAMPAIGN`
 
 pose-set-unknown = `{ $name }` ist keine Menge von Posen
     .expected = calibration oder validation

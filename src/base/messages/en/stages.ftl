@@ -1208,13 +1208,12 @@ validation-repeats-calibration = validation repeats the calibration: half of the
 validation-far = validation is far from the calibration: half of the validation poses lie farther than { FIXED($median, 2) } times the spacing of the calibration poses from the nearest of these; limit { $limit }
     .hint = calibrate on poses spread over the workspace that the robot is used in
 
-# Means: A limit is stated for an error that these data do not give.
-# Matters: Whether the limit is met is unknown.
-# Do: Remove the limit, or measure what it needs: an orientation needs three targets that are not on
-# one line.
-# Example: `orientation_max_deg` with one target
-limit-of-missing-error = the limit `{ $limit }` cannot be judged: these data give no such error
-    .hint = an orientation needs three targets that are not on one line; remove the limit, or measure them
+# Means: The column `quantity` of a table of errors has a name that is no quantity of errors.
+# Matters: The report cannot be written from this table.
+# Do: Run the campaign again with this version.
+# Example: `quantity` is `length`
+error-quantity-unknown = `{ $name }` is no quantity of errors
+    .hint = run the campaign again: `etalon run CAMPAIGN`
 
 # Means: The column `set` of a table of errors has another name than calibration or validation.
 # Matters: It is unknown which statistics the row belongs to.

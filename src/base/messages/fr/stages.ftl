@@ -581,8 +581,8 @@ validation-repeats-calibration = la validation répète l’étalonnage : la moi
 validation-far = la validation est loin de l’étalonnage : la moitié des poses de validation sont à plus de { FIXED($median, 2) } fois l’espacement des poses d’étalonnage de la plus proche ; limite { $limit }
     .hint = étalonner sur des poses réparties dans l’espace de travail où le robot est utilisé
 
-limit-of-missing-error = la limite `{ $limit }` ne peut pas être jugée : ces données ne donnent pas cette erreur
-    .hint = une orientation demande trois cibles non alignées ; supprimer la limite, ou les mesurer
+error-quantity-unknown = `{ $name }` n’est pas une grandeur d’erreur
+    .hint = relancer la campagne : `etalon run CAMPAIGN`
 
 pose-set-unknown = `{ $name }` n’est pas un ensemble de poses
     .expected = calibration ou validation

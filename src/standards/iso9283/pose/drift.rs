@@ -5,9 +5,10 @@ use crate::iso9283::pose::accuracy::pose_accuracy;
 use crate::iso9283::pose::repeatability::pose_repeatability;
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use etalon_base::message::Result;
-use etalon_base::pose::Vector;
+use etalon_base::pose::{Vector, centroid, dot, minus, unit};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::collections::BTreeSet;
 
 /// Drift of one pose.
@@ -25,11 +26,16 @@ pub struct Drift {
     pub drp_mm: f64,
     /// Number of sets until AP settled.
     pub settled_after: Option<usize>,
+    /// `true` if dAP exceeds what the scatter within the sets explains, at a significance level of
+    /// 0.1 %.
+    pub is_significant: bool,
 }
 
 /// Number of consecutive quiet sets, and share of the largest change that counts as quiet.
 const QUIET_SETS: usize = 5;
 const QUIET: f64 = 0.1;
+/// Significance level of a drift.
+const SIGNIFICANCE: f64 = 0.001;
 
 /// Evaluates drift over at least two sets of at least two positions of one pose.
 pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> Result<Drift> {
@@ -41,7 +47,32 @@ pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> R
         sets_mm.iter().map(|set| Ok(pose_accuracy(set, commanded_mm)?.ap_mm)).collect::<Result<_>>()?;
     let rp_mm: Vec<f64> = sets_mm.iter().map(|set| Ok(pose_repeatability(set)?.rp_mm)).collect::<Result<_>>()?;
     let change = |values: &[f64]| (values[values.len() - 1] - values[0]).abs();
-    Ok(Drift { pose, dap_mm: change(&ap_mm), drp_mm: change(&rp_mm), settled_after: settled(&ap_mm), ap_mm, rp_mm })
+    let dap_mm = change(&ap_mm);
+    Ok(Drift {
+        pose,
+        dap_mm,
+        drp_mm: change(&rp_mm),
+        settled_after: settled(&ap_mm),
+        is_significant: is_significant(dap_mm, sets_mm, commanded_mm),
+        ap_mm,
+        rp_mm,
+    })
+}
+
+/// Student's test of dAP: AP of a set has the variance s²/n, with s² along the deviation, pooled
+/// over all sets.
+fn is_significant(dap_mm: f64, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> bool {
+    let (mut squares, mut degrees) = (0.0, 0);
+    for set in sets_mm {
+        let Some(mean) = centroid(set) else { continue };
+        let along = unit(minus(mean, commanded_mm)).unwrap_or([1.0, 0.0, 0.0]);
+        squares += set.iter().map(|p| dot(minus(*p, mean), along).powi(2)).sum::<f64>();
+        degrees += set.len() - 1;
+    }
+    let each = |set: Option<&Vec<Vector>>| set.map_or(f64::INFINITY, |set| 1.0 / set.len() as f64);
+    let u = (squares / degrees as f64 * (each(sets_mm.first()) + each(sets_mm.last()))).sqrt();
+    let factor = StudentsT::new(0.0, 1.0, degrees as f64).map(|t| t.inverse_cdf(1.0 - 0.5 * SIGNIFICANCE));
+    factor.is_ok_and(|factor| dap_mm > factor * u)
 }
 
 /// Drift of all commanded poses of a test, in sets of `size` cycles in their order; an incomplete

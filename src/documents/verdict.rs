@@ -1,0 +1,263 @@
+//! Verdict on everything that a report judges, with its reasons.
+
+use crate::{
+    Acceptance, AccuracyDocument, Characteristics, Conditions, Conformity, ControllerErrors, ControllersDocument,
+    Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PositionErrors,
+};
+use etalon_base::pose_name::PoseName;
+use etalon_standards::iso9283::pose::CYCLES;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// `verdict.json`: verdict of a run, with its reasons.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VerdictDocument {
+    /// Schema and version: `etalon/verdict/1`.
+    pub schema: String,
+    /// Verdict; null if nothing was judged, because no limit is stated.
+    pub verdict: Option<Acceptance>,
+    /// Exit code of the run: 0 if the answer may be loaded, otherwise 1.
+    pub exit_code: u8,
+    /// Reasons why the verdict is not `pass`, the worst first. Without limits: reservations about
+    /// the results.
+    pub reasons: Vec<Reason>,
+    /// All limits with their verdicts.
+    pub limits: Vec<LimitVerdict>,
+}
+
+/// Reason why a verdict is not `pass`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "reason", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Reason {
+    /// The solver did not converge.
+    NotConverged,
+    /// The identified parameters cannot be those of the robot.
+    Implausible,
+    /// A controller file was not written.
+    FileRefused,
+    /// A limit is not met.
+    LimitNotMet {
+        /// Limit.
+        #[schemars(with = "String")]
+        limit: LimitQuantity,
+    },
+    /// Poses do not conform.
+    PosesNotConforming {
+        /// Poses.
+        poses: Vec<PoseName>,
+    },
+    /// A limit is within the uncertainty of its value.
+    LimitUndecided {
+        /// Limit.
+        #[schemars(with = "String")]
+        limit: LimitQuantity,
+    },
+    /// Poses are undecided.
+    PosesUndecided {
+        /// Poses.
+        poses: Vec<PoseName>,
+    },
+    /// The quantity of a limit was not measured.
+    NotAssessable {
+        /// Limit.
+        #[schemars(with = "String")]
+        limit: LimitQuantity,
+    },
+    /// A value was accepted although its limit is within the guard band.
+    WithinGuardBand {
+        /// Limit.
+        #[schemars(with = "String")]
+        limit: LimitQuantity,
+        /// Risk of a false acceptance (JCGM 106:2012, 9.3.2); absent if the uncertainty is unknown.
+        risk: Option<f64>,
+    },
+    /// The uncertainty of the instrument exceeds 25 % of a characteristic (ISO 9283, clause 6).
+    InstrumentTooCoarse {
+        /// Poses.
+        poses: Vec<PoseName>,
+    },
+    /// The robot was tested cold (ISO 9283, clause 6).
+    NoWarmUp,
+    /// The accuracy drifted during the test, and has not settled (ISO 9283, 7.6).
+    DriftNotSettled {
+        /// Poses.
+        poses: Vec<PoseName>,
+        /// Largest change of AP (mm).
+        dap_mm: f64,
+    },
+    /// Poses were visited in fewer cycles than the standard requires (ISO 9283, 7.2).
+    FewCycles {
+        /// Poses.
+        poses: Vec<PoseName>,
+        /// Required number of cycles.
+        required: usize,
+    },
+    /// A controller file is hardly better than nominal parameters: its largest error is larger, or
+    /// its root mean square less than 5 % smaller.
+    HardlyBetter {
+        /// Formats of the file; empty for files with all identified parameters.
+        formats: Vec<String>,
+        /// Errors with nominal parameters.
+        nominal: PositionErrors,
+        /// Errors with the values of the file.
+        written: PositionErrors,
+    },
+}
+
+/// Documents that are judged together.
+#[derive(Clone, Copy)]
+pub struct Judged<'a> {
+    /// Parameters that were identified.
+    pub parameters: Option<&'a ParametersDocument>,
+    /// Errors of identified or given parameters.
+    pub accuracy: Option<&'a AccuracyDocument>,
+    /// Characteristics of ISO 9283.
+    pub tested: &'a Characteristics,
+    /// Controller files.
+    pub controllers: Option<&'a ControllersDocument>,
+    /// Stated conditions of the measurements.
+    pub conditions: Option<&'a Conditions>,
+}
+
+impl Reason {
+    /// Verdict that the reason alone gives.
+    pub fn acceptance(&self) -> Acceptance {
+        match self {
+            Self::NotConverged
+            | Self::Implausible
+            | Self::FileRefused
+            | Self::LimitNotMet { .. }
+            | Self::PosesNotConforming { .. } => Acceptance::Fail,
+            Self::LimitUndecided { .. } | Self::PosesUndecided { .. } | Self::NotAssessable { .. } => {
+                Acceptance::Undecided
+            }
+            Self::WithinGuardBand { .. }
+            | Self::InstrumentTooCoarse { .. }
+            | Self::NoWarmUp
+            | Self::DriftNotSettled { .. }
+            | Self::FewCycles { .. }
+            | Self::HardlyBetter { .. } => Acceptance::Conditional,
+        }
+    }
+
+    /// Reason by which a limit is not simply passed.
+    fn of_limit(l: &LimitVerdict) -> Option<Self> {
+        let limit = l.name;
+        match (l.conformity, l.acceptance) {
+            (Conformity::NotAssessable, _) => Some(Self::NotAssessable { limit }),
+            (_, Acceptance::Fail) => Some(Self::LimitNotMet { limit }),
+            (_, Acceptance::Undecided) => Some(Self::LimitUndecided { limit }),
+            (_, Acceptance::Conditional) => Some(Self::WithinGuardBand { limit, risk: l.risk() }),
+            (_, Acceptance::Pass) => None,
+        }
+    }
+
+    /// Preconditions of a test by ISO 9283 that are not fulfilled.
+    fn of_test(document: &Iso9283Document, conditions: Option<&Conditions>) -> Vec<Self> {
+        let mut all = Vec::new();
+        let poses = document.poses.iter();
+        let coarse: Vec<PoseName> =
+            poses.clone().filter(|p| p.quarter_rule_met == Some(false)).map(|p| p.pose).collect();
+        if !coarse.is_empty() {
+            all.push(Self::InstrumentTooCoarse { poses: coarse });
+        }
+        if conditions.and_then(|c| c.warm_up_minutes) == Some(0.0) {
+            all.push(Self::NoWarmUp);
+        }
+        let unsettled = || document.drifts.iter().filter(|d| d.is_unsettled());
+        let poses_of_drift: Vec<PoseName> = unsettled().map(|d| d.pose).collect();
+        if !poses_of_drift.is_empty() {
+            let dap_mm = unsettled().map(|d| d.dap_mm).fold(0.0, f64::max);
+            all.push(Self::DriftNotSettled { poses: poses_of_drift, dap_mm });
+        }
+        let few: Vec<PoseName> = poses.filter(|p| p.cycles < CYCLES).map(|p| p.pose).collect();
+        if !few.is_empty() {
+            all.push(Self::FewCycles { poses: few, required: CYCLES });
+        }
+        all
+    }
+
+    /// Conformities of single poses that no limit of the document combines.
+    fn of_poses(document: &Iso9283Document) -> Vec<Self> {
+        let poses = |wanted: Conformity| -> Vec<PoseName> {
+            let has = |c: &PoseCharacteristic, p| {
+                (c.conformity)(p) == Some(wanted) && document.limits.iter().all(|l| l.name != c.limit)
+            };
+            document
+                .poses
+                .iter()
+                .filter(|p| PoseCharacteristic::ALL.iter().any(|c| has(c, p)))
+                .map(|p| p.pose)
+                .collect()
+        };
+        let (not, open) = (poses(Conformity::NotConforming), poses(Conformity::Neither));
+        let not = (!not.is_empty()).then_some(Self::PosesNotConforming { poses: not });
+        not.into_iter().chain((!open.is_empty()).then_some(Self::PosesUndecided { poses: open })).collect()
+    }
+
+    /// Controller files that are hardly better than nominal parameters.
+    fn of_files(accuracy: &AccuracyDocument, controllers: Option<&ControllersDocument>) -> Vec<Self> {
+        let of = |formats: &[String], errors: &ControllerErrors| {
+            let ControllerErrors { nominal, written, .. } = *errors;
+            errors.is_hardly_better_than_nominal().then(|| Self::HardlyBetter {
+                formats: formats.to_vec(),
+                nominal,
+                written,
+            })
+        };
+        let whole = accuracy.sets.last().and_then(|set| ControllerErrors::of(set, None));
+        let whole = whole.and_then(|errors| of(&[], &errors));
+        let files = controllers.into_iter().flat_map(|c| &c.files);
+        let files = files.filter_map(|f| of(&f.formats, f.deciding()?));
+        whole.into_iter().chain(files).collect()
+    }
+}
+
+impl Judged<'_> {
+    /// All limits.
+    pub fn limits(&self) -> impl Iterator<Item = &LimitVerdict> {
+        self.accuracy.iter().flat_map(|accuracy| &accuracy.limits).chain(self.tested.limits())
+    }
+
+    /// Verdict with its reasons.
+    pub fn verdict(&self) -> VerdictDocument {
+        let mut reasons = Vec::new();
+        if let Some(parameters) = self.parameters {
+            if !parameters.solver.termination.is_success() {
+                reasons.push(Reason::NotConverged);
+            } else if !parameters.is_plausible() {
+                reasons.push(Reason::Implausible);
+            }
+        }
+        reasons.extend(self.controllers.is_some_and(|c| !c.is_complete()).then_some(Reason::FileRefused));
+        reasons.extend(self.limits().filter_map(Reason::of_limit));
+        if let Some(document) = &self.tested.poses {
+            reasons.extend(Reason::of_poses(document));
+            reasons.extend(Reason::of_test(document, self.conditions));
+        }
+        if let (Some(accuracy), Some(_)) = (self.accuracy, self.parameters.filter(|p| p.is_plausible())) {
+            reasons.extend(Reason::of_files(accuracy, self.controllers));
+        }
+        // stable: reasons of one verdict stay in their order
+        reasons.sort_by_key(|reason| std::cmp::Reverse(reason.acceptance()));
+        let limits: Vec<LimitVerdict> = self.limits().cloned().collect();
+        let worst = reasons.first().map_or(Acceptance::Pass, Reason::acceptance);
+        // reservations about results that no limit judges give no verdict
+        let verdict = (!limits.is_empty() || !worst.is_accepted()).then_some(worst);
+        VerdictDocument {
+            schema: "etalon/verdict/1".to_owned(),
+            exit_code: u8::from(verdict.is_some_and(|verdict| !verdict.is_accepted())),
+            verdict,
+            reasons,
+            limits,
+        }
+    }
+}
+
+impl VerdictDocument {
+    /// `true` if the answer may be loaded, or nothing was judged.
+    pub fn passes(&self) -> bool {
+        self.exit_code == 0
+    }
+}

@@ -1,0 +1,366 @@
+//! Uncertainty of figures made of errors: mean, root mean square and maximum of the errors of a
+//! robot whose parameters are given (GUM 5.1.2, 5.2.2).
+//!
+//! The parameters of the robot are what is judged: they add nothing. Base, targets and fixtures
+//! belong to the measurement: they were fitted to calibration readings, with the errors of these.
+
+use super::budget::{Contributions, Figure, Observed, Systematic, UncertaintySource as Source};
+use crate::{Condition, Covariance, Kind, Observation, Prior, ResidualKind, Result, Settings};
+use etalon_base::pose_name::PoseName;
+use etalon_math::Problem;
+use etalon_math::statistics::rms;
+use etalon_robots::Robot;
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
+use std::collections::BTreeMap;
+
+/// Quantity of an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ErrorKind {
+    /// Position of a target, or of the centre of a platform: size of the vector.
+    Position,
+    /// Position along x, y or z (0, 1 or 2).
+    Axis(usize),
+    /// Distance of a target from a fixed point.
+    Distance,
+    /// Distance of a target from a plane, line or sphere, along its normals.
+    Surface,
+    /// Position of a target relative to the socket that it touches: size of the vector.
+    Contact,
+    /// One coordinate of a target whose other coordinates are not measured with it.
+    Coordinate,
+}
+
+impl Kind {
+    /// Quantity of the error of this kind; `None` for orientations and values of joints.
+    pub fn error_kind(&self) -> Option<ErrorKind> {
+        match self {
+            Self::Seen(_) => Some(ErrorKind::Position),
+            Self::Distance(_) => Some(ErrorKind::Distance),
+            Self::On(_) => Some(ErrorKind::Surface),
+            Self::Contact(_) => Some(ErrorKind::Contact),
+            Self::Coordinate(_) => Some(ErrorKind::Coordinate),
+            Self::Orientation(_) | Self::Joint(_) => None,
+        }
+    }
+}
+
+/// Variance (mm²) that each source contributes to a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureUncertainty {
+    /// Quantity of the errors.
+    pub kind: ErrorKind,
+    /// Figure.
+    pub figure: Figure,
+    /// Contributions.
+    pub contributions: Contributions,
+}
+
+/// Readings whose errors are judged, and the readings to which base, targets and fixtures were
+/// fitted.
+#[derive(Clone, Copy)]
+pub struct JudgedErrors<'a> {
+    /// Robot.
+    pub robot: &'a dyn Robot,
+    /// All parameters (mm, rad, 1).
+    pub values: &'a [f64],
+    /// Indices of the parameters of base, targets and fixtures that were fitted.
+    pub set_up: &'a [usize],
+    /// Positions to which these were fitted; further readings are in the settings.
+    pub calibration: &'a [Observation],
+    /// Positions whose errors are judged.
+    pub observations: &'a [Observation],
+    /// Further readings whose errors are judged.
+    pub conditions: &'a [Condition],
+    /// Standard uncertainty (mm) of a position, if it does not follow from that of a coordinate.
+    pub position_mm: Option<f64>,
+}
+
+/// Largest number of fitted parameters whose response is computed.
+const MOST_FITTED: usize = 400;
+/// Eigenvalues of a normal matrix below this, relative to the largest, count as zero.
+const RANK: f64 = 1e-12;
+
+/// Pose and cycle of a reading.
+type Key = (PoseName, i64);
+
+/// One judged reading: the residuals that are its error.
+struct Reading {
+    kind: ErrorKind,
+    first: usize,
+    rows: usize,
+    /// Covariance of its own, or standard uncertainty of each residual.
+    own: Option<Covariance>,
+    u_mm: f64,
+}
+
+/// Everything that a figure depends on, in linear terms.
+struct Propagation {
+    readings: Vec<Reading>,
+    residuals: Vec<f64>,
+    /// Sensitivities of a platform's pose to the coordinates of its two targets.
+    platform: Option<Vec<[[f64; 4]; 3]>>,
+    u_mm: f64,
+    frames: BTreeMap<Key, Matrix6<f64>>,
+    /// Pose of each residual, and its derivatives by a shift and rotation of the frame.
+    keys: Vec<Option<Key>>,
+    by_frame: Vec<f64>,
+    common: Vec<(Source, Vec<f64>)>,
+    set_up: Option<SetUp>,
+}
+
+/// Response of base, targets and fixtures to the errors of the readings that they were fitted to.
+struct SetUp {
+    /// Derivatives of the judged residuals.
+    judged: DMatrix<f64>,
+    /// Derivatives of the whitened calibration residuals, and the inverse of their normal matrix.
+    fitted: DMatrix<f64>,
+    inverse: DMatrix<f64>,
+    keys: Vec<Option<Key>>,
+    by_frame: Vec<f64>,
+    /// Response to one standard uncertainty of each common error.
+    common: Vec<DVector<f64>>,
+}
+
+impl JudgedErrors<'_> {
+    /// Variances of the mean, root mean square and maximum of each kind of error, and of the
+    /// largest error along each axis; empty if no uncertainty is stated.
+    ///
+    /// # Errors
+    /// If residuals cannot be evaluated.
+    pub fn figures(&self, settings: &Settings, systematic: &Systematic) -> Result<Vec<FigureUncertainty>> {
+        let positions = self.observations.iter().any(|o| o.targets.iter().any(Option::is_some));
+        if settings.standard_uncertainty_mm.is_none() || (!positions && self.conditions.is_empty()) {
+            return Ok(Vec::new());
+        }
+        let propagation = self.propagation(settings, systematic)?;
+        let mut all = Vec::new();
+        let mut kinds: Vec<ErrorKind> = propagation.readings.iter().map(|r| r.kind).collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let axes = if kinds.contains(&ErrorKind::Position) { self.robot.dimension() } else { 0 };
+        kinds.extend((0..axes).map(ErrorKind::Axis));
+        for kind in kinds {
+            let figures = match kind {
+                ErrorKind::Axis(_) => &[Figure::Max][..],
+                _ => &[Figure::Mean, Figure::Rms, Figure::Max],
+            };
+            for &figure in figures {
+                let Some(by) = propagation.derivatives(kind, figure) else { continue };
+                all.push(FigureUncertainty { kind, figure, contributions: propagation.variances(&by) });
+            }
+        }
+        Ok(all)
+    }
+
+    fn propagation(&self, settings: &Settings, systematic: &Systematic) -> Result<Propagation> {
+        let robot = self.robot;
+        let is_platform = robot.platform().is_some();
+        let free = if self.set_up.is_empty() { &[0][..] } else { self.set_up };
+        let plain = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
+        let observations: Vec<Observation> = self.observations.iter().map(plain).collect();
+        let unit = |c: &Condition| Condition { standard_uncertainty: 1.0, ..c.clone() };
+        let of_judged = Settings {
+            kind: if is_platform { ResidualKind::Pose } else { ResidualKind::Targets },
+            standard_uncertainty_mm: Some(1.0),
+            hold: settings.hold.clone(),
+            conditions: self.conditions.iter().map(unit).collect(),
+            ..Settings::default()
+        };
+        let observed = Observed { robot, observations: &observations, settings: &of_judged, free, values: self.values };
+        let (problem, x) = (observed.problem()?, observed.x());
+        let mut residuals = vec![0.0; problem.residual_count()];
+        problem.residuals(&x, &mut residuals);
+        let jacobian = problem.jacobian_at(&x);
+        let u_mm = settings.coordinate_uncertainty_mm();
+        let of_pose = |f: &crate::FrameError| Some((f.pose?, Matrix6::from_fn(|i, j| f.covariance[i][j])));
+        let common = systematic.errors(&observed)?;
+        let fitted = (!self.set_up.is_empty() && self.set_up.len() <= MOST_FITTED).then_some(self.calibration);
+        let judged = matrix(&problem.rows_of(&jacobian).dense(), free.len());
+        Ok(Propagation {
+            readings: self.readings(u_mm),
+            platform: problem.target_sensitivities(&x),
+            u_mm,
+            frames: systematic.frames.iter().filter_map(of_pose).collect(),
+            keys: keys(robot, self.observations, is_platform),
+            by_frame: problem.frame_jacobian(&x, None),
+            set_up: fitted.map(|of| self.set_up(of, settings, systematic, judged)).transpose()?,
+            common,
+            residuals,
+        })
+    }
+
+    /// Judged readings in the order of their residuals.
+    fn readings(&self, u_mm: f64) -> Vec<Reading> {
+        let (dimension, is_platform) = (self.robot.dimension(), self.robot.platform().is_some());
+        let mut all = Vec::new();
+        let mut row = 0;
+        for o in self.observations {
+            if is_platform {
+                if o.targets.iter().flatten().count() == 2 {
+                    all.push(Reading { kind: ErrorKind::Position, first: row, rows: 2, own: None, u_mm });
+                    row += 3;
+                }
+                continue;
+            }
+            for k in (0..o.targets.len()).filter(|&k| o.targets[k].is_some()) {
+                let own = o.covariances_mm2.get(k).copied().flatten();
+                let u_mm = self.position_mm.unwrap_or(u_mm);
+                all.push(Reading { kind: ErrorKind::Position, first: row, rows: dimension, own, u_mm });
+                row += dimension;
+            }
+        }
+        for c in self.conditions {
+            let rows = c.kind.rows();
+            if let Some(kind) = c.kind.error_kind() {
+                let u_mm = match kind {
+                    ErrorKind::Position => self.position_mm.unwrap_or(c.standard_uncertainty),
+                    _ => c.standard_uncertainty,
+                };
+                all.push(Reading { kind, first: row, rows, own: None, u_mm });
+            }
+            row += rows;
+        }
+        all
+    }
+
+    fn set_up(
+        &self,
+        calibration: &[Observation],
+        settings: &Settings,
+        systematic: &Systematic,
+        judged: DMatrix<f64>,
+    ) -> Result<SetUp> {
+        let robot = self.robot;
+        let settings = Settings { kind: ResidualKind::Targets, prior: Prior::None, ..settings.clone() };
+        let observed =
+            Observed { robot, observations: calibration, settings: &settings, free: self.set_up, values: self.values };
+        let (problem, x) = (observed.problem()?, observed.x());
+        let fitted = matrix(&problem.rows_of(&problem.jacobian_at(&x)).dense(), self.set_up.len());
+        let inverse = pseudo_inverse(fitted.tr_mul(&fitted));
+        let response = |(_, change): (Source, Vec<f64>)| {
+            let rows = change.len().min(fitted.nrows());
+            -(&inverse * fitted.rows(0, rows).tr_mul(&DVector::from_column_slice(&change[..rows])))
+        };
+        let common = systematic.errors(&observed)?.into_iter().map(response).collect();
+        let keys = keys(robot, calibration, false);
+        let by_frame = problem.frame_jacobian(&x, None);
+        Ok(SetUp { judged, inverse, keys, by_frame, common, fitted })
+    }
+}
+
+impl Propagation {
+    /// Derivatives of a figure by the judged residuals (mm); `None` without such errors.
+    fn derivatives(&self, kind: ErrorKind, figure: Figure) -> Option<Vec<f64>> {
+        let of_kind = |r: &&Reading| match kind {
+            ErrorKind::Axis(axis) => r.kind == ErrorKind::Position && axis < r.rows,
+            _ => r.kind == kind,
+        };
+        let part = |r: &Reading| match kind {
+            ErrorKind::Axis(axis) => r.first + axis..r.first + axis + 1,
+            _ => r.first..r.first + r.rows,
+        };
+        let readings: Vec<&Reading> = self.readings.iter().filter(of_kind).collect();
+        let size = |r: &&Reading| self.residuals[part(r)].iter().map(|v| v * v).sum::<f64>().sqrt();
+        let sizes: Vec<f64> = readings.iter().map(size).collect();
+        let (count, all) = (sizes.len() as f64, rms(sizes.iter().copied()));
+        let largest = sizes.iter().copied().max_by(f64::total_cmp)?;
+        let mut by = vec![0.0; self.residuals.len()];
+        let mut found = false;
+        for (reading, s) in readings.into_iter().zip(sizes) {
+            let weight = match figure {
+                _ if s == 0.0 => continue,
+                Figure::Mean => 1.0 / (s * count),
+                Figure::Rms => 1.0 / (all * count),
+                Figure::Max if s < largest || found => continue,
+                Figure::Max => 1.0 / s,
+            };
+            found = true;
+            part(reading).for_each(|row| by[row] = self.residuals[row] * weight);
+        }
+        Some(by)
+    }
+
+    /// Variance of each source.
+    fn variances(&self, by: &[f64]) -> Contributions {
+        let mut all: BTreeMap<Source, f64> = BTreeMap::new();
+        let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
+        add(Source::Instrument, self.noise(by));
+        add(Source::FrameOfPoses, of_frames(&self.frames, &self.keys, &self.by_frame, by));
+        let by_vector = DVector::from_column_slice(by);
+        // gradient by the fitted parameters, and what it makes of the readings they were fitted to
+        let set_up = self.set_up.as_ref().map(|s| (s, s.judged.tr_mul(&by_vector)));
+        if let Some((s, gradient)) = &set_up {
+            let answer = &s.inverse * gradient;
+            add(Source::Instrument, gradient.dot(&answer));
+            let by_readings = &s.fitted * answer;
+            add(Source::FrameOfPoses, of_frames(&self.frames, &s.keys, &s.by_frame, by_readings.as_slice()));
+        }
+        for (e, (source, change)) in self.common.iter().enumerate() {
+            let direct: f64 = change.iter().zip(by).map(|(a, b)| a * b).sum();
+            let fitted = set_up.as_ref().map_or(0.0, |(s, gradient)| gradient.dot(&s.common[e]));
+            add(*source, (direct + fitted).powi(2));
+        }
+        let least = 1e-16 * all.values().sum::<f64>();
+        all.into_iter().filter(|(_, variance)| *variance > least).collect()
+    }
+
+    /// Variance by the noise of each judged reading.
+    fn noise(&self, by: &[f64]) -> f64 {
+        if let Some(all) = &self.platform {
+            let of_pose = |(s, by): (&[[f64; 4]; 3], &[f64])| -> f64 {
+                (0..4).map(|c| (0..2).map(|i| s[i][c] * by[i]).sum::<f64>().powi(2)).sum()
+            };
+            return self.u_mm * self.u_mm * all.iter().zip(by.chunks_exact(3)).map(of_pose).sum::<f64>();
+        }
+        let of_reading = |r: &Reading| -> f64 {
+            let by = &by[r.first..r.first + r.rows];
+            let squares: f64 = by.iter().map(|b| b * b).sum();
+            match &r.own {
+                Some(c) => (0..r.rows).map(|i| by[i] * (0..r.rows).map(|j| c[i][j] * by[j]).sum::<f64>()).sum(),
+                None => r.u_mm * r.u_mm * squares,
+            }
+        };
+        self.readings.iter().map(of_reading).sum()
+    }
+}
+
+/// Variance by the frames of single poses: their derivatives are summed over the residuals of a
+/// pose.
+fn of_frames(frames: &BTreeMap<Key, Matrix6<f64>>, keys: &[Option<Key>], by_frame: &[f64], by: &[f64]) -> f64 {
+    if frames.is_empty() {
+        return 0.0;
+    }
+    let mut sums: BTreeMap<Key, Vector6<f64>> = BTreeMap::new();
+    for ((key, row), by) in keys.iter().zip(by_frame.chunks_exact(6)).zip(by) {
+        if let Some(key) = key.filter(|_| *by != 0.0) {
+            *sums.entry(key).or_default() += Vector6::from_column_slice(row) * *by;
+        }
+    }
+    sums.iter().filter_map(|(key, s)| Some(s.dot(&(frames.get(key)? * s)))).sum()
+}
+
+/// Pose and cycle of each residual of a coordinate.
+fn keys(robot: &dyn Robot, observations: &[Observation], is_platform: bool) -> Vec<Option<Key>> {
+    let of = |o: &Observation| {
+        let measured = o.targets.iter().flatten().count();
+        let rows = if is_platform { 3 * usize::from(measured == 2) } else { robot.dimension() * measured };
+        std::iter::repeat_n(Some((o.pose, o.cycle)), rows)
+    };
+    observations.iter().flat_map(of).collect()
+}
+
+fn matrix(rows: &[f64], columns: usize) -> DMatrix<f64> {
+    DMatrix::from_row_slice(rows.len() / columns.max(1), columns, rows)
+}
+
+/// Inverse of a normal matrix; directions that the readings do not show are left out.
+fn pseudo_inverse(normal: DMatrix<f64>) -> DMatrix<f64> {
+    let n = normal.nrows();
+    let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt()).map(|s| if s > 0.0 { 1.0 / s } else { 0.0 }).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, j| normal[(i, j)] * scale[i] * scale[j]);
+    let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(scaled);
+    let largest = eigenvalues.iter().copied().fold(0.0, f64::max);
+    let inverse = eigenvalues.map(|v| if v > RANK * largest { 1.0 / v } else { 0.0 });
+    let plain = &eigenvectors * DMatrix::from_diagonal(&inverse) * eigenvectors.transpose();
+    DMatrix::from_fn(n, n, |i, j| plain[(i, j)] * scale[i] * scale[j])
+}
