@@ -16,7 +16,9 @@ use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, read_robot};
-use etalon_documents::{CampaignReference, CampaignSummary, ParametersDocument, Presentation, VerificationDocument, to_json};
+use etalon_documents::{
+    CampaignReference, CampaignSummary, ParametersDocument, Presentation, VerificationDocument, to_json,
+};
 use etalon_identify::plan::candidates::Candidates;
 use etalon_report::Faces;
 use std::collections::BTreeMap;

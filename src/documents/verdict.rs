@@ -184,7 +184,12 @@ impl Reason {
             let has = |c: &PoseCharacteristic, p| {
                 (c.conformity)(p) == Some(wanted) && document.limits.iter().all(|l| l.name != c.limit)
             };
-            document.poses.iter().filter(|p| PoseCharacteristic::ALL.iter().any(|c| has(c, p))).map(|p| p.pose).collect()
+            document
+                .poses
+                .iter()
+                .filter(|p| PoseCharacteristic::ALL.iter().any(|c| has(c, p)))
+                .map(|p| p.pose)
+                .collect()
         };
         let (not, open) = (poses(Conformity::NotConforming), poses(Conformity::Neither));
         let not = (!not.is_empty()).then_some(Self::PosesNotConforming { poses: not });

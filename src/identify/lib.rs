@@ -11,10 +11,10 @@ mod warning;
 
 pub use error::{Cause, Error};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
-pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::excitation::left_to_tolerances;
+pub use judgement::figures::{ErrorKind, FigureUncertainty, JudgedErrors};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::predict::{Prediction, Sensitivity, predict, sensitivity};
 pub use judgement::reliability::{

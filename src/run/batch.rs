@@ -14,8 +14,8 @@ use etalon_base::message::{Message, Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict, CampaignSummary,
-    Characteristics, Acceptance, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
+    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict,
+    CampaignSummary, Characteristics, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};

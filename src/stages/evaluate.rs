@@ -4,9 +4,9 @@ use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
 use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
-use etalon_base::{error, phrase};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
@@ -248,10 +248,9 @@ impl ErrorUncertainty {
         let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;
         let coordinate_mm = settings.coordinate_uncertainty_mm();
-        let validates = !sets.validation.is_empty()
-            || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
-        let (observations, conditions) =
-            sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
+        let validates =
+            !sets.validation.is_empty() || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
+        let (observations, conditions) = sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
         let errors = JudgedErrors {
             robot,
             values,

@@ -429,7 +429,8 @@ fn keys_that_given_parameters_need_are_required_of_robot_toml() {
             let refused = etalon(&folder.path(), command);
             let said = text_of(&refused);
             assert_eq!(code(&refused), Some(2), "{said}");
-            let parts = [&["error[parameters-undescribed]: the parameters hold `", "to robot.toml"][..], lines].concat();
+            let parts =
+                [&["error[parameters-undescribed]: the parameters hold `", "to robot.toml"][..], lines].concat();
             assert!(parts.iter().all(|part| said.contains(part)), "{command:?}: {said}");
         }
     }

@@ -174,7 +174,12 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
         ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "error[load-direction-unknown]"]),
         ("campaign.toml", "\"loads.csv\"", "\"no.csv\"", &["no.csv", "campaign.toml:"]),
         ("campaign.toml", "\"poses.csv\"", "\"../poses.csv\"", &["leaves the folder", "campaign.toml:"]),
-        ("campaign.toml", "drift_set = 5 ", "drift_set = 1 ", &["error[drift-set-too-small]: `drift_set`", "campaign.toml:"]),
+        (
+            "campaign.toml",
+            "drift_set = 5 ",
+            "drift_set = 1 ",
+            &["error[drift-set-too-small]: `drift_set`", "campaign.toml:"],
+        ),
         ("campaign.toml", "drift_set = 5 ", "drift_set = 40 ", &["drift: 0 sets", "campaign.toml:"]),
         ("campaign.toml", "drift_set", "drift_sett", &["unknown key `drift_sett`", "drift_set"]),
         ("campaign.toml", "accuracy_max_mm = 0.400", "position_max_mm = 1", &["needs [identify]"]),
@@ -278,7 +283,12 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     std::fs::write(scratch.path().join("c.csv"), "pose,x_mm,y_mm\n1,0,0\n").unwrap();
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
-    assert!(text_of(&done).contains("error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: pose 1"), "{}", text_of(&done));
+    assert!(
+        text_of(&done)
+            .contains("error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: pose 1"),
+        "{}",
+        text_of(&done)
+    );
 }
 
 #[test]

@@ -84,10 +84,20 @@ fn a_weave_in_a_campaign_tells_what_the_command_tells() {
 fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
     for (file, from, to, parts) in [
         ("campaign.toml", "exports/motion.csv", "exports/no.csv", &["exports/no.csv", "campaign.toml:"][..]),
-        ("campaign.toml", "band_mm = 0.02", "band_mm = -1", &["error[option-not-positive]: `band_mm`", "campaign.toml:"]),
+        (
+            "campaign.toml",
+            "band_mm = 0.02",
+            "band_mm = -1",
+            &["error[option-not-positive]: `band_mm`", "campaign.toml:"],
+        ),
         ("campaign.toml", "path = \"path.csv\"", "", &["`velocity_mm_s` is that of a `path`"]),
         ("campaign.toml", "band_mm = 0.02", "band = 0.02", &["unknown key `band`"]),
-        ("campaign.toml", "band_mm = 0.02", "weave_hz = 2", &["error[weave-incomplete]: the weave lacks `weave_stroke_mm`", "no `weave_across`"]),
+        (
+            "campaign.toml",
+            "band_mm = 0.02",
+            "weave_hz = 2",
+            &["error[weave-incomplete]: the weave lacks `weave_stroke_mm`", "no `weave_across`"],
+        ),
         (
             "campaign.toml",
             "path = \"path.csv\"",

@@ -4,9 +4,7 @@ use super::reports::tool;
 use super::{etalon, text, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::{Reader, Xlsx};
-use etalon::documents::{
-    Acceptance, AccuracyDocument, ErrorQuantity, Figure, LimitQuantity, Reason, VerdictDocument,
-};
+use etalon::documents::{Acceptance, AccuracyDocument, ErrorQuantity, Figure, LimitQuantity, Reason, VerdictDocument};
 use std::io::Cursor;
 
 /// Exit code and terminal text of a run of the CMM sample with these statements.
@@ -187,7 +185,12 @@ fn synthetic_data_make_no_certificate() {
         assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
         for (language, title, rule, mark) in [
             ("en", "not a certificate", "guarded acceptance (ISO 14253-1)", "SYNTHETIC DATA"),
-            ("fr", "sans valeur de certificat", "acceptation avec bande de garde (ISO 14253-1)", "DONNÉES SYNTHÉTIQUES"),
+            (
+                "fr",
+                "sans valeur de certificat",
+                "acceptation avec bande de garde (ISO 14253-1)",
+                "DONNÉES SYNTHÉTIQUES",
+            ),
             ("de", "kein ", "Annahme mit Schutzabstand (ISO 14253-1)", "SYNTHETISCHE DATEN"),
         ] {
             let written = etalon(scratch.root(), &["report", "campaign/out", "--certificate", "--language", language]);

@@ -205,8 +205,9 @@ fn with_unplaced_targets(more: usize) -> Scratch {
 #[test]
 fn targets_of_validation_poses_alone_are_not_judged() {
     let said = ends(&with_unplaced_targets(7), "run", 0, &[]);
-    let parts =
-        ["[placed-by-validation-unjudged]: 7 targets measured at validation poses alone: `V0`, `V1`, `V2`, `V3`, `V4`, ..."];
+    let parts = [
+        "[placed-by-validation-unjudged]: 7 targets measured at validation poses alone: `V0`, `V1`, `V2`, `V3`, `V4`, ...",
+    ];
     assert!(parts.iter().all(|part| said.contains(part)), "{said}");
     assert!(!said.contains("another campaign") && !said.contains("do not depend"), "{said}");
     // all others as without these targets

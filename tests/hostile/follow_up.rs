@@ -36,7 +36,10 @@ fn errors_about_files_say_what_to_do() {
 #[test]
 fn errors_about_values_say_what_to_do() {
     let scratch = changed("campaign.toml", "validation = \"9-59\"", "validation = \"90-99\"");
-    hinted(&scratch, &["error[selection-without-pose]: `validation`", "59 poses are measured and joined, from 1 to 59"]);
+    hinted(
+        &scratch,
+        &["error[selection-without-pose]: `validation`", "59 poses are measured and joined, from 1 to 59"],
+    );
     for (cell, id) in [("--", "[not-a-number]: `--`"), ("", "[number-empty]")] {
         let scratch = copy_sample("prexyt-cmm");
         let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();

@@ -49,7 +49,10 @@ fn slips_are_refused_with_their_line() {
             &["error[table-quaternion-length]: the quaternion has the length 1.27", "scalar first"],
         ),
         ("pose,1,1,ball,1,2,3,1,2,3,1,0,,0,,,,,,,0.02,0.01", &["error[orientation-missing]"]),
-        ("pose,1,1,ball,1,2,3,1,2,3,1,0,0,0,,,,,,,0.02,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
+        (
+            "pose,1,1,ball,1,2,3,1,2,3,1,0,0,0,,,,,,,0.02,",
+            &["error[uncertainty-missing]", "--rotation-uncertainty-deg"],
+        ),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["the plane `table` needs the axis"]),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["error[number-missing]: `offset_mm`"]),
         ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]: a row of kind `contact`"]),
@@ -67,13 +70,22 @@ fn slips_are_refused_with_their_line() {
 fn what_a_further_station_cannot_state_is_refused_with_its_line() {
     let header = "kind,station,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,u_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cxy_mm2,cxz_mm2,cyy_mm2,cyz_mm2,czz_mm2,urot_deg";
     for (row, what) in [
-        ("pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01", "error[station-row-unsupported]: a row of kind `pose` states the station `T2`"),
-        ("point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,", "error[station-row-unsupported]: a point measured by station `T2` states a covariance"),
+        (
+            "pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01",
+            "error[station-row-unsupported]: a row of kind `pose` states the station `T2`",
+        ),
+        (
+            "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,",
+            "error[station-row-unsupported]: a point measured by station `T2` states a covariance",
+        ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
             "error[station-row-unsupported]: coordinates measured by station `T2` have uncertainties",
         ),
-        ("point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,", "error[station-row-unsupported]: a coordinate measured by station `T2`"),
+        (
+            "point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,",
+            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+        ),
     ] {
         let good = "point,T1,1,1,ball,1,2,3,1,2,3,,,,,0.02,,,,,,,,,,";
         let error = error(header, &format!("{good}\n{row}"), &[]);
@@ -171,7 +183,10 @@ fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
     let contact = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for name in ["A", "ball"] {
         let error = error(HEADER, &format!("{contact}\nplane,2,1,ball,1,2,3,,,,,,,,,,,{name},z,0,0.02,"), &[]);
-        assert!(error.contains(&format!("error[parameter-name-doubled]: two parameters would be called `{name}_z`")), "{error}");
+        assert!(
+            error.contains(&format!("error[parameter-name-doubled]: two parameters would be called `{name}_z`")),
+            "{error}"
+        );
     }
 }
 

@@ -283,7 +283,11 @@ fn a_target_measured_twice_points_at_both_rows() {
     std::fs::write(&path, poses + &first + "\n").unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for part in ["error[target-twice]: target `K` is there twice at pose 1, cycle 1", "exports/poses.txt:591", "exports/poses.txt:1;"] {
+    for part in [
+        "error[target-twice]: target `K` is there twice at pose 1, cycle 1",
+        "exports/poses.txt:591",
+        "exports/poses.txt:1;",
+    ] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
 }

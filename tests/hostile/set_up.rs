@@ -133,7 +133,15 @@ fn a_tolerance_is_checked_and_kept() {
     // the table's d3 is 0.85 mm from its drawing
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\ntolerance = { d3 = 0.5 }");
-    let said = ends(&scratch, "run", 1, &["error[tolerance-exceeded]: 1 parameter is beyond the tolerance of the robot: `d3` = 0.85", "tolerance 0.500 mm"]);
+    let said = ends(
+        &scratch,
+        "run",
+        1,
+        &[
+            "error[tolerance-exceeded]: 1 parameter is beyond the tolerance of the robot: `d3` = 0.85",
+            "tolerance 0.500 mm",
+        ],
+    );
     assert!(said.contains("no controller file is written"), "{said}");
 }
 
@@ -237,7 +245,11 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     };
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
-    assert!(said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0") && said.contains("rigid motion"), "{said}");
+    assert!(
+        said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0")
+            && said.contains("rigid motion"),
+        "{said}"
+    );
 }
 
 #[test]

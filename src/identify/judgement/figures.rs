@@ -166,8 +166,7 @@ impl JudgedErrors<'_> {
             conditions: self.conditions.iter().map(unit).collect(),
             ..Settings::default()
         };
-        let observed =
-            Observed { robot, observations: &observations, settings: &of_judged, free, values: self.values };
+        let observed = Observed { robot, observations: &observations, settings: &of_judged, free, values: self.values };
         let (problem, x) = (observed.problem()?, observed.x());
         let mut residuals = vec![0.0; problem.residual_count()];
         problem.residuals(&x, &mut residuals);

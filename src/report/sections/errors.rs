@@ -368,7 +368,14 @@ mod tests {
     fn errors(quantity: ErrorQuantity, before_mm: f64, after_mm: f64) -> ErrorStatistics {
         let of = |size: f64| Statistics { mean: 0.8 * size, rms: size, p95: 1.8 * size, max: 2.0 * size };
         let unit = "mm".to_owned();
-        ErrorStatistics { quantity, count: 1, unit, before: of(before_mm), after: of(after_mm), expanded_uncertainty: None }
+        ErrorStatistics {
+            quantity,
+            count: 1,
+            unit,
+            before: of(before_mm),
+            after: of(after_mm),
+            expanded_uncertainty: None,
+        }
     }
 
     /// Rows of a set's table as shown on a page.

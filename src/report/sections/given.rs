@@ -24,8 +24,7 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
     let mut judged = Section::new("judged", tr!(words, "how-changes-are-judged")).on_terminal();
     let p = words.number(&number::p_value(document.p_value));
     let limit = tr!(words, "changed-below", significance = number::stated(document.significance));
-    let [rms, expected] =
-        [document.position_rms_mm, document.expected_position_rms_mm].map(|mm| number::fixed(mm, 4));
+    let [rms, expected] = [document.position_rms_mm, document.expected_position_rms_mm].map(|mm| number::fixed(mm, 4));
     let count = document.of_changes.degrees_of_freedom + document.of_rest.degrees_of_freedom;
     judged.push(Block::facts(vec![
         (tr!(words, "probability-by-chance"), format!("{p}; {limit}").into()),

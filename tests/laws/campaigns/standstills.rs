@@ -248,7 +248,8 @@ fn the_offset_of_the_clocks_comes_from_the_standstills_and_is_said() {
     );
     let problems = run(&scratch).unwrap_err().to_string();
     assert!(
-        problems.contains("error[clock-offsets-several]") && problems.contains("-733.525 to -733.225 s, -731.725 to -731.525 s"),
+        problems.contains("error[clock-offsets-several]")
+            && problems.contains("-733.525 to -733.225 s, -731.725 to -731.525 s"),
         "{problems}"
     );
     // measured while the robot moved: no offset suits all

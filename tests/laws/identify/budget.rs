@@ -217,7 +217,9 @@ fn figures_scatter_by_frames_that_are_measured_again_at_each_pose() {
     validation.iter_mut().enumerate().for_each(|(i, o)| o.pose = (1000 + i as i64).into());
     let (shift_mm, turn_rad) = (0.004, 1e-5);
     let covariance = std::array::from_fn(|i| {
-        std::array::from_fn(|j| if i == j { if i < 3 { shift_mm * shift_mm } else { turn_rad * turn_rad } } else { 0.0 })
+        std::array::from_fn(
+            |j| if i == j { if i < 3 { shift_mm * shift_mm } else { turn_rad * turn_rad } } else { 0.0 },
+        )
     });
     let frames = validation.iter().map(|o| FrameError { pose: Some((o.pose, o.cycle)), covariance }).collect();
     let systematic = Systematic { frames, ..Systematic::default() };
