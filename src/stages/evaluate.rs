@@ -248,10 +248,9 @@ impl ErrorUncertainty {
         let Judged { robot, values, set_up, sets, settings } = judged;
         let instrument = &campaign.file.instrument;
         let coordinate_mm = settings.coordinate_uncertainty_mm();
-        let validates = !sets.validation.is_empty()
-            || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
-        let (observations, conditions) =
-            sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
+        let validates =
+            !sets.validation.is_empty() || sets.validation_conditions.iter().any(|c| c.kind.error_kind().is_some());
+        let (observations, conditions) = sets.of(if validates { PoseSet::Validation } else { PoseSet::Calibration });
         let errors = JudgedErrors {
             robot,
             values,

@@ -97,7 +97,8 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     let mut sources: Vec<Source> = document.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
-    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, names::error(f.quantity, f.figure)));
+    let start =
+        Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, names::error(f.quantity, f.figure)));
     let columns = sources.into_iter().fold(start, |columns, source| {
         let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)

@@ -41,7 +41,9 @@ pub(super) fn judged(l: &LimitVerdict, words: &Words) -> Cell {
         Acceptance::Pass => term(words, phrase!("pass")),
         Acceptance::Conditional => strong_term(words, phrase!("conditional")),
         Acceptance::Fail => strong_term(words, phrase!("fail")),
-        Acceptance::Undecided if l.conformity == Conformity::NotAssessable => strong_term(words, phrase!("not-assessable")),
+        Acceptance::Undecided if l.conformity == Conformity::NotAssessable => {
+            strong_term(words, phrase!("not-assessable"))
+        }
         Acceptance::Undecided => strong_term(words, phrase!("undecided")),
     }
 }
@@ -101,8 +103,9 @@ mod tests {
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {
-        let of =
-            |value, u| reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap();
+        let of = |value, u| {
+            reached(&LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, value, u, DecisionRule::Guarded)).unwrap()
+        };
         assert_eq!(of(0.050_000_4, None), "0.0500004");
         assert_eq!(of(0.050_04, Some(0.0123)), "0.05004");
         assert_eq!(of(0.034_567, Some(0.0123)), "0.035");

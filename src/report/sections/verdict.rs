@@ -115,10 +115,16 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
 /// Number of limits met, undecided limits, and decision rule.
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.acceptance == Acceptance::Fail).count();
-    let undecided: Vec<String> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| words.tr(&names::limit(l.name))).collect();
-    let not_measured: Vec<String> =
-        limits.iter().filter(|l| l.conformity == Conformity::NotAssessable).map(|l| words.tr(&names::limit(l.name))).collect();
+    let undecided: Vec<String> = limits
+        .iter()
+        .filter(|l| l.conformity == Conformity::Neither)
+        .map(|l| words.tr(&names::limit(l.name)))
+        .collect();
+    let not_measured: Vec<String> = limits
+        .iter()
+        .filter(|l| l.conformity == Conformity::NotAssessable)
+        .map(|l| words.tr(&names::limit(l.name)))
+        .collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() || !not_measured.is_empty() => String::new(),
@@ -129,8 +135,8 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
         (n, m) => tr!(words, "limits-not-met", count = m, total = n),
     };
     let open = (!undecided.is_empty()).then(|| tr!(words, "limits-undecided", limits = undecided.join(", ")));
-    let without = (!not_measured.is_empty())
-        .then(|| tr!(words, "limits-not-assessable", limits = not_measured.join(", ")));
+    let without =
+        (!not_measured.is_empty()).then(|| tr!(words, "limits-not-assessable", limits = not_measured.join(", ")));
     let rule = limits.first().map(|l| tr!(words, "decision-rule-named", rule = name(l.decision_rule, words)));
     let said = [Some(sentence), open, without, rule];
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
@@ -236,7 +242,8 @@ fn position_rms(accuracy: &AccuracyDocument) -> Option<f64> {
 /// Verdict on given parameters, judged on the data of a campaign.
 pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
     let tested = Characteristics::default();
-    let judged = Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
+    let judged =
+        Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
     let judgement = judged.verdict();
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
@@ -439,13 +446,8 @@ mod tests {
                 .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error"),
             "{open:?}"
         );
-        let simple = LimitVerdict::of(
-            LimitQuantity::PositionMaxMm,
-            0.05,
-            0.0442,
-            Some(0.038),
-            DecisionRule::SimpleAcceptance,
-        );
+        let simple =
+            LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.0442, Some(0.038), DecisionRule::SimpleAcceptance);
         documents.accuracy.limits[0] = simple;
         let conditional = of(&documents);
         assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
