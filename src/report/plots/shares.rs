@@ -60,7 +60,8 @@ mod tests {
             source,
             standard_uncertainty_mm,
         };
-        FigureBudget { figure, standard_uncertainty_mm: 0.0, contributions: parts.iter().map(part).collect() }
+        let quantity = etalon_documents::ErrorQuantity::Position;
+        FigureBudget { quantity, figure, standard_uncertainty_mm: 0.0, contributions: parts.iter().map(part).collect() }
     }
 
     #[test]

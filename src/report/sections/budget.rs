@@ -6,6 +6,7 @@ use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, ter
 use crate::number;
 use crate::plots::shares;
 use crate::words::{Words, names, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
     AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, ParameterEntry, ParametersDocument,
@@ -25,7 +26,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
-    section.figures(shares::picture(&accuracy.budget, figure, words));
+    section.figures(shares::picture(&accuracy.budget, |f| names::error(f.quantity, f.figure), words));
     section.push(Block::facts(sources(parameters, words)));
     let of_parameters = vec![Block::Table(table(parameters, words))];
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
