@@ -15,7 +15,7 @@ const BANNED_FIRST: [&str; 12] =
 
 /// Remaining violations of each crate; a number may only be lowered, and the goal is zero.
 const REMAINING: [(&str, usize); 17] = [
-    ("base", 36),
+    ("base", 0),
     ("campaign", 0),
     ("cli", 0),
     ("compare", 0),
@@ -23,14 +23,14 @@ const REMAINING: [(&str, usize); 17] = [
     ("documents", 0),
     ("etalon", 0),
     ("fit", 0),
-    ("formats", 206),
-    ("identify", 654),
+    ("formats", 0),
+    ("identify", 0),
     ("math", 0),
     ("report", 0),
     ("robots", 0),
-    ("run", 51),
+    ("run", 0),
     ("simulate", 0),
-    ("stages", 347),
+    ("stages", 2),
     ("standards", 0),
 ];
 

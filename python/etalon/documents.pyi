@@ -90,10 +90,31 @@ class BallResult(Record):
     standard_deviation_mm: float
     """Standard deviation of the distance."""
 
+class BatchCheck(Record):
+    """A check of a campaign's result."""
+    limit: float | None
+    """Largest permissible value."""
+    name: str
+    """`solver` (convergence), `robot` (plausible parameters), `warnings` (warnings that need a decision), or the
+    name of a limit in campaigns.
+    """
+    unit: str | None
+    """Unit of value and limit."""
+    value: float | None
+    """Value in the unit of the limit, or number of warnings."""
+    verdict: Any
+    """Verdict."""
+
 class BatchEntry(Record):
     """One campaign of a batch."""
+    alike: str | None
+    """Robots that are alike have the same text: type as stated, otherwise model and nominal parameters. Results are
+    compared among robots that are alike.
+    """
     campaign: str
     """Folder, as the user named it."""
+    checks: list[BatchCheck]
+    """Checks of the result: solver, robot, warnings, and each limit."""
     computed: bool
     """`true` if the campaign was run; `false` if nothing has changed since its last run."""
     date: str | None
@@ -715,6 +736,8 @@ class GeometricStep(Record):
     """Largest residual."""
     name: str
     """Fitted feature."""
+    name_phrase: Phrase | None
+    """Text of the catalogue that is `name` in English."""
     norm_mm: float
     """Root of the sum of squared residuals."""
     standard_deviation_mm: float
@@ -1294,19 +1317,19 @@ class Message(Record):
     around: list[Phrase]
     """Texts around the message, from inside: each has the message as its argument `message`."""
     expected: str | None
-    """What was expected there."""
+    """Expected value."""
     hint: str | None
-    """What to do."""
+    """Next action."""
     id: str
     """Id in the catalogue; `etalon explain ID` explains it."""
     place: Place | None
     """Where."""
     rank: Any
-    """How much a reader has to care."""
+    """Importance for a reader."""
     severity: Any
     """Error or warning."""
     what: str
-    """What is wrong, in one English sentence without a full stop."""
+    """Error or remark, in one English sentence without a full stop."""
 
 class MethodErrors(Record):
     """Largest and root-mean-square mean errors."""
@@ -1369,6 +1392,8 @@ class ObservabilitySummary(Record):
     """
     scaling: str
     """Scaling of the indices."""
+    scaling_phrase: Phrase | None
+    """Text of the catalogue that is `scaling` in English."""
     singular_values: list[SingularValueEntry]
     """Singular values of the Jacobian at the solution, descending, with columns scaled to unit length. The ratio of
     the largest to the smallest is the condition number; the squares add up to the number of parameters.
@@ -1388,6 +1413,8 @@ class ParameterEntry(Record):
     """
     meaning: str
     """Meaning and sign of the parameter, in words."""
+    meaning_id: str | None
+    """Id of the meaning in the catalogue of texts."""
     name: str
     """Name as in the thesis."""
     nominal: float
@@ -1434,17 +1461,14 @@ class ParameterVerdict(Record):
     """Verdict: load or hold."""
 
 class Phrase(Record):
-    """Text of the catalogue with its arguments. # Examples ``` use etalon_base::phrase; let approaches =
-    phrase!("approaches", count = 2); assert_eq!(approaches.to_string(), "2 approaches");
-    assert_eq!(approaches.text("de"), "2 Anfahrrichtungen"); ```
-    """
+    """Text of the catalogue with its arguments."""
     arguments: Record
     """Arguments of the text."""
     id: str
     """Id in the catalogue."""
 
 class Place(Record):
-    """Where a message points: a file, perhaps a line, perhaps columns of it."""
+    """Place of a message: a file, optionally a line and columns."""
     column: int | None
     """Column in characters, from 1."""
     file: str
@@ -1598,6 +1622,8 @@ class Region(Record):
     """Corners of the region in the base frame, counterclockwise; z is zero."""
     name: str
     """Name of the region."""
+    name_phrase: Phrase | None
+    """Text of the catalogue that is `name` in English."""
 
 class ReliabilitySummary(Record):
     """Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977)."""
@@ -1791,6 +1817,8 @@ class Sketch(Record):
     """Lines of the drawing."""
     title: str
     """Title of the drawing."""
+    title_id: str | None
+    """Id of the title in the catalogue of texts."""
 
 class SolverSummary(Record):
     """Solver and its termination."""
@@ -1928,6 +1956,8 @@ class StudyDocument(Record):
     """Largest error of each pose with all positions measured (thesis, fig. 4.9)."""
     point: str
     """Point whose position errors are evaluated, in words."""
+    point_phrase: Phrase | None
+    """Text of the catalogue that is `point` in English."""
     runs: int
     """Number of identifications whose mean is evaluated."""
     steps: list[StudyStep]
@@ -1969,6 +1999,8 @@ class ToolAccuracy(Record):
     """
     definition: str
     """Definition of "before" and "after" in this object, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     expanded_max_mm: float
     """Largest expected error with the identified parameters (mm, k = 2)."""
     frame: Any
@@ -2000,6 +2032,8 @@ class Uncontrolled(Record):
     """Labels, features or targets with the error; empty if it concerns all readings."""
     what: str
     """Description of the error."""
+    what_phrase: Phrase | None
+    """Text of the catalogue that is `what` in English."""
 
 class Unmatched(Record):
     """A row without a partner in the join, or with more than one."""
@@ -2062,6 +2096,8 @@ class WorldFrame(Record):
     """
     definition: str
     """Definition of the frame, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     max_mm: float | None
     """Largest distance of a target from its best-fit position."""
     planar: bool
@@ -2105,6 +2141,8 @@ class AccuracyDocument(Document):
     """
     definition: str
     """Definition of "before" and of "error" in this document, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     effects: list[EffectProof]
     """Effects of the robot that are proved by poses left out of the identification: effects chosen by `effects =
     "proven"`, and effects that are not identified.
@@ -2125,6 +2163,8 @@ class AccuracyDocument(Document):
     """
     point: str
     """Point whose errors are in `sets`, in words."""
+    point_phrase: Phrase | None
+    """Text of the catalogue that is `point` in English."""
     schema: str
     """Schema and version: `etalon/accuracy/1`."""
     sets: list[AccuracySet]
@@ -2372,6 +2412,8 @@ class GeometricDocument(Document):
     """Covariance of the values of all quantities, in their order and units."""
     definition: str
     """Assignment of the measured features to geometric quantities, in words."""
+    definition_phrase: Phrase | None
+    """Text of the catalogue that is `definition` in English."""
     leads: list[LeadResult]
     """Leads of the screws."""
     messages: list[Message]
@@ -2621,6 +2663,8 @@ class RecommendationDocument(Document):
     """Position errors at poses that were left out of the identification (mm)."""
     meaning: list[str]
     """Recommendation in words."""
+    meaning_phrases: list[Phrase]
+    """Texts of the catalogue that are `meaning` in English."""
     messages: list[Message]
     """Warnings, with remedies."""
     parameters: list[ParameterVerdict]
@@ -2688,6 +2732,8 @@ class VerificationDocument(Document):
     """All single movements that may explain the residuals, the best explanation first."""
     meaning: str
     """Verdict in words."""
+    meaning_phrase: Phrase | None
+    """Text of the catalogue that is `meaning` in English."""
     messages: list[Message]
     """Warnings, with remedies."""
     model_mm: float

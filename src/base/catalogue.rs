@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 14] = files![
+pub const FILES: [(&str, [&str; 3]); 17] = files![
     "base",
     "campaign",
     "cli",
@@ -38,8 +38,11 @@ pub const FILES: [(&str, [&str; 3]); 14] = files![
     "exports",
     "fit",
     "formats",
+    "identify",
     "report",
+    "reporting",
     "robots",
+    "run",
     "simulate",
     "stages",
     "standards",
@@ -79,6 +82,7 @@ impl Eq for Argument {}
 /// assert_eq!(approaches.text("de"), "2 Anfahrrichtungen");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(description = "Text of the catalogue with its arguments.")]
 pub struct Phrase {
     /// Id in the catalogue.
     pub id: Cow<'static, str>,

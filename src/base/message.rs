@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// Whether the work can go on.
+/// Effect of a message on the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
@@ -18,7 +18,7 @@ pub enum Severity {
     Warning,
 }
 
-/// How much a reader of a report has to care.
+/// Importance of a message for a reader of a report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Rank {
@@ -27,11 +27,11 @@ pub enum Rank {
     /// Whoever uses the result should know it.
     #[default]
     Know,
-    /// It is as it should be, and stated for completeness.
+    /// Nothing is wrong; stated for completeness.
     Routine,
 }
 
-/// Where a message points: a file, perhaps a line, perhaps columns of it.
+/// Place of a message: a file, optionally a line and columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Place {
     /// File as the campaign names it.
@@ -42,7 +42,7 @@ pub struct Place {
     /// Column in characters, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<usize>,
-    /// How many characters are meant, at least 1.
+    /// Number of marked characters, at least 1.
     #[serde(skip)]
     pub width: usize,
     /// The line itself.
@@ -50,13 +50,15 @@ pub struct Place {
     pub text: Option<String>,
 }
 
-/// One error or warning: id and arguments of its text in the catalogue, the English texts, and its place.
+/// One error or warning: id and arguments of its text in the catalogue, the English texts, and its
+/// place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Message {
     /// Id in the catalogue; `etalon explain ID` explains it.
     #[serde(default, skip_serializing_if = "str::is_empty")]
     pub id: Cow<'static, str>,
-    /// Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those of the message.
+    /// Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those
+    /// of the message.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub arguments: Arguments,
     /// Texts around the message, from inside: each has the message as its argument `message`.
@@ -64,23 +66,24 @@ pub struct Message {
     pub around: Vec<Phrase>,
     /// Error or warning.
     pub severity: Severity,
-    /// How much a reader has to care.
+    /// Importance for a reader.
     #[serde(default)]
     pub rank: Rank,
-    /// What is wrong, in one English sentence without a full stop.
+    /// Error or remark, in one English sentence without a full stop.
     pub what: String,
     /// Where.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Place>>,
-    /// What was expected there.
+    /// Expected value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<String>,
-    /// What to do.
+    /// Next action.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
 }
 
-/// Error message of an id of the catalogue: `error!("unit-missing", key = "unit")`. A variable alone is its own name: `error!("no-pose", pose)`.
+/// Error message of an id of the catalogue: `error!("unit-missing", key = "unit")`. A variable
+/// alone is its own name: `error!("no-pose", pose)`.
 #[macro_export]
 macro_rules! error {
     ($($call:tt)*) => { $crate::message::Message::of($crate::message::Severity::Error, $crate::phrase!($($call)*)) };
@@ -139,7 +142,7 @@ impl Place {
         }
     }
 
-    /// The same line, pointing at `width` characters from `column` (from 1).
+    /// This line with `width` characters marked from `column` (from 1).
     pub fn at(mut self, column: usize, width: usize) -> Self {
         self.column = Some(column);
         self.width = width;
@@ -157,7 +160,7 @@ pub struct SourceText<'a> {
 }
 
 impl SourceText<'_> {
-    /// Where a value is.
+    /// Place of a value.
     pub fn place<T>(&self, value: &toml::Spanned<T>) -> Place {
         Place::span(self.name, self.text, value.span())
     }
@@ -176,7 +179,8 @@ impl Message {
     /// ```
     /// use etalon_base::message::Place;
     ///
-    /// let message = etalon_base::error!("galil-value-too-large", parameter = "d").at(Place::line("joints.csv", 7, "3;10,5"));
+    /// let place = Place::line("joints.csv", 7, "3;10,5");
+    /// let message = etalon_base::error!("galil-value-too-large", parameter = "d").at(place);
     /// let lines = [
     ///     "error[galil-value-too-large]: `d` is too large for a variable of a Galil controller",
     ///     " --> joints.csv:7",
@@ -184,7 +188,7 @@ impl Message {
     ///     "7 | 3;10,5",
     /// ];
     /// assert!(message.to_string().starts_with(&lines.join("\n")), "{message}");
-    /// assert_eq!((message.id.as_ref(), &message.arguments["parameter"] == &"d"), ("galil-value-too-large", true));
+    /// assert!(message.is("galil-value-too-large", &[("parameter", &"d")]));
     /// ```
     pub fn of(severity: Severity, text: Phrase) -> Self {
         let Phrase { id, arguments } = text;
@@ -244,36 +248,36 @@ impl Message {
         self.id == id && arguments.iter().all(is_stated)
     }
 
-    /// The same message within a text that has the argument `message`: where it was found, for instance.
+    /// Puts the message within a text that has the argument `message`, for example its place.
     pub fn within(mut self, around: Phrase) -> Self {
         self.what = around.clone().with("message", &self.what).to_string();
         self.around.push(around);
         self
     }
 
-    /// The same message, of which somebody has to act.
+    /// Ranks the message as one on which somebody has to act.
     pub fn to_decide(self) -> Self {
         Self { rank: Rank::Decide, ..self }
     }
 
-    /// The same message, stated for completeness.
+    /// Ranks the message as stated for completeness.
     pub fn routine(self) -> Self {
         Self { rank: Rank::Routine, ..self }
     }
 
-    /// The same message with its place.
+    /// Adds the place.
     pub fn at(mut self, place: Place) -> Self {
         self.place = Some(Box::new(place));
         self
     }
 
-    /// The same message with what was expected.
+    /// Adds the expected value.
     pub fn expected(mut self, expected: impl Into<Remark>) -> Self {
         self.expected = Some(self.remark("expected", expected.into()));
         self
     }
 
-    /// The same message with a hint.
+    /// Adds a hint.
     pub fn hint(mut self, hint: impl Into<Remark>) -> Self {
         self.hint = Some(self.remark("hint", hint.into()));
         self
@@ -308,11 +312,11 @@ impl Message {
 /// Texts of a message in one language.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Texts {
-    /// What is wrong.
+    /// Error or remark.
     pub what: String,
-    /// What was expected.
+    /// Expected value.
     pub expected: Option<String>,
-    /// What to do.
+    /// Next action.
     pub hint: Option<String>,
 }
 
@@ -361,7 +365,8 @@ const UNITS: [(&str, f64, bool); 8] = [
     ("inch", 25.4, false),
 ];
 
-/// Units of two names that differ in nothing else, and the factor between them: rad, 57.29577951, deg.
+/// Units of two names that differ in nothing else, and the factor between them: rad, 57.29577951,
+/// deg.
 fn other_unit(wrong: &str, name: &str) -> Option<(&'static str, f64, &'static str)> {
     let split = |name: &str| {
         let (stem, unit) = name.rsplit_once('_')?;
@@ -430,8 +435,8 @@ impl fmt::Display for Message {
     }
 }
 
-/// A character as it may reach a terminal within a line: controls are replaced, and marks that turn the way a text reads
-/// (UAX #9), with which a name leaves its place.
+/// A character as it may reach a terminal within a line: controls are replaced, and marks that turn
+/// the way a text reads (UAX #9), with which a name leaves its place.
 pub fn printable_character(c: char) -> char {
     match c {
         '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{2028}' | '\u{2029}' => '\u{fffd}',
@@ -487,7 +492,7 @@ impl Problems {
         if self.0.iter().any(|m| m.severity == Severity::Error) { Err(self) } else { Ok(self.0) }
     }
 
-    /// The same messages within a text that has the argument `message`.
+    /// Puts all messages within a text that has the argument `message`.
     pub fn within(self, around: &Phrase) -> Self {
         Self(self.0.into_iter().map(|message| message.within(around.clone())).collect())
     }
@@ -497,9 +502,9 @@ impl Problems {
         result.map_err(|more| self.0.extend(more.0)).ok()
     }
 
-    /// The same messages, with one in place of those that are repeated in more than three rows of a file of data: the first, with the
-    /// next two lines and how many more there are. Names and numbers in a message may differ. Statements are no rows, and neither are
-    /// several messages about one line.
+    /// Merges messages that are repeated in more than three rows of a data file: the first remains,
+    /// with the next two lines and the number of others. Names and numbers in a message may differ.
+    /// Statements are no rows, and neither are several messages about one line.
     pub fn grouped(self) -> Self {
         let mut lines: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
         let key = |message: &Message| {
@@ -528,8 +533,8 @@ impl Problems {
         Self(messages)
     }
 
-    /// The same messages, [`grouped`](Self::grouped), about this file and its text, where they name no other file: the line that they
-    /// name is shown.
+    /// [Grouped](Self::grouped) messages about this file and its text, unless they name another
+    /// file; shows the lines that they name.
     pub fn in_text(self, file: &str, text: &str) -> Self {
         let mut grouped = self.grouped();
         for message in &mut grouped.0 {
@@ -542,7 +547,7 @@ impl Problems {
         grouped
     }
 
-    /// The same messages, at this place where they have none, and in its file where they have a line alone.
+    /// Adds this place to messages without a place, and its file to messages with a line alone.
     pub fn at(mut self, place: &Place) -> Self {
         for message in &mut self.0 {
             let own = message.place.get_or_insert_with(|| Box::new(place.clone()));

@@ -6,11 +6,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Steps of the geometric calibration, each of which can be used alone. Leads, scale bars, single
-/// balls and the workspace need nothing else. `arc` (origin O of the base) and `turn` (centre C of
-/// the platform) need the world frame, `shaft` (s) also needs `arc`, `offsets` (d1, d3) needs all
-/// of them and `mid_travel_mm`. The plane of the base frame, ball R and the side of actuator 3 are
-/// those of the world frame.
+/// Steps of the geometric calibration. Leads, scale bars, single balls and the workspace can be
+/// used alone. `arc` (origin O of the base) and `turn` (centre C of the platform) need the world
+/// frame. `shaft` (s) needs the world frame and `arc`. `offsets` (d1, d3) needs `arc`, `turn`,
+/// `shaft` and `mid_travel_mm`. The world frame defines the plane of the base frame, ball R and the
+/// side of actuator 3.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {

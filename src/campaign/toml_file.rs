@@ -1,7 +1,7 @@
 //! Reading of a TOML file with all its problems at once, by JSON Schema: an entry that does not fit
 //! is reported and removed, a missing entry is reported and replaced, and the rest is read.
 
-use etalon_base::catalogue::IntoArgument;
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::{error, phrase};
 use schemars::JsonSchema;
@@ -242,7 +242,8 @@ impl<'a> Check<'a> {
         let element = if self.path.last() == name { "no" } else { "yes" };
         let key = name.map_or("", String::as_str);
         let message = error!("value-of-other-kind", element, key, found).at(self.place(value.span()));
-        self.problems.push(message.expected(joined(all.iter().flat_map(|s| kinds(s)).collect())));
+        let expected = joined(&all.iter().flat_map(|s| kinds(s)).collect::<Vec<_>>());
+        self.problems.push(message.expected(expected));
         false
     }
 
@@ -256,7 +257,8 @@ impl<'a> Check<'a> {
         }
         let names: Vec<&str> = known.iter().filter_map(|v| v.as_str()).collect();
         let message = error!("unknown-variant", text).at(self.place(span));
-        let message = message.expected(joined(self.alternatives(schema).into_iter().flat_map(kinds).collect()));
+        let expected = joined(&self.alternatives(schema).into_iter().flat_map(kinds).collect::<Vec<_>>());
+        let message = message.expected(expected);
         self.problems.push(match nearest(text, names.iter().copied()) {
             Some(_) => message.hint_names(text, names),
             None => message,
@@ -340,27 +342,30 @@ fn is_of_kind(schema: &Value, value: &DeValue) -> bool {
 }
 
 /// Requirements of a schema in words.
-fn kinds(schema: &Value) -> Vec<String> {
-    let limit = |key: &str, words: &str| schema[key].as_u64().map_or_else(String::new, |n| format!(" {words} {n}"));
+fn kinds(schema: &Value) -> Vec<Argument> {
+    let kind = |kind: &str, key: &str| {
+        let limit = schema[key].as_u64().map_or_else(|| "none".argument(), |limit| limit.argument());
+        vec![phrase!("kind-expected", kind, limit).argument()]
+    };
     match (listed(schema), type_of(schema)) {
         (Some(all), _) => {
-            all.into_iter().map(|v| v.as_str().map_or_else(|| v.to_string(), |v| format!("`{v}`"))).collect()
+            let shown = |v: &Value| v.as_str().map_or_else(|| v.to_string(), |v| format!("`{v}`"));
+            all.into_iter().map(|v| shown(v).argument()).collect()
         }
-        (_, "string") => vec!["a text".to_owned()],
-        (_, "number") => vec!["a number".to_owned()],
-        (_, "integer") => vec![format!("a whole number{}", limit("minimum", "from"))],
-        (_, "boolean") => vec!["`true`".to_owned(), "`false`".to_owned()],
-        (_, "array") => vec![format!("a list{}", limit("minItems", "of"))],
-        _ => vec!["a table".to_owned()],
+        (_, "string") => kind("text", ""),
+        (_, "number") => kind("number", ""),
+        (_, "integer") => kind("whole", "minimum"),
+        (_, "boolean") => ["`true`", "`false`"].map(|truth| truth.argument()).to_vec(),
+        (_, "array") => kind("list", "minItems"),
+        _ => kind("table", ""),
     }
 }
 
-/// Alternatives in words.
-fn joined(all: Vec<String>) -> String {
-    match &all[..] {
-        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
-        _ => all.concat(),
-    }
+/// Alternatives as one text.
+fn joined(all: &[Argument]) -> Phrase {
+    let (last, first) = all.split_last().map_or(("".argument(), all), |(last, first)| (last.clone(), first));
+    let first = if first.is_empty() { "none".argument() } else { first.argument() };
+    phrase!("alternatives", first, last)
 }
 
 /// Keys of a table; a schema `true` allows keys that are reported elsewhere.

@@ -7,7 +7,7 @@ use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Place, Problems, Result, Severity};
+use etalon_base::message::{Place, Problems, Result, Severity};
 use etalon_base::pose::Pose;
 use etalon_controllers::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
 use etalon_documents::{CampaignSummary, GeometricDocument, LeadResult};
@@ -147,8 +147,7 @@ impl Source<'_> {
                     let index = moved.iter().position(|joint| joint == corrected).unwrap_or_default();
                     robot.joint_deviations(&q, &moved).map(|all| all[index])
                 };
-                let none = || format!("`{}` has no errors of its own in this model", all[*corrected].name);
-                Ok(all[*corrected].quantity.outward(deviation.ok_or_else(none)?))
+                Ok(all[*corrected].quantity.outward(deviation.ok_or("no-error")?))
             }
             Self::Pose { robot, at, bases, corrected } => {
                 let mut wanted = *at;
@@ -160,7 +159,7 @@ impl Source<'_> {
                 let rows = &lead.linearity;
                 let within =
                     rows.windows(2).find(|pair| (pair[0].commanded_mm..=pair[1].commanded_mm).contains(&positions[0]));
-                let [a, b] = within.ok_or("the lead was not measured there")? else {
+                let [a, b] = within.ok_or("not-measured")? else {
                     return Err("no interval".to_owned());
                 };
                 let part = (positions[0] - a.commanded_mm) / (b.commanded_mm - a.commanded_mm);
@@ -222,29 +221,21 @@ impl AxisTable {
         let signed = planes || self.to == Controller::SinumerikCec;
         let own = self.axes.len() == 1 && self.corrected() == self.axes[0].name;
         let positions: usize = self.axes.iter().map(|axis| axis.positions.len().max(1)).product();
-        let problem = match self.to {
-            _ if self.axes.len() > 2 || (self.axes.len() == 2 && self.axes[0].name == self.axes[1].name) => {
-                "a table has one base axis or two"
-            }
-            _ if positions > MOST_POSITIONS => "the table has more than 100000 positions",
-            _ if !self.zero_at.is_empty() && self.zero_at.len() != self.axes.len() => {
-                "--zero-at has one position for each base axis"
-            }
+        let fault = match self.to {
+            _ if self.axes.len() > 2 || (self.axes.len() == 2 && self.axes[0].name == self.axes[1].name) => "axes",
+            _ if positions > MOST_POSITIONS => "positions",
+            _ if !self.zero_at.is_empty() && self.zero_at.len() != self.axes.len() => "zero",
             _ if self.numbers.len() < 3 && self.numbers.len() <= self.axes.len() - usize::from(self.is_base()) => {
-                "--numbers has one number for each axis"
+                "numbers"
             }
-            _ if signed && self.sign.is_none() => {
-                "the maker does not publish which sign the values of this table have: state it by --sign add or --sign subtract, after a trial at one position of the machine"
-            }
-            _ if !signed && self.sign.is_some() => "--sign is for tables whose sign is not published",
-            Controller::BeckhoffPlane if self.axes.len() != 2 => "a plane has two base axes",
-            Controller::SinumerikCec if self.axes.len() != 1 => "a table of a SINUMERIK has one base axis",
-            Controller::Linuxcnc | Controller::Beckhoff | Controller::Sinumerik if !own => {
-                "this table has one base axis, which is the one that it corrects"
-            }
+            _ if signed && self.sign.is_none() => "sign-missing",
+            _ if !signed && self.sign.is_some() => "sign-known",
+            Controller::BeckhoffPlane if self.axes.len() != 2 => "plane",
+            Controller::SinumerikCec if self.axes.len() != 1 => "one-axis",
+            Controller::Linuxcnc | Controller::Beckhoff | Controller::Sinumerik if !own => "own-axis",
             _ => return Ok(()),
         };
-        Err(Message::error(problem).into())
+        Err(error!("table-options-refused", fault, most = MOST_POSITIONS).into())
     }
 
     fn is_base(&self) -> bool {
@@ -368,8 +359,10 @@ impl AxisTable {
             _ => Vec::new(),
         };
         let mut deviation = |at: &[f64]| {
-            let place = self.axes.iter().zip(at).map(|(axis, v)| format!("{} = {v}", axis.name)).collect::<Vec<_>>();
-            source.deviation(at, &mut near).map_err(|why| Message::error(format!("{}: {why}", place.join(", "))))
+            let position: Vec<String> =
+                self.axes.iter().zip(at).map(|(axis, v)| format!("{} = {v}", axis.name)).collect();
+            let deviation = source.deviation(at, &mut near);
+            deviation.map_err(|reason| error!("deviation-unknown", position, reason, axis = self.corrected()))
         };
         if let Some(axis) = self.axes.iter().find(|axis| axis.positions.is_empty()) {
             return Err(error!("axis-without-positions", axis = axis.name).into());

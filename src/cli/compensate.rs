@@ -213,12 +213,12 @@ impl Compensate {
         {
             let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             if all.len() > 1 || (all.len() == 1 && !stated) {
-                let next = match all.len() {
+                let hint = match all.len() {
                     1 => phrase!("state-pose-option", option),
                     _ => phrase!("one-program-each"),
                 };
                 let place = Place::file(self.targets.display().to_string());
-                return Err(error!("program-frames", names = all).at(place).hint(next).into());
+                return Err(error!("program-frames", names = all).at(place).hint(hint).into());
             }
         }
         if self.frame == Frame::World {

@@ -7,7 +7,7 @@ use crate::run::validation::recommend;
 use crate::stages::given::{check_described, other_nominal};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems, Severity, printable};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
@@ -179,7 +179,7 @@ impl Exported {
             check_described(robot.as_ref(), &parameters)?;
         }
         if let Some(stale) = robot.as_deref().and_then(|robot| other_nominal(robot, &parameters)) {
-            let hint = "run the campaign again, or name the robot.toml that it was run with";
+            let hint = phrase!("robot-file-of-run");
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
         }
         Ok(Self { parameters, file, robot, summary, accuracy: None, controllers: None })

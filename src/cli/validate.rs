@@ -8,7 +8,7 @@ use crate::run::walk::presentation;
 use crate::stages::validation::Validated;
 use etalon_campaign::Campaign;
 use etalon_documents::{GivenFrames, to_json};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use std::path::PathBuf;
 
 /// Judge given parameters on the data of a campaign.
@@ -41,8 +41,8 @@ impl Validate {
         let document = self.parameters.as_deref().map(read_parameters).transpose()?;
         let Validated { accuracy, messages } = validate(&campaign, document.as_ref(), self.frames)?;
         remark(&messages);
-        let faces = Faces::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
-        self.reports.write(&faces)?;
-        answer(&faces, self.json.then(|| to_json(&accuracy)).transpose()?)
+        let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, self.json.then(|| to_json(&accuracy)).transpose()?)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::LimitVerdict;
 use super::{Effect, Figure, ReadingReliability, ToolFrame, UncertaintySource};
+use etalon_base::catalogue::Phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -15,9 +16,15 @@ pub struct AccuracyDocument {
     pub schema: String,
     /// Definition of "before" and of "error" in this document, in words.
     pub definition: String,
+    /// Text of the catalogue that is `definition` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition_phrase: Option<Phrase>,
     /// Point whose errors are in `sets`, in words.
     #[serde(default)]
     pub point: String,
+    /// Text of the catalogue that is `point` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub point_phrase: Option<Phrase>,
     /// Joints of the robot, named as columns: `q1_deg`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<String>,
@@ -170,6 +177,9 @@ pub enum GivenFrames {
 pub struct ToolAccuracy {
     /// Definition of "before" and "after" in this object, in words.
     pub definition: String,
+    /// Text of the catalogue that is `definition` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition_phrase: Option<Phrase>,
     /// Position of the point in `frame`.
     pub point_mm: Vector,
     /// Part to which the point is attached.

@@ -14,8 +14,8 @@ pub struct ControllersDocument {
     pub schema: String,
     /// One entry for each distinct set of written values.
     pub files: Vec<ControllerFiles>,
-    /// Files that were not written or are not clearly better than nominal, and parameters that could
-    /// not be identified again.
+    /// Files that were not written or are not clearly better than nominal, and parameters that
+    /// could not be identified again.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Message>,
 }

@@ -1,5 +1,6 @@
 //! `features.json` and `frames.json`: fitted elements, and the world frame.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -65,6 +66,9 @@ pub struct FramesDocument {
 pub struct Uncontrolled {
     /// Description of the error.
     pub what: String,
+    /// Text of the catalogue that is `what` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub what_phrase: Option<Phrase>,
     /// Labels, features or targets with the error; empty if it concerns all readings.
     pub points: Vec<String>,
     /// Keys that would control the error.
@@ -77,6 +81,9 @@ pub struct Uncontrolled {
 pub struct WorldFrame {
     /// Definition of the frame, in words.
     pub definition: String,
+    /// Text of the catalogue that is `definition` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition_phrase: Option<Phrase>,
     /// `true` if z is dropped: observations are projected onto the xy plane of the world.
     pub planar: bool,
     /// One entry for all poses (without `pose` and `cycle`), or one entry per pose and cycle.

@@ -1,6 +1,7 @@
 //! `geometric.json`: results of the geometric method, beside the identification of the same
 //! campaign.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -15,6 +16,9 @@ pub struct GeometricDocument {
     pub schema: String,
     /// Assignment of the measured features to geometric quantities, in words.
     pub definition: String,
+    /// Text of the catalogue that is `definition` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition_phrase: Option<Phrase>,
     /// One entry per quantity, with the identified value of the same parameter.
     pub quantities: Vec<GeometricQuantity>,
     /// Covariance of the values of all quantities, in their order and units.
@@ -82,6 +86,9 @@ pub struct RepeatStatistics {
 pub struct GeometricStep {
     /// Fitted feature.
     pub name: String,
+    /// Text of the catalogue that is `name` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name_phrase: Option<Phrase>,
     /// Number of residuals.
     pub count: usize,
     /// Standard deviation of a residual.
@@ -250,6 +257,9 @@ pub struct MethodErrors {
 pub struct Region {
     /// Name of the region.
     pub name: String,
+    /// Text of the catalogue that is `name` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name_phrase: Option<Phrase>,
     /// Area of the region.
     pub area_mm2: f64,
     /// Corners of the region in the base frame, counterclockwise; z is zero.

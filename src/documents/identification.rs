@@ -3,6 +3,7 @@
 use crate::*;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
+use etalon_base::phrase;
 use etalon_identify::{
     Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError, Settings, SingularValue,
     Status, Subject, Warning,
@@ -112,29 +113,34 @@ pub fn warning_messages(warnings: &[Warning]) -> Vec<Message> {
 
 /// Converts a warning or an error to a message that names keys of a campaign.
 pub fn warning_message(warning: &Warning) -> Message {
-    let hold = "of parameters that act alike the last one in the model's list is held: name another one under `hold` in [identify] to hold \
-                that instead";
     match &warning.subject {
-        Subject::HeldByFrames => warning.message.clone().hint(hold),
+        Subject::HeldByFrames => warning.message.clone().hint(phrase!("hold-another")),
         Subject::Shape(contradicted) => contradicted_places(contradicted),
-        Subject::SetUp(found) => warning.message.clone().hint(set_up_hint(found)),
+        Subject::SetUp(found) => {
+            let hint = set_up_phrase(found);
+            warning.message.clone().hint(hint)
+        }
         Subject::Other => warning.message.clone(),
     }
 }
 
-/// Hint at the change of the set-up to look for, with the keys that state it.
+/// English hint at the change of the set-up, with the keys that state it.
 pub fn set_up_hint(found: &SetUpError) -> String {
-    found.hint(|origin| match origin {
-        Origin::Unit => " (`unit` of the export)",
-        Origin::WorldFrame => " (`unit` and labels of the points that make it)",
-        Origin::Named => "",
+    set_up_phrase(found).to_string()
+}
+
+/// Hint at the change of the set-up, with the keys that state it.
+pub fn set_up_phrase(found: &SetUpError) -> Phrase {
+    found.to_check(|origin| match origin {
+        Origin::Unit => Some(phrase!("set-up-origin", origin = "unit")),
+        Origin::WorldFrame => Some(phrase!("set-up-origin", origin = "world-frame")),
+        Origin::Named => None,
     })
 }
 
 /// Message that a measurement contradicts the stated positions on a rigid part.
 pub fn contradicted_places(contradicted: &Contradicted) -> Message {
-    let message = contradicted.message("[[rigid]]: `places_mm`");
-    message.hint("check unit and names in `places_mm`, and whether the part was changed since they were determined")
+    contradicted.message("[[rigid]]: `places_mm`").hint(phrase!("check-rigid-part"))
 }
 
 /// Contribution of each source to the standard uncertainties of the `written` parameters, in their
@@ -159,15 +165,11 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         value: s.value,
         parameters: s.parameters.iter().map(|&i| robot.parameters()[i].name.clone()).collect(),
     };
-    let mut scaling =
-        "O1 to O5: Jacobian in mm per mm, rad and 1, unweighted; condition: columns divided by their norms".to_owned();
-    if o.eliminated > 0 {
-        scaling += &format!(
-            "; of {} parameters, after elimination of the {} coordinates of unknown points",
-            o.rank - o.eliminated,
-            o.eliminated
-        );
-    }
+    let known = o.rank - o.eliminated;
+    let scaling = match o.eliminated {
+        0 => phrase!("observability-scaling"),
+        coordinates => phrase!("observability-scaling-eliminated", parameters = known, coordinates),
+    };
     ObservabilitySummary {
         o1,
         o2,
@@ -176,7 +178,8 @@ pub fn observability_summary(robot: &dyn Robot, o: &Observability) -> Observabil
         o5,
         condition: o.condition,
         rank: o.rank,
-        scaling,
+        scaling: scaling.to_string(),
+        scaling_phrase: Some(scaling),
         singular_values: o.singular_values.iter().map(named).collect(),
         held_singular_values: o.held_singular_values.iter().map(named).collect(),
         rank_cut: RANK_TOLERANCE,

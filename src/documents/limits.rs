@@ -93,6 +93,16 @@ impl LimitQuantity {
             Self::RepeatabilityMaxMm | Self::AccuracyMaxMm => None,
         }
     }
+
+    /// Error that the limit holds for one by one; `None` if it limits a statistic of several errors
+    /// or a characteristic of ISO 9283.
+    pub fn of_each_error(self) -> Option<ErrorQuantity> {
+        match self {
+            Self::PositionMaxMm => Some(ErrorQuantity::Position),
+            Self::OrientationMaxDeg => Some(ErrorQuantity::Orientation),
+            Self::PositionMeanMm | Self::PositionRmsMm | Self::RepeatabilityMaxMm | Self::AccuracyMaxMm => None,
+        }
+    }
 }
 
 /// A limit of the campaign and its verdict.

@@ -1,6 +1,7 @@
 //! `parameters.json`: identified parameters with the evidence for them.
 
 use super::{Provenance, Replicates, ResidualKind, Role, Termination, UncertaintyFrom, UncertaintySource};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
@@ -374,6 +375,9 @@ pub struct ObservabilitySummary {
     pub rank: usize,
     /// Scaling of the indices.
     pub scaling: String,
+    /// Text of the catalogue that is `scaling` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scaling_phrase: Option<Phrase>,
     /// Singular values of the Jacobian at the solution, descending, with columns scaled to unit
     /// length. The ratio of the largest to the smallest is the condition number; the squares add up
     /// to the number of parameters.

@@ -1,6 +1,7 @@
 //! `plan.json`: the poses to measure, and a simulated calibration with them (thesis, chapter 4).
 
 use super::{ObservabilitySummary, Provenance};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -169,6 +170,9 @@ pub struct StudyDocument {
     /// Point whose position errors are evaluated, in words.
     #[serde(default)]
     pub point: String,
+    /// Text of the catalogue that is `point` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub point_phrase: Option<Phrase>,
     /// Nominal, true and identified parameters with all positions (thesis, table 4.1, fig. 4.8).
     pub parameters: Vec<StudiedParameter>,
     /// Position errors by the number of measured positions; the last entry is the plan (thesis,

@@ -1,6 +1,7 @@
 //! Answer of `etalon recommend`: effects that the data prove, and parameters that should be loaded.
 
 use super::{Effect, ParametersDocument, Statistics};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,9 @@ pub struct RecommendationDocument {
     pub robot: String,
     /// Recommendation in words.
     pub meaning: Vec<String>,
+    /// Texts of the catalogue that are `meaning` in English.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub meaning_phrases: Vec<Phrase>,
     /// Number of calibration poses.
     pub poses: usize,
     /// Number of folds; each is predicted from the others.

@@ -1,6 +1,7 @@
 //! Answer of `etalon verify`: verdict on whether given parameters still apply.
 
 use super::Provenance;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -18,6 +19,9 @@ pub struct VerificationDocument {
     pub verdict: VerificationVerdict,
     /// Verdict in words.
     pub meaning: String,
+    /// Text of the catalogue that is `meaning` in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub meaning_phrase: Option<Phrase>,
     /// Probability of residuals at least this large if nothing has changed.
     pub p_value: f64,
     /// Significance level: the robot counts as changed if the p-value is below it.

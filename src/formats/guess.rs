@@ -1,22 +1,21 @@
-//! Ways to split the rows of a text into numbers: every delimiter with every pair of marks gets a
-//! score.
+//! Guesses of the dialect of a text: every delimiter with every pair of marks gets a score.
 
 use super::lexer::{Row, parsed, split};
 use crate::dialect::{ColumnRole, Columns, Decimal, Delimiter, Dialect, Header, Missing, Thousands};
 use std::borrow::Cow;
 
-/// Number of rows by which all ways to split are ranked.
+/// Number of lines of the first ranking.
 const SAMPLE: usize = 2000;
-/// Number of rows by which the best ways are ranked.
+/// Number of lines on which the best guesses are ranked again.
 const MOST: usize = 200_000;
-/// Lines that start like this may be comments.
+/// Possible beginnings of comment lines.
 const COMMENTS: [&str; 4] = ["//", "#", "%", "$$"];
 /// Words that end files.
 const ENDS: [&str; 3] = ["END", "EOF", "End"];
 /// Delimiters that are tried.
 const DELIMITERS: [Delimiter; 5] =
     [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Bar, Delimiter::Comma, Delimiter::Blank];
-/// Decimal and thousands marks that are tried; numbers with groups of digits come last.
+/// Decimal and thousands marks that are tried.
 const MARKS: [(Decimal, Option<Thousands>); 7] = [
     (Decimal::Point, None),
     (Decimal::Comma, None),
@@ -27,42 +26,44 @@ const MARKS: [(Decimal, Option<Thousands>); 7] = [
     (Decimal::Comma, Some(Thousands::Blank)),
 ];
 
-/// One way to split a text.
+/// One dialect of a text, with its evidence.
 #[derive(Clone, Debug)]
 pub(super) struct Guess<'t> {
-    /// Without columns.
+    /// Dialect without columns.
     pub dialect: Dialect,
-    /// Rows before the data.
+    /// Number of rows before the data.
     pub header: usize,
-    /// Last row of the header, or the last comment before the data if it has one word for each
+    /// Last row before the data, or the last comment before the data if it has a word for each
     /// column.
     pub names: Option<Row<'t>>,
-    /// `true` if the names are those of a comment.
+    /// `true` if the names are in a comment.
     pub commented: bool,
-    /// Number of data rows (`rows`), and of data rows with the usual number of fields and at least
-    /// two numbers (`read`).
+    /// Number of data rows.
     pub rows: usize,
+    /// Number of data rows with the usual number of fields and at least two numbers.
     pub read: usize,
-    /// Line of the first other data row.
+    /// Line of the first row that does not fit.
     pub unread: Option<usize>,
-    /// `true` for each column of numbers (or cells that mean "not measured").
+    /// For each column `true` if all its cells are numbers or mean "not measured".
     pub numeric: Vec<bool>,
-    /// Numbers, those with a decimal mark, and those with it before exactly three digits.
+    /// Count of numbers.
     pub numbers: usize,
+    /// Count of numbers with a decimal mark.
     pub fractions: usize,
+    /// Count of numbers with exactly three digits behind the decimal mark.
     pub threes: usize,
     score: f64,
 }
 
 impl Guess<'_> {
-    /// Share of the rows that read this way.
+    /// Share of the rows that fit the dialect.
     pub fn share(&self) -> f64 {
         self.read as f64 / self.rows.max(1) as f64
     }
 }
 
-/// Ways to split the text, or the cells of a sheet, whose score is near the best one; the best is
-/// the first.
+/// Returns the dialects whose score is within 1 % of the best, best first. The text may be the
+/// cells of a sheet.
 pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
     let sample = &text[..text.split_inclusive('\n').take(SAMPLE).map(str::len).sum()];
     let starts = |mark: &&str| sample.lines().any(|line| line.trim_start().starts_with(*mark));
@@ -102,7 +103,7 @@ pub(super) fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> 
     guesses
 }
 
-/// Columns against which marks and delimiter can be checked.
+/// Columns that make a dialect complete enough to check its marks and delimiter.
 fn some_columns() -> Columns {
     vec![ColumnRole::X, ColumnRole::Y].into()
 }
@@ -115,10 +116,10 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     let header = all.iter().position(|row| numbers(row) >= 2)?;
     let end = dialect.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
-    // fields behind the last one that holds something are none
+    // trailing empty fields do not count
     let width = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
     let of_sheet = dialect.sheet.is_some();
-    // cells behind the last one of a row are empty, and not written
+    // a sheet omits trailing empty cells
     let columns = if of_sheet { data.iter().map(width).max() } else { most_common(data.iter().map(width)) }?;
     let fits = |row: &Row| {
         (of_sheet || width(row) == columns)
@@ -133,9 +134,9 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
         field.split_once(mark).is_some_and(|(_, after)| after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit()))
     };
     let threes = used.iter().filter(three).count();
-    // a reading that splits decimal numbers in two has only whole numbers: prefer fractions
+    // a dialect that splits decimal numbers in two finds whole numbers only: prefer fractions
     let plain = if dialect.thousands.is_some() { 0.95 } else { 1.0 };
-    // rows before the data that hold numbers may be data
+    // rows with numbers before the data may be data
     let worded = |row: &&Row| {
         !row.fields.iter().any(|f| f.trim_start_matches(['+', '-', '.']).starts_with(|c: char| c.is_ascii_digit()))
     };
@@ -170,7 +171,7 @@ fn guess(sample: &str, mut dialect: Dialect) -> Option<Guess<'_>> {
     })
 }
 
-/// The last comment before the data, if it has as many words as the data have columns.
+/// Returns the last comment before the data, if it has a word for each column.
 fn named_by_comment<'t>(
     text: &'t str,
     dialect: &Dialect,
@@ -190,15 +191,15 @@ fn named_by_comment<'t>(
     worded.then_some(row)
 }
 
-/// The count that occurs most often; of several the largest.
+/// Returns the count that occurs most often, the largest if there are several.
 fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
     let mut times = std::collections::BTreeMap::new();
     counts.for_each(|count| *times.entry(count).or_insert(0usize) += 1);
     times.into_iter().max_by_key(|&(count, times)| (times, count)).map(|(count, _)| count)
 }
 
-/// Names of all columns, if the header has as many names as the data have columns. A unit in
-/// brackets belongs to the name before it.
+/// Returns the names of all columns, if the header has a name for each. A unit in brackets behind a
+/// blank belongs to the name before it.
 pub(super) fn names(guess: &Guess) -> Option<Vec<String>> {
     let fields: Vec<&str> = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref).collect();
     let columns = guess.numeric.len();
@@ -217,14 +218,14 @@ pub(super) fn names(guess: &Guess) -> Option<Vec<String>> {
     } else {
         names = fields.into_iter().map(str::to_owned).collect();
     }
-    // a header of words, not of numbers
+    // a header has words
     (names.len() >= columns && names.iter().any(|n| n.contains(char::is_alphabetic))).then(|| {
         names.truncate(columns);
         names
     })
 }
 
-/// A date or a time of day.
+/// `true` for a date or a time of day.
 pub(super) fn is_time(cell: &str) -> bool {
     let digits = cell.bytes().filter(u8::is_ascii_digit).count();
     digits >= 4

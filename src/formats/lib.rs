@@ -1,7 +1,8 @@
-//! Import: files of measuring systems and controllers become points and joint values.
+//! Import of files of measuring systems and controllers as points and joint values.
 //!
-//! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
-//! does not read as stated is an error with its place, and one run reports all of them.
+//! No input is repaired in silence. A row that means "not measured" is rejected by a rule and
+//! listed. Anything else that differs from the stated format is an error with its place, and one
+//! run reports all errors.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
 mod cloud;
@@ -38,10 +39,10 @@ use etalon_base::{error, warning};
 use polars::prelude::DataFrame;
 use std::path::Path;
 
-/// Rows of a file in a format, without a campaign; those that were not measured are `refused`.
+/// Reads a file in a format, without a campaign; rows that were not measured are `refused`.
 ///
 /// # Errors
-/// Everything in it that does not read, with its line.
+/// All rows that cannot be read, with their lines.
 pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit: Unit) -> Result<Vec<Point>> {
     let name = path.display().to_string();
     let here = |problems: Problems| problems.at(&Place::file(name.as_str()));
@@ -51,16 +52,18 @@ pub fn read_file(path: &Path, encoding: Option<Encoding>, format: &Format, unit:
     Ok(points)
 }
 
-/// A label and a point in millimetres.
+/// Label and position (mm) of a point.
 pub type Labelled = (String, Vector);
 
-/// Labels and points of a file, in millimetres: [`points_and_refused`] without the warning.
+/// Returns labels and positions (mm) of a file: [`points_and_refused`] without the warning.
 pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Vec<Labelled>> {
     points_and_refused(file, text, format, unit).map(|(points, _)| points)
 }
 
-/// Labels and points of a file, in millimetres. A row that was not measured is an error in a table; of a format with a
-/// reader of its own what is not a point is left out, with a warning.
+/// Returns labels and positions (mm) of a file.
+///
+/// A row that was not measured is an error in a table. In a format with its own reader, rows that
+/// are not points are left out, with a warning.
 pub fn points_and_refused(
     file: &str,
     text: &str,
@@ -84,7 +87,7 @@ pub fn points_and_refused(
     Ok((points.collect(), said))
 }
 
-/// The text of a file in a format; of one that may be binary, a character for each byte.
+/// Reads the text of a file in a format; for a binary format, one character for each byte.
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     match format.about().binary {
         true => text_of(path, &bytes_of(path)?, None, format),
@@ -92,7 +95,10 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     }
 }
 
-/// Samples of a recording in the stated format, as a table `line time_s x_mm y_mm z_mm`; every row must be measured.
+/// Returns the samples of a recording as a table `line time_s x_mm y_mm z_mm`.
+///
+/// # Errors
+/// All rows that cannot be read or were not measured.
 pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
     let refused = points.iter().filter_map(|point| Some((point, point.refused.as_ref()?)));

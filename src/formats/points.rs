@@ -10,19 +10,18 @@ use std::fmt::{self, Debug, Formatter};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// A row of an export: the reader sets the statements of the row; statements of the campaign
-/// follow.
+/// Row of an export. The reader fills in what the row states; statements of the campaign follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
-    /// File, as the campaign names it.
+    /// File as named in the campaign.
     pub export: Arc<str>,
-    /// Number among the data rows of its export, from 1, refused ones counted.
+    /// Number of the data row in its export, from 1; rejected rows count.
     pub row: i64,
     /// Line of the file, from 1.
     pub line: usize,
     /// The line itself.
     pub text: Line,
-    /// As the row bears it; several parts joined by `::`.
+    /// Label in the row; several parts are joined by `::`.
     pub label: Arc<str>,
     /// Name of the target.
     pub target: Option<Arc<str>>,
@@ -30,24 +29,24 @@ pub struct Point {
     pub pose: Option<PoseName>,
     /// Number of the repeat.
     pub cycle: Option<i64>,
-    /// Time in seconds.
+    /// Time (s).
     pub time_s: Option<f64>,
-    /// Place; NaN if one of its numbers is invalid.
+    /// Position; NaN if a coordinate cannot be read.
     pub xyz_mm: Vector,
-    /// Standard uncertainty of x, y and z, if the file states it.
+    /// Standard uncertainties of x, y and z, if the file states them.
     pub standard_uncertainty_mm: Option<Box<Vector>>,
-    /// Direction of surface or probe, of length 1, where the file states it.
+    /// Direction of surface or probe (unit vector), if the file states it.
     pub direction: Option<Box<Vector>>,
     /// Orientation of the measured body in the frame of the file (quaternion, scalar first), if the
     /// file states it.
     pub orientation: Option<Box<[f64; 4]>>,
-    /// Temperature during the measurement (°C), where the file states it.
+    /// Temperature during the measurement (°C), if the file states it.
     pub temperature_c: Option<f64>,
-    /// The rule that refuses it.
+    /// Rule that rejects the row.
     pub refused: Option<String>,
 }
 
-/// A line of a text, whose memory it shares: exports have millions.
+/// Line of a text that shares the memory of the text: exports have millions of lines.
 #[derive(Clone, PartialEq)]
 pub struct Line {
     whole: Arc<str>,
@@ -56,7 +55,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// A part of a text; a copy if `part` is not a part of it.
+    /// Returns a part of a text; another string is copied.
     pub fn of(whole: &Arc<str>, part: &str) -> Self {
         let from = (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize);
         let range = from.and_then(|from| Some((u32::try_from(from).ok()?, u32::try_from(from + part.len()).ok()?)));
@@ -100,15 +99,16 @@ impl Debug for Line {
     }
 }
 
-/// Names that many rows bear, each in memory once.
+/// Names of many rows, stored once each.
 #[derive(Debug, Default)]
 pub struct Names(IndexSet<Arc<str>>);
 
 impl Names {
-    /// Maximum number of names that are kept: with more names, each row has its own.
+    /// Maximum number of stored names. Beyond it names probably differ from row to row, and storing
+    /// them costs more than it saves.
     const MOST: usize = 4096;
 
-    /// The name, which shares its memory with those before it.
+    /// Returns the name, sharing the memory of an equal name before it.
     pub fn shared(&mut self, name: &str) -> Arc<str> {
         if let Some(known) = self.0.get(name) {
             return known.clone();
@@ -121,16 +121,16 @@ impl Names {
     }
 }
 
-/// Points as a table: `export row line label target pose cycle time_s x_mm y_mm z_mm`, and columns
-/// that few files state.
+/// Returns points as a table `export row line label target pose cycle time_s x_mm y_mm z_mm`, with
+/// uncertainties and directions if a point has them.
 pub fn table(points: &[Point]) -> Result<DataFrame> {
     Stated::of(points).table(points)
 }
 
-/// Rows of a piece of a table that is written.
+/// Number of rows that are written at a time.
 const PIECE: usize = 100_000;
 
-/// Table of the points as Parquet, written piece by piece: exports have millions of rows.
+/// Returns the table of points as Parquet, written piece by piece: exports have millions of rows.
 pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
     let (stated, mut bytes) = (Stated::of(points), Vec::new());
     let mut written = RowGroups::new(&mut bytes, &stated.table(&[])?)?;
@@ -141,7 +141,7 @@ pub fn to_parquet(points: &[Point]) -> Result<Vec<u8>> {
 
 /// Optional columns of a table of points.
 struct Stated {
-    /// All names of poses are numbers.
+    /// `true` if all names of poses are numbers.
     numbered_poses: bool,
     uncertainties: bool,
     directions: bool,

@@ -1,4 +1,4 @@
-//! Tables: points, joints, observations (polars underneath), with the names of their columns in one place.
+//! Tables of points, joints and observations (polars), and the names of their columns.
 
 use etalon_base::cell::cell;
 use etalon_base::message::{Place, Problems, Result};
@@ -10,52 +10,52 @@ use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use serde::Serialize;
 use std::io::{Cursor, Write};
 
-/// Columns of the coordinates, in millimetres.
+/// Columns of the coordinates (mm).
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
-/// Columns of their standard uncertainties.
+/// Columns of the standard uncertainties of the coordinates.
 pub const UNCERTAINTIES: [&str; 3] = ["ux_mm", "uy_mm", "uz_mm"];
 
-/// Columns of their covariance, in square millimetres: the upper triangle row by row.
+/// Columns of the covariance of the coordinates (mm²): upper triangle, row by row.
 pub const COVARIANCES: [&str; 6] = ["cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2"];
 
-/// Columns of the angles, in degrees: rotations about the axes named in the rotation order that the user states.
+/// Columns of the angles (deg): rotations about the axes of the stated rotation order.
 pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 
-/// Columns of a quaternion, scalar first: a body in the world.
+/// Columns of the orientation of a body in the world: quaternion, scalar first.
 pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 
-/// Columns of a rotation matrix, row by row: a body in the world.
+/// Columns of the orientation of a body in the world: rotation matrix, row by row.
 pub const MATRIX: [&str; 9] = ["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"];
 
-/// Column of a point's label; in a log, of the point that the robot touches.
+/// Column of the label of a point; in a log, of the point that the robot touches.
 pub const LABEL: &str = "label";
 
-/// Column of the time of a measurement in s.
+/// Column of the time of a measurement (s).
 pub const TIME: &str = "time_s";
-/// Columns of text in a table of observations, in the order in which they are written.
+/// Columns of text in a table of observations, in the order of writing.
 pub const TEXTS: [&str; 10] =
     ["kind", "target", "socket", "other", "plane", "line_name", "sphere", "axis", "station", "joint"];
-/// Column of the assembly mode, +1 or -1, of robots that have several.
+/// Column of the assembly mode, +1 or -1, for robots with several modes.
 pub const ASSEMBLY: &str = "assembly";
 
-/// The problem that a table cannot be made.
+/// Returns the error that a table cannot be built.
 pub fn failed(error: impl std::fmt::Display) -> Problems {
     error!("table-failed", reason = error.to_string()).into()
 }
 
-/// A table of `height` rows.
+/// Builds a table of `height` rows.
 pub fn frame(height: usize, columns: Vec<Column>) -> Result<DataFrame> {
     DataFrame::new(height, columns).map_err(failed)
 }
 
-/// A column as numbers; missing values are NaN.
+/// Returns a column as numbers; missing values are NaN.
 pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
     let column = column(table, name)?.cast(&DataType::Float64).map_err(failed)?;
     Ok(column.f64().map_err(failed)?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
 }
 
-/// A column of whole numbers without gaps.
+/// Returns a column of whole numbers without gaps.
 pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     let wrong = |value: String| error!("not-whole-number", value, column = name);
     let column = column(table, name)?;
@@ -74,13 +74,13 @@ pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
     column.i64().map_err(failed)?.iter().map(whole).collect()
 }
 
-/// Returns the line of a row in its file; `None` where the table does not state it.
+/// Returns the line of a row in its file; `None` if the table does not state it.
 pub fn lines(table: &DataFrame) -> Result<impl Fn(usize) -> Option<usize> + use<>> {
     let lines = if table.column("line").is_ok() { integers(table, "line")? } else { Vec::new() };
     Ok(move |row| lines.get(row).map(|line| *line as usize))
 }
 
-/// The names of poses in the column `pose`, without gaps.
+/// Returns the names of poses in the column `pose`, without gaps.
 pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
     if !column(table, "pose")?.dtype().is_string() {
         return Ok(integers(table, "pose")?.into_iter().map(PoseName::from).collect());
@@ -89,12 +89,12 @@ pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
     texts(table, "pose")?.into_iter().map(name).collect()
 }
 
-/// A column of names of poses: whole numbers, or texts where one of them is a text.
+/// Builds a column of names of poses: whole numbers, or texts if one of them is a text.
 pub fn pose_column(name: &str, poses: &[Option<PoseName>]) -> Column {
     pose_column_as(name, poses, !poses.iter().flatten().any(|pose| pose.number().is_none()))
 }
 
-/// A column of names of poses that are whole numbers all, or of texts.
+/// Builds a column of names of poses, as whole numbers or as texts.
 pub fn pose_column_as(name: &str, poses: &[Option<PoseName>], numbers: bool) -> Column {
     match numbers {
         true => Column::new(name.into(), poses.iter().map(|pose| (*pose)?.number()).collect::<Vec<_>>()),
@@ -104,19 +104,19 @@ pub fn pose_column_as(name: &str, poses: &[Option<PoseName>], numbers: bool) -> 
     }
 }
 
-/// A column of whole numbers; empty where missing.
+/// Returns a column of whole numbers; `None` for missing values.
 pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64>>> {
     let column = column(table, name)?.cast(&DataType::Int64).map_err(failed)?;
     Ok(column.i64().map_err(failed)?.iter().collect())
 }
 
-/// A column as text; empty where missing.
+/// Returns a column as text; missing values are empty.
 pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
     let column = column(table, name)?.cast(&DataType::String).map_err(failed)?;
     Ok(column.str().map_err(failed)?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
 }
 
-/// The rows of two tables, one behind the other; a cell of a column that one does not have is missing.
+/// Appends the rows of a second table; cells of columns that a table lacks are missing.
 pub fn stacked(above: &DataFrame, below: &DataFrame) -> Result<DataFrame> {
     let mut names: Vec<&str> = Vec::new();
     for name in above.get_column_names().into_iter().chain(below.get_column_names()) {
@@ -163,7 +163,7 @@ pub fn stacked(above: &DataFrame, below: &DataFrame) -> Result<DataFrame> {
     frame(above.height() + below.height(), columns)
 }
 
-/// The three coordinates in millimetres; a table without `z_mm`, or with an empty one, has z = 0.
+/// Returns the coordinates (mm); without `z_mm`, or if the column is empty, z = 0.
 pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
     let (x, y) = (numbers(table, XYZ[0])?, numbers(table, XYZ[1])?);
     let mut z = if table.column(XYZ[2]).is_ok() { numbers(table, XYZ[2])? } else { vec![0.0; x.len()] };
@@ -173,7 +173,10 @@ pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
     Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
 }
 
-/// Errors about every one of these columns that the table does not have; they point at its header, line 1 of whatever file.
+/// Checks that the table has these columns.
+///
+/// # Errors
+/// Each missing column, at line 1 of the file.
 pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
     let header = Place { line: Some(1), ..Place::default() };
     let missing = names.iter().filter_map(|name| column(table, name).err());
@@ -182,14 +185,14 @@ pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
 
 fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
     table.column(name).map_err(|_| {
-        // `line` is where a row was read, no user wrote it
+        // the program adds the column `line`
         let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| *name != "line");
         let names: Vec<&str> = names.collect();
         error!("column-unknown", column = name).hint_names(name, names).into()
     })
 }
 
-/// A cell of a table as CSV.
+/// Cell of a table as CSV.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Cell {
@@ -211,7 +214,7 @@ impl From<AnyValue<'_>> for Cell {
     }
 }
 
-/// The table as CSV text; missing values are empty, and no cell is a formula.
+/// Returns the table as CSV; missing values are empty, formulas are escaped.
 pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
     let mut writer = ::csv::Writer::from_writer(Vec::new());
     writer.write_record(table.get_column_names().iter().map(|name| cell(name.as_str()))).map_err(failed)?;
@@ -222,23 +225,24 @@ pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
     writer.into_inner().map_err(failed)
 }
 
-/// A writer of so many rows: for fewer than that, waking other threads and setting up zstd take longer than the rows.
+/// Returns a writer for this number of rows. For small tables, waking threads and setting up zstd
+/// would take longer than writing.
 fn writer<W: Write>(into: W, rows: usize) -> ParquetWriter<W> {
     ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(rows > 100_000)
 }
 
-/// The table as Parquet.
+/// Returns the table as Parquet.
 pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     writer(&mut bytes, table.height()).finish(table).map_err(failed)?;
     Ok(bytes)
 }
 
-/// A table that is written as Parquet piece by piece, so that its length takes no memory.
+/// Writer of a Parquet table piece by piece, whose memory does not grow with the table.
 pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
 
 impl<W: Write + Send> RowGroups<W> {
-    /// A table with the columns of `like`.
+    /// Starts a table with the columns of `like`.
     pub fn new(into: W, like: &DataFrame) -> Result<Self> {
         writer(into, 0).batched(like.schema()).map(Self).map_err(failed)
     }
@@ -257,7 +261,10 @@ impl<W: Write + Send> RowGroups<W> {
     }
 }
 
-/// The table of so many rows of a Parquet file that a stage wrote; another number is refused before any row is read.
+/// Reads a Parquet file that a stage wrote.
+///
+/// # Errors
+/// If the number of rows differs; it is checked before any row is read.
 pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<DataFrame> {
     let unreadable = |e: PolarsError| Problems::from(error!("stored-table-damaged", reason = e.to_string()));
     let mut reader = ParquetReader::new(Cursor::new(bytes));

@@ -1,20 +1,25 @@
-//! Reasons why there is no result. They name neither keys nor options: who knows where a value was stated adds the remedy.
+//! Reasons why there is no result. They name neither keys nor options: who knows where a value was
+//! stated adds the remedy.
 
 use crate::warning::{SetUpError, Warning};
-use etalon_base::message::{Message, Problems, count};
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
+use etalon_base::message::{Message, Problems};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_math::Termination;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// Reason why there is no result. Not a [`std::error::Error`], so that no caller passes it on by `?` without its remedy.
+/// Reason why there is no result. Not a [`std::error::Error`], so that no caller passes it on by
+/// `?` without its remedy.
 #[derive(Clone, Debug)]
 pub enum Error {
     /// Residuals of the pose mix mm and rad, and no standard uncertainty of a coordinate is stated.
     PoseWithoutUncertainty,
-    /// A common uncertainty is stated without one that each observation has of its own, or for residuals of the pose.
+    /// A common uncertainty is stated without one that each observation has of its own, or for
+    /// residuals of the pose.
     CommonUncertaintyAlone,
-    /// A name of a parameter to hold is none of the robot's.
+    /// Name of a parameter to hold that the robot lacks.
     UnknownParameter {
         /// The name, in which `*` stands for any text.
         pattern: String,
@@ -26,7 +31,8 @@ pub enum Error {
         /// Model of the robot.
         model: String,
     },
-    /// Observations of several kinds have no common scale without the standard uncertainty of a coordinate.
+    /// Observations of several kinds have no common scale without the standard uncertainty of a
+    /// coordinate.
     KindsWithoutUncertainty,
     /// Readings with an uncertainty of their own are poses, or have another uncertainty in common.
     OwnUncertainties,
@@ -72,11 +78,11 @@ pub enum Error {
         /// Each undetermined parameter, with the parameters that act alike.
         groups: Vec<(String, Vec<String>)>,
     },
-    /// Which parameters are separately identifiable changes from step to step.
+    /// The set of separately identifiable parameters changes from step to step.
     Unsteady,
     /// The solver ended without a result.
     Failed {
-        /// How it ended.
+        /// Termination of the solver.
         termination: Termination,
         /// Why, where the observations show it.
         cause: Option<Cause>,
@@ -109,114 +115,109 @@ pub enum Cause {
         worst: PoseName,
         /// Its stated mode, 1 or -1.
         mode: f64,
-        /// Distances (mm) of the model from the measured position, in the stated mode and in the other one.
+        /// Distances (mm) of the model from the measured position, in the stated mode and in the
+        /// other one.
         left_mm: [f64; 2],
     },
 }
 
-/// Poses that a message names.
+/// Maximum number of poses that a message names.
 const NAMED_POSES: usize = 8;
 
-fn poses(numbers: &BTreeSet<PoseName>) -> String {
-    let shown: Vec<String> = numbers.iter().take(NAMED_POSES).map(PoseName::to_string).collect();
-    match numbers.len() {
-        1 => format!("pose {}", shown.join("")),
-        n if n > NAMED_POSES => format!("{n} poses ({}, ...)", shown.join(", ")),
-        n => format!("{n} poses ({})", shown.join(", ")),
+fn named_poses(poses: &BTreeSet<PoseName>) -> Phrase {
+    let mut names: Vec<String> = poses.iter().take(NAMED_POSES).map(PoseName::to_string).collect();
+    if poses.len() > NAMED_POSES {
+        names.push("...".to_owned());
+    }
+    phrase!("named-poses", count = poses.len(), poses = names)
+}
+
+impl Cause {
+    /// Text of the catalogue.
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::Unreachable(unreachable) => phrase!("poses-unreachable", poses = named_poses(unreachable)),
+            Self::Extent { measured_mm, model_mm } => phrase!("extents-differ", measured_mm, model_mm),
+            Self::AssemblyMode { poses, worst, mode, left_mm: [stated_mm, other_mm] } => {
+                let (stated, other) = (format!("{mode:+}"), format!("{:+}", -mode));
+                let poses = named_poses(poses);
+                phrase!("assembly-mode-contradicted", poses, worst, stated, stated_mm, other, other_mm)
+            }
+        }
     }
 }
 
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unreachable(unreachable) => {
-                write!(f, "the nominal robot cannot be where the joints put it in {}", poses(unreachable))
-            }
-            Self::Extent { measured_mm, model_mm } => {
-                write!(f, "measured points spread over {measured_mm:.0} mm, the model's over {model_mm:.0} mm")
-            }
-            Self::AssemblyMode { poses: wrong, worst, mode, left_mm: [stated, other] } => write!(
-                f,
-                "the tool is not where the assembly mode puts it in {}: pose {worst} is stated in mode {mode:+}, where the model is \
-                 {stated:.1} mm from the measured position, in mode {:+} {other:.1} mm",
-                poses(wrong),
-                -mode,
-            ),
-        }
-    }
+/// Text of the catalogue for the termination of a solver without a result.
+fn ended(termination: Termination) -> Phrase {
+    let termination = match termination {
+        Termination::IterationLimit => "iteration-limit",
+        Termination::NotANumber => "not-a-number",
+        Termination::RankDeficient => "rank-deficient",
+        Termination::TooFewEquations => "too-few-equations",
+        _ => "converged",
+    };
+    phrase!("solver-ended", termination)
+}
+
+/// Cause of a failure as an argument of its message.
+fn cause_argument(cause: Option<&Cause>) -> Argument {
+    cause.map_or_else(|| "none".argument(), |cause| cause.phrase().argument())
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let because = |cause: &Option<Cause>| cause.as_ref().map_or(String::new(), |cause| format!(": {cause}"));
-        match self {
-            Self::PoseWithoutUncertainty => {
-                f.write_str("pose residuals mix mm and rad: they need the standard uncertainty of a coordinate")
-            }
-            Self::CommonUncertaintyAlone => f.write_str(
-                "an uncertainty common to several observations is for residuals of targets, beside one that each has of its own",
-            ),
-            Self::UnknownParameter { pattern, .. } => write!(f, "`{pattern}` is not a parameter of this robot"),
-            Self::NotAnArm { model } => write!(
-                f,
-                "orientations, distances, contacts, surfaces and joints are for arms in space, not for `{model}`"
-            ),
-            Self::KindsWithoutUncertainty => {
-                f.write_str("observations of several kinds need the standard uncertainty of a coordinate")
-            }
-            Self::OwnUncertainties => f.write_str(
-                "readings with an uncertainty of their own weigh residuals of targets, without an uncertainty that rows have in common",
-            ),
-            Self::ReadingsWithoutUncertainty { without, readings } => {
-                write!(f, "{without} of {readings} readings state no uncertainty, and none is stated for them")
-            }
-            Self::NotPlanar { model } => write!(f, "residuals of the pose are for planar robots, not for `{model}`"),
-            Self::NoSuchPart { model, part } => {
-                write!(f, "a tool point in the frame of the {part}: `{model}` has no {part}")
-            }
-            Self::TooFewPoses { poses, parameters } => {
-                write!(f, "{poses} poses do not suffice to identify {parameters} parameters")
-            }
-            Self::BaseNotFound => f.write_str("base and targets cannot be found from these poses"),
-            Self::NothingLeft { cause, .. } => write!(f, "no parameter is left to identify{}", because(cause)),
-            Self::Undetermined { counts: [residuals, poses, independent, parameters], .. } => write!(
-                f,
-                "{} from {}, {independent} of them independent, do not determine {}",
-                count(*residuals, "residual"),
-                count(*poses, "pose"),
-                count(*parameters, "parameter"),
-            ),
-            Self::Unsteady => f.write_str("which parameters are separately identifiable changes from step to step"),
-            Self::Failed { termination, cause, .. } => {
-                let why = cause.as_ref().map_or_else(|| termination.to_string(), Cause::to_string);
-                write!(f, "the identification ended without a result: {why}")
-            }
-            Self::Unexplained(warning) => warning.fmt(f),
-            Self::Other(problems) => problems.fmt(f),
-        }
+        let messages = self.clone().messages();
+        f.write_str(messages.first().map_or("", |message| &message.what))
     }
 }
 
 impl Error {
     /// Messages without a remedy that names a key or an option: the error first, then its details.
     pub fn messages(self) -> Vec<Message> {
-        let message = Message::error(self.to_string());
-        match self {
-            Self::Unexplained(warning) => vec![warning.message],
-            Self::Other(problems) => problems.0,
-            Self::BaseNotFound => {
-                vec![message.expected("at least four poses in which the arm moves in all directions")]
+        let message = match self {
+            Self::PoseWithoutUncertainty => error!("pose-residuals-without-uncertainty"),
+            Self::CommonUncertaintyAlone => error!("common-uncertainty-alone"),
+            Self::UnknownParameter { pattern, .. } => error!("parameter-unknown", pattern),
+            Self::NotAnArm { model } => error!("observations-need-arm", model),
+            Self::KindsWithoutUncertainty => error!("kinds-without-uncertainty"),
+            Self::OwnUncertainties => error!("own-uncertainties-unusable"),
+            Self::ReadingsWithoutUncertainty { without, readings } => {
+                error!("readings-without-uncertainty", without, readings)
             }
-            Self::Undetermined { groups, .. } => {
-                let details = groups.iter().map(|(held, with)| match &with[..] {
-                    [] => format!("the data do not depend on `{held}`"),
-                    with => format!("`{held}` is not separately identifiable from `{}`", with.join("`, `")),
-                });
-                std::iter::once(message).chain(details.map(Message::error)).collect()
+            Self::NotPlanar { model } => error!("pose-residuals-not-planar", model),
+            Self::NoSuchPart { model, part } => error!("tool-part-missing", model, part),
+            Self::TooFewPoses { poses, parameters } => error!("too-few-poses-planned", poses, parameters),
+            Self::BaseNotFound => error!("base-not-found"),
+            Self::NothingLeft { cause, .. } => error!("nothing-to-identify", cause = cause_argument(cause.as_ref())),
+            Self::Undetermined { counts, groups } => return undetermined(counts, &groups),
+            Self::Unsteady => error!("identifiability-unsteady"),
+            Self::Failed { termination, cause, .. } => {
+                let reason = cause.as_ref().map_or_else(|| ended(termination), Cause::phrase);
+                error!("identification-without-result", reason)
             }
-            _ => vec![message],
-        }
+            Self::Unexplained(warning) => warning.message,
+            Self::Other(problems) => return problems.0,
+        };
+        vec![message]
     }
+}
+
+/// Messages for undetermined parameters: the counts first, then each parameter.
+fn undetermined(
+    [residuals, poses, independent, parameters]: [usize; 4],
+    groups: &[(String, Vec<String>)],
+) -> Vec<Message> {
+    let first = error!("parameters-undetermined", residuals, poses, independent, parameters);
+    let details = groups.iter().map(|(parameter, with)| match with.is_empty() {
+        true => error!("parameter-without-effect", parameter),
+        false => error!("parameters-inseparable", parameter, others = quoted(with)),
+    });
+    std::iter::once(first).chain(details).collect()
+}
+
+/// Names of parameters in backticks.
+pub(crate) fn quoted(names: &[impl fmt::Display]) -> Vec<String> {
+    names.iter().map(|name| format!("`{name}`")).collect()
 }
 
 impl From<Problems> for Error {

@@ -47,19 +47,20 @@ pub use solution::apart::{Placement, place_apart};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
 pub use solution::set_up::{allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem};
+pub use solution::start::NOISE_DISTANCE;
 pub use warning::{Origin, SetUpError, Subject, Warning};
 
-use etalon_base::message::Message;
+use etalon_base::error;
 use etalon_base::pattern::matches_pattern;
 use etalon_math::{Factor, Options, Termination, factor_at, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
 use solution::solver::solve_identifiable;
 
-/// A value, or why there is none.
+/// Result of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// What is identified from which residuals.
+/// Parameters and residuals of an identification.
 ///
 /// # Examples
 ///
@@ -81,26 +82,28 @@ pub struct Settings {
     pub kind: ResidualKind,
     /// Standard uncertainty of one measured coordinate in mm; `None` takes it from the residuals.
     pub standard_uncertainty_mm: Option<f64>,
-    /// Standard uncertainty in mm of what a coordinate has in common with all observations of the very same coordinates,
-    /// beside [`Self::standard_uncertainty_mm`], which is then what each observation has of its own: a ball measured once
-    /// and touched in several working modes. Targets only.
+    /// Standard uncertainty in mm of what a coordinate has in common with all observations of the
+    /// very same coordinates, beside [`Self::standard_uncertainty_mm`], which is then what each
+    /// observation has of its own: a ball measured once and touched in several working modes.
+    /// Targets only.
     pub common_uncertainty_mm: Option<f64>,
     /// Names of parameters held at their nominal value; `*` stands for any text.
     pub hold: Vec<String>,
     /// Rigid parts that carry targets, with their stated shapes. Residuals of targets only.
     pub rigid: Vec<RigidPart>,
-    /// What else was observed of targets. Residuals of targets of a robot with a free base only.
+    /// Further observations of targets; only for residuals of targets of a robot with a free base.
     pub conditions: Vec<Condition>,
-    /// What is known of the points to which these refer.
+    /// Knowledge of the points to which the conditions refer.
     pub known: Vec<Known>,
-    /// What nominal values with tolerances count for.
+    /// Weight of nominal values with tolerances.
     pub prior: Prior,
     /// Effects of the robot itself that are identified.
     pub effects: Effects,
 }
 
 impl Settings {
-    /// Standard uncertainty of one measured coordinate with what it has in common with others, mm; 0 where none is stated.
+    /// Standard uncertainty of one measured coordinate with what it has in common with others, mm;
+    /// 0 where none is stated.
     pub fn coordinate_uncertainty_mm(&self) -> f64 {
         self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
     }
@@ -110,12 +113,13 @@ impl Settings {
         Self { prior: found.prior, ..self.with_weight(found.weight) }
     }
 
-    /// The same without nominal values.
+    /// These settings without nominal values.
     fn without_prior(&self) -> Self {
         Self { prior: Prior::None, ..self.clone() }
     }
 
-    /// The same with stated shapes and nominal values that weigh as against residuals of this standard deviation.
+    /// These settings with stated shapes and nominal values that weigh as against residuals of this
+    /// standard deviation.
     fn with_weight(&self, weight: f64) -> Self {
         let mut settings = self.clone();
         settings.prior = settings.prior.with_weight(weight);
@@ -135,7 +139,7 @@ pub enum Status {
     NotIdentifiable,
 }
 
-/// What an identification found.
+/// Result of an identification.
 ///
 /// # Examples
 ///
@@ -168,43 +172,52 @@ pub struct Identification {
     pub status: Vec<Status>,
     /// Indices of the identified parameters: the order of `covariance`.
     pub free: Vec<usize>,
-    /// Of these the unknowns that were eliminated, because they are many: of targets, or of sockets and planes.
+    /// Number of identified parameters that were eliminated because they are many: coordinates of
+    /// targets, or of sockets and planes.
     pub eliminated: Vec<usize>,
-    /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be determined.
+    /// Covariance of the identified parameters, row by row (mm, rad, 1); `None` where it cannot be
+    /// determined.
     pub covariance: Option<Vec<f64>>,
-    /// What the covariance rests on.
+    /// Source of the covariance.
     pub uncertainty_from: UncertaintyFrom,
-    /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty where these rest on stated ones.
+    /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty
+    /// where these rest on stated ones.
     pub effective_degrees: Vec<f64>,
-    /// By how much standard uncertainties are larger than the instrument's uncertainty alone makes them (median).
+    /// Ratio (median) of the standard uncertainties to those from the instrument's uncertainty
+    /// alone.
     pub inflation_factor: f64,
     /// Sets of parameters that are not separately identifiable.
     pub groups: Vec<Group>,
     /// Sets of parameters that are weakly identifiable.
     pub weak: Vec<WeakGroup>,
-    /// Singular values of the Jacobian and what follows from them; `None` where they are not numbers.
+    /// Singular values of the Jacobian and what follows from them; `None` where they are not
+    /// numbers.
     pub observability: Option<Observability>,
-    /// What the covariance is made of.
+    /// Contributions to the covariance.
     pub budget: Budget,
     /// Scatter of repeats against the rest; `None` where no pose was repeated.
     pub replicates: Option<Replicates>,
-    /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq. 3.26).
+    /// Root mean square of the residuals, in mm (mm and rad mixed for pose residuals, as in eq.
+    /// 3.26).
     pub rms: f64,
     /// Largest residual, likewise.
     pub max: f64,
     /// Equations minus identified parameters.
     pub degrees_of_freedom: usize,
-    /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated or nothing is left over.
+    /// Sum of squares of residuals over their uncertainties; `None` where no uncertainty is stated
+    /// or nothing is left over.
     pub chi_square: Option<f64>,
-    /// Standard deviation of a residual, which rows of stated shapes and nominal values were multiplied by.
+    /// Standard deviation of a residual, which rows of stated shapes and nominal values were
+    /// multiplied by.
     pub weight: f64,
-    /// What nominal values counted for.
+    /// Weight of nominal values.
     pub prior: Prior,
-    /// How many parameters the data determine: all identified ones, where nominal values are no readings.
+    /// Number of parameters that the data determine: all identified ones if nominal values are no
+    /// readings.
     pub determined: f64,
     /// Steps taken.
     pub iterations: usize,
-    /// How the solver ended.
+    /// Termination of the solver.
     pub termination: Termination,
     /// Warnings, with remedies.
     pub warnings: Vec<Warning>,
@@ -225,7 +238,8 @@ impl Identification {
         Some(self.covariance.as_ref()?[k * self.free.len() + k].sqrt())
     }
 
-    /// Value and standard uncertainty of an identified parameter by everything but its own nominal value; `None` where that is all there is.
+    /// Value and standard uncertainty of an identified parameter by everything but its own nominal
+    /// value; `None` where that is all there is.
     pub fn without_nominal(&self, robot: &dyn Robot, index: usize) -> Option<(f64, f64)> {
         let (value, u) = (self.values[index], self.standard_uncertainty(index)?);
         let nominal = robot.parameters()[index].nominal;
@@ -239,8 +253,9 @@ impl Identification {
         }
     }
 
-    /// Share of its value that the data determine, 1 − (u/s)² with u after the identification and s by its tolerance alone: 0 where the
-    /// data say nothing, 1 where the nominal value does not count. `None` where nominal values are no readings, and of what has none.
+    /// Share of its value that the data determine, 1 − (u/s)² with u after the identification and s
+    /// by its tolerance alone: 0 where the data say nothing, 1 where the nominal value does not
+    /// count. `None` where nominal values are no readings, and of what has none.
     pub fn determined(&self, robot: &dyn Robot, index: usize) -> Option<f64> {
         let (u, s) = (self.standard_uncertainty(index)?, self.prior.uncertainty(robot, index)?);
         Some((1.0 - (u / s).powi(2)).clamp(0.0, 1.0))
@@ -254,9 +269,10 @@ impl Identification {
 
 /// Identifies the parameters of `robot` from `observations`.
 ///
-/// Redundant parameters are found by the rank of the scaled Jacobian, at the start and again at the solution; of each
-/// group the one that is last in the model's list is held at its nominal value, so that base and targets, which
-/// come first, take up what is not separately identifiable from them.
+/// Redundant parameters are found by the rank of the scaled Jacobian, at the start and again at the
+/// solution; of each group the one that is last in the model's list is held at its nominal value,
+/// so that base and targets, which come first, take up what is not separately identifiable from
+/// them.
 ///
 /// # Examples
 ///
@@ -284,7 +300,8 @@ pub fn identify(robot: &dyn Robot, observations: &[Observation], settings: &Sett
         [] => {
             solution::start::start(robot, observations, settings, &wanted_parameters(robot, observations, settings)?)?
         }
-        // what conditions refer to is found in closed form one by one: together it comes near enough
+        // what conditions refer to is found in closed form one by one: together it comes near
+        // enough
         _ => fit_frames(robot, observations, settings)?,
     };
     identify_from(robot, observations, settings, &start)
@@ -317,8 +334,9 @@ pub fn identify_with(
     Ok(found)
 }
 
-/// All parameters identified again from other observations of the same poses or some of them, with the same parameters held and from the
-/// solution found; `None` where the solver fails or the observations do not determine them.
+/// All parameters identified again from other observations of the same poses or some of them, with
+/// the same parameters held and from the solution found; `None` where the solver fails or the
+/// observations do not determine them.
 pub fn identify_again(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -330,14 +348,16 @@ pub fn identify_again(
     solved_from(&problem, &found.free_values())
 }
 
-/// All parameters of the solution of `problem`; `None` where the solver fails or it does not determine them.
+/// All parameters of the solution of `problem`; `None` where the solver fails or it does not
+/// determine them.
 fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     let solution = solve(problem, x, Options::default());
     let regular = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == x.len());
     (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
 }
 
-/// A fit from near its solution, without uncertainties: to be compared with one of fewer parameters.
+/// A fit from near its solution, without uncertainties: to be compared with one of fewer
+/// parameters.
 #[derive(Clone, Debug)]
 pub struct NestedFit {
     /// All parameters (mm, rad, 1).
@@ -346,7 +366,7 @@ pub struct NestedFit {
     pub squares: f64,
     /// Equations minus parameters that the data determine.
     pub degrees_of_freedom: f64,
-    /// How many parameters the data determine.
+    /// Number of parameters that the data determine.
     pub determined: f64,
     free: Vec<usize>,
     prior: Prior,
@@ -375,8 +395,8 @@ impl NestedFit {
         })
     }
 
-    /// All parameters from part of the observations, with the same parameters held; `None` where the solver fails or they do not determine
-    /// the parameters.
+    /// All parameters from part of the observations, with the same parameters held; `None` where
+    /// the solver fails or they do not determine the parameters.
     pub fn again(&self, robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Vec<f64>> {
         let settings = Settings { prior: self.prior, ..settings.with_weight(self.weight) };
         let problem = Residuals::new(robot, observations, &settings, &self.free, &self.values).ok()?;
@@ -398,12 +418,12 @@ pub struct Repeated<'a> {
     linearised: Option<(Factor, Vec<f64>)>,
 }
 
-/// A step this much shorter than the first is the last one: the next, a tenth of it at most, would be less than a ten-thousandth of what
-/// was drawn.
+/// A step this much shorter than the first is the last one: the next, a tenth of it at most, would
+/// be less than a ten-thousandth of what was drawn.
 const LAST_STEP: f64 = 1e-3;
 
 impl<'a> Repeated<'a> {
-    /// Of what was found from these observations.
+    /// Creates the repetition of an identification from these observations.
     pub fn new(
         robot: &'a dyn Robot,
         observations: &[Observation],
@@ -420,12 +440,14 @@ impl<'a> Repeated<'a> {
         Self { robot, settings, found, common, stated, linearised: linearised.filter(|(factor, _)| regular(factor)) }
     }
 
-    /// Standard deviations of what is stated beside coordinates of targets: by conditions, shapes and known points.
+    /// Standard deviations of what is stated beside coordinates of targets: by conditions, shapes
+    /// and known points.
     pub fn stated(&self) -> &[f64] {
         &self.stated
     }
 
-    /// All parameters from another measurement of the same targets at the same poses. `drawn` are the errors of what is stated beside.
+    /// All parameters from another measurement of the same targets at the same poses. `drawn` are
+    /// the errors of what is stated beside.
     pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
         let (found, x) = (self.found, self.found.free_values());
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
@@ -437,8 +459,8 @@ impl<'a> Repeated<'a> {
     }
 }
 
-/// Parameters of the nominal robot with only base and targets fitted, wherever they are: what accuracy is before a
-/// calibration, and where the identification starts.
+/// Parameters of the nominal robot with only base and targets fitted, wherever they are: what
+/// accuracy is before a calibration, and where the identification starts.
 pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
     let frames = wanted_frames(robot, observations, settings)?;
     if frames.is_empty() {
@@ -447,7 +469,8 @@ pub fn fit_frames(robot: &dyn Robot, observations: &[Observation], settings: &Se
     let start = solution::start::start(robot, observations, settings, &frames)?;
     let found = solve_identifiable(robot, observations, settings, &frames, &start)?;
     let (Some(arm), false) = (robot.free_base(), settings.conditions.is_empty()) else { return Ok(found.values) };
-    // fixtures once more, from targets that are now near: few distances of a target that is far off lead to a wrong minimum
+    // fixtures once more, from targets that are now near: few distances of a target that is far off
+    // lead to a wrong minimum
     let mut again = found.values.clone();
     let of_fixtures: Vec<usize> =
         frames.iter().copied().filter(|&i| robot.parameters()[i].role == Role::Fixture).collect();
@@ -480,7 +503,7 @@ fn wanted_frames(robot: &dyn Robot, observations: &[Observation], settings: &Set
 
 fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Vec<usize>> {
     if observations.is_empty() && settings.conditions.is_empty() {
-        return Err(Message::error("there are no observations to identify from").into());
+        return Err(error!("no-observations").into());
     }
     if settings.kind == ResidualKind::Pose && settings.standard_uncertainty_mm.is_none() {
         return Err(Error::PoseWithoutUncertainty);
@@ -510,7 +533,8 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     Ok((0..robot.parameters().len()).filter(|&i| !fixed(i)).collect())
 }
 
-/// The parameter that residuals of this kind do not show: of a pose, the distance of its two targets.
+/// The parameter that residuals of this kind do not show: of a pose, the distance of its two
+/// targets.
 fn unseen_by(robot: &dyn Robot, kind: ResidualKind) -> Option<usize> {
     (kind == ResidualKind::Pose).then(|| robot.platform().map(|platform| platform.target_distance()))?
 }

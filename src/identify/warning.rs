@@ -1,7 +1,9 @@
 //! Warnings of an identification.
 
 use crate::model::rigid_part::Contradicted;
+use etalon_base::catalogue::{IntoArgument, Phrase};
 use etalon_base::message::Message;
+use etalon_base::phrase;
 use std::ops::Deref;
 
 /// A warning and its subject. The layer that knows the keys of a campaign adds the remedy.
@@ -40,7 +42,7 @@ impl Deref for Warning {
     }
 }
 
-/// What states the part of a set-up that is wrong.
+/// Statement of the part of a set-up that is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The unit of the measured points.
@@ -51,33 +53,34 @@ pub enum Origin {
     Named,
 }
 
-/// The change of a set-up that explains the measurements.
+/// Change of a set-up that explains the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetUpError {
     /// The change, and others that explain the data as well: "`q7` reversed".
-    pub changes: Vec<(String, Origin)>,
-    /// Root mean square error (mm) after an identification with the set-up as stated; infinite if a pose is out of reach.
+    pub changes: Vec<(Phrase, Origin)>,
+    /// Root mean square error (mm) after an identification with the set-up as stated; infinite if a
+    /// pose is out of reach.
     pub stated_mm: f64,
     /// Root mean square error (mm) with the change.
     pub changed_mm: f64,
 }
 
 impl SetUpError {
-    /// What to look for; `statement` follows a change with where its origin is stated.
-    pub fn hint(&self, statement: impl Fn(Origin) -> &'static str) -> String {
-        let named: Vec<String> =
-            self.changes.iter().map(|(what, origin)| format!("with {what}{}", statement(*origin))).collect();
-        let [first, others @ ..] = &named[..] else { return String::new() };
-        let others = match others {
-            [] => String::new(),
-            others => format!(" (as well {})", others.join(", ")),
-        };
+    /// Hint at the change. `statement` returns the place where the origin of a change is stated, if
+    /// a layer above knows it.
+    pub fn to_check(&self, statement: impl Fn(Origin) -> Option<Phrase>) -> Phrase {
+        let named = self.changes.iter().map(|(slip, origin)| {
+            let origin = statement(*origin).map_or_else(|| "none".argument(), |stated| stated.argument());
+            phrase!("with-slip", slip, origin)
+        });
+        let named: Vec<Phrase> = named.collect();
+        let (first, others) = named.split_first().map_or(("none".argument(), &named[..]), |(f, o)| (f.argument(), o));
+        let others = if others.is_empty() { "none".argument() } else { others.argument() };
         let stated = match self.stated_mm.is_finite() {
-            true if self.stated_mm > 2.0 * self.changed_mm => format!(" instead of {:.3} mm", self.stated_mm),
-            true => ", and parameters that are no longer beyond their tolerances".to_owned(),
-            false => "; without that poses are out of reach".to_owned(),
+            true if self.stated_mm > 2.0 * self.changed_mm => "residuals",
+            true => "tolerances",
+            false => "unreachable",
         };
-        let left = format!("an identification leaves {:.3} mm (root mean square){stated}", self.changed_mm);
-        format!("{first}{others}, {left}: check that first")
+        phrase!("set-up-slip", first, others, changed_mm = self.changed_mm, stated, stated_mm = self.stated_mm)
     }
 }

@@ -3,10 +3,13 @@
 //! script the page shows the worst campaigns as a plain table.
 
 use super::html;
-use super::number::{quantile, significant, with_uncertainty};
-use super::words::{Words, tr};
+use super::number::{apart, decimals, quantile, significant, stated, with_uncertainty};
+use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
-use etalon_documents::{BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, Presentation};
+use etalon_documents::{
+    BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, BatchVerdict, LimitQuantity,
+    Presentation,
+};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,8 +18,8 @@ use std::path::{Component, Path};
 
 /// Number of rows of the plain table.
 const WORST: usize = 200;
-/// Minimum number of campaigns of a robot for comparisons within the robot; otherwise all robots
-/// are compared.
+/// Minimum number of campaigns of a robot for comparisons within the robot; otherwise robots of one
+/// kind are compared, if they have as many campaigns.
 const FEWEST: usize = 8;
 /// Modified z-score of an outlier (B. Iglewicz and D. C. Hoaglin, How to Detect and Handle
 /// Outliers, ASQC, 1993, 3.5).
@@ -35,6 +38,7 @@ struct Page<'a> {
     title: String,
     subtitle: String,
     class: &'static str,
+    checks: Vec<String>,
     headings: Vec<String>,
     worst: Vec<Plain<'a>>,
     left_out: usize,
@@ -48,8 +52,17 @@ struct Plain<'a> {
     robot: &'a str,
     date: &'a str,
     ended: String,
+    grade: &'static str,
+    cause: String,
+    checks: Vec<Checked>,
     figures: Vec<Figure>,
-    message: &'a str,
+}
+
+/// Verdict on a check; empty if the campaign lacks the check.
+#[derive(Clone, Default, Serialize)]
+struct Checked {
+    said: String,
+    grade: &'static str,
 }
 
 #[derive(Clone, Default, Serialize)]
@@ -62,7 +75,8 @@ struct Figure {
 struct Row<'a> {
     entry: &'a BatchEntry,
     report: Option<String>,
-    message: String,
+    /// Reason of a failure, or checks that are not passed.
+    cause: String,
     /// Value and modified z-score of each quantity.
     figures: Vec<Option<(BatchValue, f64)>>,
 }
@@ -80,26 +94,33 @@ pub fn write(
     into: &mut impl Write,
 ) -> anyhow::Result<()> {
     let words = Words::of(presentation.language)?;
-    let rows = rows(document, figures, folder);
+    let rows = rows(document, figures, (folder, &words));
+    let (order, checks) = (order(figures), check_names(document));
     let page = html::batch(&contents(document, figures, &rows, &words), presentation, &words)?;
     let (before, after) = page.rsplit_once(DATA).unwrap_or((&page, ""));
     into.write_all(before.as_bytes())?;
-    let quantities: Vec<Value> = figures.quantities.iter().map(|q| json!([named(&q.name, &words), q.unit])).collect();
+    let quantities: Vec<Value> = order
+        .iter()
+        .filter_map(|i| figures.quantities.get_index(*i))
+        .map(|q| json!([named(&q.name, &words), q.unit]))
+        .collect();
     write!(into, "{{\"quantities\":{},\"rows\":[", script_safe(&quantities)?)?;
     for (i, row) in rows.iter().enumerate() {
         let entry = row.entry;
-        let values: Vec<_> = row.figures.iter().map(|f| f.map(|(v, _)| digits(v))).collect();
-        let outliers: Vec<_> = (0..values.len()).filter(|&k| row.is_outlier(k)).collect();
+        let values: Vec<_> = order.iter().map(|k| row.figures[*k].map(|(v, _)| digits(v))).collect();
+        let outliers: Vec<_> = (0..values.len()).filter(|&k| row.is_outlier(order[k])).collect();
+        let checked: Vec<_> = checks.iter().map(|name| checked(entry, name, &words)).collect();
         let data = json!([
             entry.campaign,
             row.report,
             entry.robot,
             entry.date,
-            ended(entry.ended, &words),
-            row.message,
+            [ended(entry, &words), grade(entry)],
+            row.cause,
             values,
             outliers,
             row.badness(),
+            checked.into_iter().map(|c| [c.said, c.grade.to_owned()]).collect::<Vec<_>>(),
         ]);
         write!(into, "{}{}", if i > 0 { ",\n" } else { "" }, script_safe(&data)?)?;
     }
@@ -112,13 +133,101 @@ fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
     Ok(serde_json::to_string(data)?.replace('<', "\\u003c"))
 }
 
-fn ended(end: BatchEnd, words: &Words) -> String {
-    match end {
-        BatchEnd::Done => tr!(words, "done"),
-        BatchEnd::NotMet => tr!(words, "batch-limits-not-met"),
-        BatchEnd::Failed => tr!(words, "failed"),
-        BatchEnd::Skipped => tr!(words, "skipped"),
+fn ended(entry: &BatchEntry, words: &Words) -> String {
+    match (entry.verdict(), entry.ended) {
+        (Some(verdict), _) => said(verdict, words),
+        (None, BatchEnd::Skipped) => tr!(words, "skipped"),
+        (None, _) => tr!(words, "not-run"),
     }
+}
+
+fn said(verdict: BatchVerdict, words: &Words) -> String {
+    match verdict {
+        BatchVerdict::Pass => tr!(words, "pass"),
+        BatchVerdict::Conditional => tr!(words, "conditional"),
+        BatchVerdict::Fail => tr!(words, "fail"),
+    }
+}
+
+/// Style of a verdict.
+fn grade_of(verdict: BatchVerdict) -> &'static str {
+    match verdict {
+        BatchVerdict::Pass => "good",
+        BatchVerdict::Conditional => "warning",
+        BatchVerdict::Fail => "bad",
+    }
+}
+
+fn grade(entry: &BatchEntry) -> &'static str {
+    match (entry.verdict(), entry.ended) {
+        (Some(verdict), _) => grade_of(verdict),
+        (None, BatchEnd::Skipped) => "open",
+        (None, _) => "bad",
+    }
+}
+
+/// Names of all checks, in the order of their first occurrence.
+fn check_names(document: &BatchDocument) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for check in document.campaigns.iter().flat_map(|c| &c.checks) {
+        if !names.contains(&check.name.as_str()) {
+            names.push(&check.name);
+        }
+    }
+    names
+}
+
+/// Name of a check in words.
+fn check_name(name: &str, words: &Words) -> String {
+    match name {
+        "solver" => tr!(words, "solver"),
+        "robot" => tr!(words, "parameters-title"),
+        "warnings" => tr!(words, "warnings-and-remarks"),
+        limit => {
+            let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);
+            quantity.map_or_else(|| limit.to_owned(), |q| words.tr(&names::limit(*q)))
+        }
+    }
+}
+
+fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
+    let check = entry.checks.iter().find(|c| c.name == name);
+    check.map_or_else(Checked::default, |c| Checked { said: said(c.verdict, words), grade: grade_of(c.verdict) })
+}
+
+/// Reason of a failure, or checks that are not passed, the worst first.
+fn cause(entry: &BatchEntry, words: &Words) -> String {
+    let mut open: Vec<&BatchCheck> = entry.checks.iter().filter(|c| c.verdict != BatchVerdict::Pass).collect();
+    open.sort_by_key(|c| std::cmp::Reverse(c.verdict));
+    let text = |c: &&BatchCheck| {
+        let name = check_name(&c.name, words);
+        let unit = c.unit.as_deref().unwrap_or_default();
+        match (c.value, c.limit) {
+            (Some(value), Some(limit)) => {
+                let value = apart(value, limit, decimals(limit, 3).unwrap_or(4));
+                tr!(words, "value-and-limit", quantity = name, value, limit = stated(limit), unit)
+            }
+            (Some(count), None) => format!("{name}: {count}"),
+            _ => format!("{name}: {}", said(c.verdict, words)),
+        }
+    };
+    let of_checks: Vec<String> = open.iter().map(text).collect();
+    let message = entry.message.as_deref().map(one_line);
+    message.into_iter().chain(of_checks).collect::<Vec<_>>().join("; ").chars().take(LONGEST).collect()
+}
+
+/// Columns of the quantities: errors of validation poses, characteristics, errors of calibration
+/// poses, parameters.
+fn order(figures: &BatchFigures) -> Vec<usize> {
+    let rank = |name: &str| match name.split(' ').next() {
+        Some("validation") => 0,
+        Some("AP" | "RP") => 1,
+        Some("calibration") => 2,
+        _ => 3,
+    };
+    let mut order: Vec<usize> = (0..figures.quantities.len()).collect();
+    order.sort_by_key(|i| figures.quantities.get_index(*i).map(|q| rank(&q.name)));
+    order
 }
 
 /// Value to the second digit of its uncertainty; errors, which have no stated uncertainty, with
@@ -140,30 +249,29 @@ impl Row<'_> {
         self.figures[quantity].is_some_and(|(_, score)| score > OUTLIER)
     }
 
-    /// Order of the rows: failed campaigns, then campaigns beyond a limit, then by the largest
-    /// outlier.
+    /// Order of the rows: campaigns that did not run, then by verdict, then by the largest outlier.
     fn badness(&self) -> f64 {
-        let end = match self.entry.ended {
-            BatchEnd::Failed => 2e9,
-            BatchEnd::NotMet => 1e9,
-            BatchEnd::Done | BatchEnd::Skipped => 0.0,
+        let end = match (self.entry.ended, self.entry.verdict()) {
+            (BatchEnd::Failed, _) => 3e9,
+            (_, Some(BatchVerdict::Fail)) => 2e9,
+            (_, Some(BatchVerdict::Conditional)) => 1e9,
+            _ => 0.0,
         };
         // rounded for shorter JSON
         end + self.figures.iter().flatten().map(|f| f.1.min(1e6)).fold(0.0, f64::max).round()
     }
 }
 
-fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) -> Vec<Row<'a>> {
+fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, (folder, words): (&Path, &Words)) -> Vec<Row<'a>> {
     let quantities = figures.quantities.len();
     let row = |(entry, values): (&'a BatchEntry, &Vec<BatchValue>)| {
         let mut figures = vec![None; quantities];
         values.iter().for_each(|&value| figures[value.quantity] = Some((value, 0.0)));
         let report = entry.output.as_ref().map(|output| Path::new(output).join("report.html"));
-        let message = entry.message.as_deref().map(one_line).unwrap_or_default();
         Row {
             entry,
             report: report.filter(|path| path.is_file()).map(|path| link(folder, &path)),
-            message: message.chars().take(LONGEST).collect(),
+            cause: cause(entry, words),
             figures,
         }
     };
@@ -172,8 +280,15 @@ fn rows<'a>(document: &'a BatchDocument, figures: &BatchFigures, folder: &Path) 
     for (i, row) in rows.iter().enumerate().filter(|(_, row)| row.figures.iter().any(Option::is_some)) {
         by_robot.entry(row.entry.robot.as_deref()).or_default().push(i);
     }
+    // a robot with many campaigns is compared with itself, others with robots of their kind alone
     let (many, few): (Vec<_>, Vec<_>) = by_robot.into_values().partition(|group| group.len() >= FEWEST);
-    for group in many.into_iter().chain([few.concat()]) {
+    let mut alike: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for i in few.concat() {
+        if let Some(kind) = rows[i].entry.alike.as_deref() {
+            alike.entry(kind).or_default().push(i);
+        }
+    }
+    for group in many.into_iter().chain(alike.into_values()) {
         (0..quantities).for_each(|quantity| score(&mut rows, &group, quantity));
     }
     rows
@@ -193,11 +308,12 @@ fn score(rows: &mut [Row], group: &[usize], quantity: usize) {
 }
 
 fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row], words: &Words) -> Page<'a> {
-    let BatchDocument { done, not_met, failed, skipped, campaigns, .. } = document;
+    let BatchDocument { failed, skipped, campaigns, .. } = document;
     let mut worst: Vec<&Row> = rows.iter().collect();
     worst.sort_by(|a, b| b.badness().total_cmp(&a.badness()));
     worst.truncate(WORST);
     let robots: BTreeSet<_> = campaigns.iter().filter_map(|c| c.robot.as_ref()).collect();
+    let (order, checks) = (order(figures), check_names(document));
     let figure = |row: &Row, quantity: usize| Figure {
         shown: row.figures[quantity].map_or_else(String::new, |(value, _)| words.number(&digits(value))),
         outlier: row.is_outlier(quantity),
@@ -207,16 +323,29 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         report: row.report.as_deref(),
         robot: row.entry.robot.as_deref().unwrap_or_default(),
         date: row.entry.date.as_deref().unwrap_or_default(),
-        ended: ended(row.entry.ended, words),
-        figures: (0..row.figures.len()).map(|quantity| figure(row, quantity)).collect(),
-        message: &row.message,
+        ended: ended(row.entry, words),
+        grade: grade(row.entry),
+        cause: row.cause.clone(),
+        checks: checks.iter().map(|name| checked(row.entry, name, words)).collect(),
+        figures: order.iter().map(|quantity| figure(row, *quantity)).collect(),
+    };
+    let count = |verdict| campaigns.iter().filter(|c| c.verdict() == Some(verdict)).count();
+    let counts = [BatchVerdict::Pass, BatchVerdict::Conditional, BatchVerdict::Fail].map(count);
+    let [pass, conditional, fail] = &counts;
+    let heading = |i: &usize| {
+        figures.quantities.get_index(*i).map_or_else(String::new, |q| format!("{} [{}]", named(&q.name, words), q.unit))
     };
     Page {
         version: env!("CARGO_PKG_VERSION"),
         title: tr!(words, "campaigns-of-robots", campaigns = campaigns.len(), robots = robots.len()),
-        subtitle: tr!(words, "batch-ends", done, limits = not_met, failed, skipped),
-        class: if failed + not_met > 0 { "bad" } else { "good" },
-        headings: figures.quantities.iter().map(|q| format!("{} [{}]", named(&q.name, words), q.unit)).collect(),
+        subtitle: tr!(words, "batch-ends", pass, conditional, fail, failed, skipped),
+        class: match (failed + fail, conditional) {
+            (0, 0) => "good",
+            (0, _) => "warning",
+            _ => "bad",
+        },
+        checks: checks.iter().map(|name| check_name(name, words)).collect(),
+        headings: order.iter().map(heading).collect(),
         worst: worst.iter().map(plain).collect(),
         left_out: rows.len().saturating_sub(WORST),
     }
@@ -289,13 +418,76 @@ mod tests {
         // the plain table has the failed campaign first, then the outlier, and no markup from names
         let plain = page.split("<tbody>").nth(1).unwrap();
         let first = plain.split("</tr>").next().unwrap();
-        assert!(first.contains("c7&lt;") && first.contains("failed") && first.contains("&lt;i&gt;no"), "{first}");
+        assert!(first.contains("c7&lt;") && first.contains("not run") && first.contains("&lt;i&gt;no"), "{first}");
         let second = plain.split("</tr>").nth(1).unwrap();
         assert!(second.contains("c42&lt;") && second.contains("outlier"), "{second}");
         assert!(!page.contains("<i>") && !page.contains("src=\"http"), "markup or an address");
         assert!(
-            page.contains("100 campaigns of 2 robots") && page.contains("99 done, 0 with limits not met, 1 failed")
+            page.contains("100 campaigns of 2 robots")
+                && page.contains("99 pass, 0 conditional, 0 fail, 1 not run, 0 skipped")
         );
+    }
+
+    #[test]
+    fn every_check_has_a_column_the_cause_is_beside_the_verdict_and_validation_comes_first() {
+        let mut figures = BatchFigures::default();
+        let errors = [("calibration position max", "mm", 0.1, None), ("validation position max", "mm", 0.2, None)];
+        figures.add([("d_1", "mm", 1.0, None)].into_iter().chain(errors));
+        figures.add(errors.into_iter());
+        let check = |name: &str, verdict, value, limit| BatchCheck {
+            name: name.to_owned(),
+            verdict,
+            value,
+            limit,
+            unit: limit.map(|_| "mm".to_owned()),
+        };
+        let entry =
+            |ended, checks: &[BatchCheck]| BatchEntry { ended, checks: checks.to_vec(), ..BatchEntry::default() };
+        let undecided = check("position_max_mm", BatchVerdict::Conditional, Some(0.2), Some(0.21));
+        let failed = check("position_rms_mm", BatchVerdict::Fail, Some(0.1368), Some(0.1));
+        let document = BatchDocument::new(vec![
+            entry(BatchEnd::NotMet, std::slice::from_ref(&undecided)),
+            entry(BatchEnd::NotMet, &[undecided, failed, check("solver", BatchVerdict::Pass, None, None)]),
+        ]);
+        let page = page(&document, &figures, Language::En);
+        assert!(page.contains("0 pass, 1 conditional, 1 fail, 0 not run, 0 skipped"));
+        let heads: Vec<&str> =
+            page.split("<th").skip(2).map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap()).collect();
+        let place =
+            |head: &str| heads.iter().position(|h| h.starts_with(head)).unwrap_or_else(|| panic!("{head}: {heads:?}"));
+        assert_eq!((place("Campaign"), place("Verdict"), place("Cause")), (0, 1, 2));
+        assert!(place("Cause") < place("largest position") && place("RMS position") < place("Robot"), "{heads:?}");
+        assert!(place("validation") < place("calibration") && place("calibration") < place("d_1"), "{heads:?}");
+        let worst = page.split("<tbody>").nth(1).unwrap().split("</tr>").next().unwrap();
+        let [verdict, cause] = [0, 1].map(|i| worst.split("<td").nth(i + 1).unwrap());
+        assert!(
+            verdict.contains(">fail<")
+                && cause.contains("RMS position error 0.137 mm, limit 0.1 mm; largest position error"),
+            "{worst}"
+        );
+        assert!(!page.contains("position_max"), "keys are no labels");
+    }
+
+    #[test]
+    fn outliers_are_judged_among_robots_of_one_kind() {
+        let mut figures = BatchFigures::default();
+        // twenty robots with a campaign each: nineteen small ones and a large one
+        let entry = |i: u32, alike: &str| BatchEntry {
+            robot: Some(format!("R{i}")),
+            alike: Some(alike.to_owned()),
+            ended: BatchEnd::Done,
+            ..BatchEntry::default()
+        };
+        (0..20).for_each(|i| {
+            let value = if i == 7 { 3.0 } else { 0.1 + 0.001 * f64::from(i) };
+            figures.add([("validation position max", "mm", value, None)].into_iter());
+        });
+        let outliers = |large: &str| {
+            let campaigns = (0..20).map(|i| entry(i, if i == 7 { large } else { "small" })).collect();
+            let document = BatchDocument::new(campaigns);
+            rows(&document, &figures, (Path::new("."), &Words::default())).iter().filter(|r| r.is_outlier(0)).count()
+        };
+        assert_eq!((outliers("small"), outliers("large")), (1, 0));
     }
 
     #[test]

@@ -2,8 +2,9 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use etalon_base::error;
 use etalon_base::files;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -13,17 +14,14 @@ const LOGO_BYTES: usize = 1 << 20;
 /// Reads a logo (SVG or PNG) as a data URI.
 pub fn logo(path: &Path) -> Result<String> {
     let bytes = files::read(path)?;
-    let wrong = |what: &str| {
-        let message = Message::error(format!("`{}` {what}", path.display()));
-        message.expected("an SVG or PNG picture of at most 1 MiB").into()
-    };
+    let wrong = |fault: &str| error!("logo-unusable", file = path.display().to_string(), fault).into();
     if bytes.len() > LOGO_BYTES {
-        return Err(wrong("is too large for a logo"));
+        return Err(wrong("size"));
     }
     let kind = match path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).as_deref() {
         Some("png") if bytes.starts_with(b"\x89PNG\r\n\x1a\n") => "png",
         Some("svg") if String::from_utf8_lossy(&bytes).contains("<svg") => "svg+xml",
-        _ => return Err(wrong("is not a picture that a report can hold")),
+        _ => return Err(wrong("format")),
     };
     Ok(format!("data:image/{kind};base64,{}", STANDARD.encode(&bytes)))
 }
@@ -37,13 +35,13 @@ pub fn logo_file(uri: &str) -> Option<(&'static str, Vec<u8>)> {
 
 /// Reads all templates of a folder (`.html`, `.css`, and `report.typ` of report.pdf) by file name.
 pub fn templates(folder: &Path) -> Result<BTreeMap<String, String>> {
-    let entries = std::fs::read_dir(folder)
-        .map_err(|e| Message::error(format!("cannot read the folder `{}`: {e}", folder.display())))?;
+    let shown = folder.display().to_string();
+    let entries =
+        std::fs::read_dir(folder).map_err(|e| error!("cannot-read-folder", folder = shown, reason = e.to_string()))?;
     let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|e| e == "html" || e == "css") || path.ends_with("report.typ"));
     if paths.is_empty() {
-        let message = Message::error(format!("there is no template in `{}`", folder.display()));
-        return Err(message.hint("`etalon report --write-templates FOLDER` writes those that are built in").into());
+        return Err(error!("no-templates", folder = shown).into());
     }
     let named = |path: std::path::PathBuf| {
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();

@@ -8,6 +8,7 @@ use super::words::{Words, isolated};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use etalon_base::catalogue::{Arguments, Phrase};
+use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result, one_line};
 use etalon_documents::Presentation;
 use minijinja::syntax::SyntaxConfig;
@@ -147,8 +148,9 @@ fn failure(error: &minijinja::Error, presentation: &Presentation) -> Message {
     if let Some(inner) = error.source().and_then(|inner| inner.downcast_ref()) {
         return failure(inner, presentation);
     }
-    let what = error.detail().map_or_else(|| error.kind().to_string(), |detail| format!("{}: {detail}", error.kind()));
-    let message = Message::error(format!("the report's template does not work: {what}"));
+    let reason =
+        error.detail().map_or_else(|| error.kind().to_string(), |detail| format!("{}: {detail}", error.kind()));
+    let message = error!("template-invalid", reason);
     let Some((name, line)) = error.name().zip(error.line()) else { return message };
     match presentation.templates.get(name).and_then(|text| text.lines().nth(line.saturating_sub(1))) {
         Some(text) => message.at(Place::line(name, line, text)),

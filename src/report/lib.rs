@@ -22,6 +22,7 @@ mod tests;
 pub(crate) mod words;
 mod workbook;
 
+use etalon_base::error;
 use etalon_base::message::{Message, Result, one_line};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, Characteristics, CompareDocument, ControllersDocument, FeaturesDocument,
@@ -69,13 +70,13 @@ pub struct Identified<'a> {
 impl<'a> Report<'a> {
     /// `true` if all limits are met, the result is plausible, and all controller files are written.
     /// Creates no report.
-    pub fn is_met(&self) -> bool {
+    pub fn passes(&self) -> bool {
         sections::verdict::met(self.identified.as_ref(), self.tested)
             && self.controllers.is_none_or(ControllersDocument::is_complete)
     }
 
     /// Warnings and errors of all documents.
-    fn messages(&self) -> Vec<&'a Message> {
+    pub fn messages(&self) -> Vec<&'a Message> {
         let identified = self.identified.iter().flat_map(|i| &i.parameters.messages);
         let geometric = self.geometric.iter().flat_map(|g| &g.messages);
         let controllers = self.controllers.iter().flat_map(|c| &c.messages);
@@ -111,6 +112,8 @@ impl<'a> Report<'a> {
             subtitle,
             synthetic: self.campaign.synthetic.iter().cloned().collect(),
             date: self.campaign.date.clone(),
+            issued: self.campaign.issue.issued.clone(),
+            draft: None,
             version: self.provenance().version,
             verdict: self.verdict(words),
             sections: sections::all(self, words),
@@ -155,12 +158,12 @@ impl<'a> Report<'a> {
 
 /// Title of the calibration of a robot without a name.
 fn of_model(document: &ParametersDocument, words: &Words) -> String {
-    tr!(words, "calibration-report-of-model", model = isolated(&one_line(&document.robot)))
+    tr!(words, "calibration-report-of-model", model = words.model(&document.robot))
 }
 
 /// Subject of an answer.
 fn named(robot: &str, words: &Words) -> String {
-    tr!(words, "robot-of-model", model = isolated(&one_line(robot)))
+    tr!(words, "robot-of-model", model = words.model(robot))
 }
 
 /// A document attached to a PDF.
@@ -182,7 +185,7 @@ impl Attachment {
         document: &T,
     ) -> Result<Self> {
         let text = serde_json::to_string_pretty(document)
-            .map_err(|e| Message::error(format!("a document cannot be written as JSON: {e}")))?;
+            .map_err(|e| error!("cannot-encode", format = "JSON", reason = e.to_string()))?;
         Ok(Self { name, relationship, description, mime: "application/json", text: text + "\n" })
     }
 }
@@ -212,7 +215,7 @@ pub fn kinds() -> impl Iterator<Item = &'static str> {
 
 /// A report created once from its documents, to be rendered to files and on the terminal.
 #[derive(Debug)]
-pub struct Faces {
+pub struct Renderer {
     contents: Contents,
     /// Attached to the PDF only.
     attachments: Vec<Attachment>,
@@ -220,7 +223,7 @@ pub struct Faces {
     words: Words,
 }
 
-impl Faces {
+impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
         Self { contents: contents.in_language(&words), attachments, presentation, words }
     }
@@ -258,7 +261,7 @@ impl Faces {
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
         let words = Words::of(presentation.language)?;
-        let robot = isolated(&one_line(&document.robot));
+        let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
             subtitle: tr!(words, "plan-for-model", model = robot),
@@ -342,7 +345,7 @@ impl Faces {
         Self::new(Contents { version, ..contents }, vec![attached], presentation, words)
     }
 
-    /// Creates the certificate of a campaign: one page of its report, for the customer.
+    /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
         let words = Words::of(presentation.language)?;
@@ -374,7 +377,7 @@ impl Faces {
     }
 
     /// `true` if all limits are met and the result is plausible.
-    pub fn is_met(&self) -> bool {
+    pub fn passes(&self) -> bool {
         self.contents.verdict.met
     }
 

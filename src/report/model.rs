@@ -11,7 +11,9 @@ use etalon_base::pose_name::PoseName;
 use serde::{Serialize, Serializer};
 
 /// Maximum number of rows of a table on a page; the workbook and the documents contain all rows.
-pub(super) const ROWS: usize = 500;
+const ROWS: usize = 500;
+/// Maximum number of rows of a table on paper: `most` of `report.typ`.
+pub(super) const PAPER_ROWS: usize = 200;
 /// Minimum length (characters) of texts whose columns share the width left by other columns.
 const LONG: usize = 22;
 
@@ -23,6 +25,10 @@ pub(crate) struct Contents {
     /// Explanation of synthetic data; empty for measured data.
     pub synthetic: Vec<String>,
     pub date: Option<String>,
+    /// Date of issue.
+    pub issued: Option<String>,
+    /// Mark across every page of what must not be used as a certificate.
+    pub draft: Option<String>,
     /// Number of the report, shown on every page.
     pub number: Option<String>,
     /// Scope of the results; empty for unsigned reports.
@@ -192,11 +198,23 @@ enum Mark {
     Name,
     English,
     Code,
+    /// A key or a name between backticks in a text.
+    #[serde(rename = "code")]
+    Key,
 }
 
 impl Text {
+    /// A text; what stands between backticks in a sentence is a key or a name.
     fn of(text: String, mark: Mark) -> Self {
-        Self(vec![Run { text, mark }])
+        let is_sentence = matches!(mark, Mark::Own | Mark::English);
+        if !is_sentence || !text.contains('`') || !text.matches('`').count().is_multiple_of(2) {
+            return Self(vec![Run { text, mark }]);
+        }
+        let run = |(i, piece): (usize, &str)| Run {
+            text: piece.to_owned(),
+            mark: if i.is_multiple_of(2) { mark } else { Mark::Key },
+        };
+        Self(text.split('`').enumerate().map(run).filter(|run| !run.text.is_empty()).collect())
     }
 
     /// A name, isolated from its surroundings.
@@ -213,6 +231,11 @@ impl Text {
     /// English.
     pub fn document(text: &str, words: &Words) -> Self {
         words.of_document(text).map_or_else(|| Self::english(text), Self::from)
+    }
+
+    /// A text of a document in the language of the report; English without a catalogue entry.
+    pub fn worded(text: &str, phrase: Option<&Phrase>, words: &Words) -> Self {
+        phrase.map_or_else(|| Self::document(text, words), |phrase| words.tr(phrase).into())
     }
 
     /// A line of a file, or a checksum.
@@ -233,7 +256,11 @@ impl Text {
     }
 
     pub fn plain(&self) -> String {
-        self.0.iter().map(|run| run.text.as_str()).collect()
+        let shown = |run: &Run| match run.mark {
+            Mark::Key => format!("`{}`", run.text),
+            _ => run.text.clone(),
+        };
+        self.0.iter().map(shown).collect()
     }
 }
 
@@ -255,6 +282,8 @@ pub(crate) struct Figure {
     pub title: String,
     pub svg: String,
     pub caption: String,
+    /// Caption with the figure's own scale; empty if there is one scale only.
+    pub caption_own: String,
     /// Wide figures occupy a whole row.
     pub wide: bool,
     /// Name shared by the figures before and after, and position of this figure; empty for single
@@ -263,7 +292,7 @@ pub(crate) struct Figure {
     pub side: &'static str,
     /// Names of the two figures; "before" and "after" if absent.
     pub sides: Option<[String; 2]>,
-    /// `true` if colours have a common scale of both figures and a separate one.
+    /// `true` if marks have a common scale of both figures and a separate one.
     pub scaled: bool,
     /// Numbers of the figure; empty if another table contains them.
     pub table_title: String,
@@ -490,6 +519,7 @@ struct Column<'a, T> {
     unit: &'a str,
     shown_in: &'a str,
     group: Title<'a>,
+    decisive: bool,
     on: On,
     cell: Box<dyn Fn(&'a T) -> Cell + 'a>,
 }
@@ -504,7 +534,7 @@ impl<'a, T> Columns<'a, T> {
 
     fn with<C: Into<Cell>>(mut self, on: On, title: Title<'a>, unit: &'a str, cell: impl Fn(&'a T) -> C + 'a) -> Self {
         let cell = Box::new(move |record: &'a T| cell(record).into());
-        self.0.push(Column { title, unit, shown_in: unit, group: "".into(), on, cell });
+        self.0.push(Column { title, unit, shown_in: unit, group: "".into(), decisive: false, on, cell });
         self
     }
 
@@ -573,6 +603,12 @@ impl<'a, T> Columns<'a, T> {
         self
     }
 
+    /// Makes the last column the second one of a page, so that a narrow screen shows it.
+    pub fn decisive(mut self) -> Self {
+        self.0.iter_mut().rev().take(1).for_each(|c| c.decisive = true);
+        self
+    }
+
     /// Adds a common title above the last columns.
     pub fn below(mut self, columns: usize, group: impl Into<Title<'a>>) -> Self {
         let group = group.into();
@@ -602,6 +638,7 @@ pub(crate) struct Table {
 #[derive(Clone, Debug)]
 struct Titled {
     on: On,
+    decisive: bool,
     group: String,
     title: String,
     /// Title in the workbook: English, with the unit in brackets.
@@ -624,6 +661,7 @@ impl Table {
             let unit = if c.unit.is_empty() { String::new() } else { format!(" [{}]", c.unit) };
             Titled {
                 on: c.on,
+                decisive: c.decisive,
                 group: c.group.shown(words),
                 title: c.title.shown(words) + &behind(c.shown_in),
                 sheet: format!("{before}{title}{unit}"),
@@ -700,9 +738,21 @@ impl Table {
         !self.off_page && !self.rows.is_empty() && !self.on_page().is_empty()
     }
 
-    /// Layout for a page or the terminal.
+    /// Layout for the terminal.
     pub fn laid(&self) -> Laid<'_> {
-        let places = self.on_page();
+        self.laid_out(self.on_page())
+    }
+
+    /// Layout for a page: what decides is beside the name.
+    fn laid_on_page(&self) -> Laid<'_> {
+        let mut places = self.on_page();
+        if let Some(i) = places.iter().position(|i| self.columns[*i].decisive).filter(|i| *i > 1) {
+            places[1..=i].rotate_right(1);
+        }
+        self.laid_out(places)
+    }
+
+    fn laid_out(&self, places: Vec<usize>) -> Laid<'_> {
         let rows: Vec<Vec<&Cell>> =
             self.rows.iter().take(self.most).map(|row| places.iter().map(|i| &row[*i]).collect()).collect();
         let any = |i: usize, is: &dyn Fn(&Cell) -> bool| rows.iter().any(|row| is(row[i]));
@@ -767,7 +817,7 @@ pub(crate) struct Laid<'a> {
 
 impl Serialize for Table {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.laid().serialize(serializer)
+        self.laid_on_page().serialize(serializer)
     }
 }
 
@@ -897,5 +947,25 @@ impl Section {
     /// Returns the section unless it is empty.
     pub fn whole(self) -> Option<Self> {
         (!self.blocks.is_empty() || !self.data.is_empty()).then_some(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_between_backticks_is_code_on_a_page_and_stays_as_it_is_in_plain_text() {
+        let text = Text::english("log `read_back` has 2 rows of `a`");
+        let json = serde_json::to_value(&text).unwrap();
+        let marks: Vec<_> = json.as_array().unwrap().iter().map(|run| run["mark"].as_str().unwrap()).collect();
+        assert_eq!(marks, ["english", "code", "english", "code"]);
+        assert!(!json.to_string().contains('`'), "{json}");
+        assert_eq!(text.plain(), "log `read_back` has 2 rows of `a`");
+        for odd in ["a ` b", "plain", ""] {
+            assert_eq!(Text::from(odd).plain(), odd);
+        }
+        // a name is kept as it is
+        assert_eq!(serde_json::to_value(Text::name("`x`")).unwrap()[0]["text"], "`x`");
     }
 }

@@ -1,7 +1,8 @@
 //! Supervision of a laboratory's templates: a template that does not terminate, or exhausts memory,
 //! is stopped.
 
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -12,7 +13,7 @@ const LARGEST: u64 = 2 << 30;
 /// Stack size (bytes), as templates may be deeply nested.
 const STACK: usize = 64 << 20;
 
-/// Runs `face` with the template `name`; a built-in `face` is not supervised.
+/// Runs `render` with the template `name`; built-in templates are not supervised.
 ///
 /// # Errors
 ///
@@ -21,25 +22,25 @@ const STACK: usize = 64 << 20;
 pub(super) fn supervised<T: Send + 'static>(
     name: &str,
     own: bool,
-    face: impl FnOnce() -> Result<T> + Send + 'static,
+    render: impl FnOnce() -> Result<T> + Send + 'static,
 ) -> Result<T> {
     if !own {
-        return face();
+        return render();
     }
-    let fail = |what: &str| Message::error(format!("the template `{name}` {what}")).hint("does a loop in it not end?");
+    let fail = |fault: &str| error!("template-failed", template = name, fault);
     let (sender, receiver) = channel();
-    let thread = std::thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(face())));
-    thread.map_err(|e| fail(&format!("cannot be read: {e}")))?;
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(render())));
+    thread.map_err(|e| fail(&e.to_string()))?;
     let (begun, before) = (Instant::now(), resident());
     loop {
         match receiver.recv_timeout(Duration::from_millis(10)) {
             Ok(made) => return made,
-            Err(RecvTimeoutError::Disconnected) => return Err(fail("does not work").into()),
+            Err(RecvTimeoutError::Disconnected) => return Err(fail("ended").into()),
             Err(RecvTimeoutError::Timeout) if begun.elapsed() > LONGEST => {
-                return Err(fail("takes more than a minute").into());
+                return Err(fail("time").into());
             }
             Err(RecvTimeoutError::Timeout) if resident().saturating_sub(before) > LARGEST => {
-                return Err(fail("takes more than 2 GiB of memory").into());
+                return Err(fail("memory").into());
             }
             Err(RecvTimeoutError::Timeout) => {}
         }

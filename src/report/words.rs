@@ -6,7 +6,7 @@ pub(super) mod comparison;
 pub(super) mod names;
 
 use etalon_base::catalogue::{Argument, Arguments, Phrase};
-use etalon_base::message::{Message, Result, printable};
+use etalon_base::message::{Message, Result, one_line, printable};
 use etalon_documents::Language;
 use std::collections::BTreeMap;
 
@@ -127,9 +127,19 @@ impl Words {
         if number || text.starts_with("p ") { self.number(&text) } else { text }
     }
 
+    /// Kind of a robot by the key of its model; any other model as it is.
+    pub fn model(&self, key: &str) -> String {
+        names::model(key).map_or_else(|| isolated(&one_line(key)), |phrase| self.tr(&phrase))
+    }
+
     /// A name that documents enumerate in this language; any other name as it is.
     pub fn named(&self, name: &str) -> String {
         names::of_document(name).map_or_else(|| name.to_owned(), |phrase| self.tr(&phrase))
+    }
+
+    /// Text of a document by its text of the catalogue, if the document has it.
+    pub fn worded(&self, text: &str, phrase: Option<&Phrase>) -> String {
+        phrase.map_or_else(|| text.to_owned(), |phrase| self.tr(phrase))
     }
 
     /// Text of a document by its id in the catalogue; the text itself without an id.

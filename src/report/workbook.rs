@@ -4,7 +4,8 @@
 use super::model::{Block, Cell, Columns, Contents, Fact, Table};
 use super::number;
 use super::words::{Words, tr};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use rust_xlsxwriter::{Chart, ChartType, Color, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError};
 
 /// Maximum number of rows of a sheet, without the header and a line on omitted rows.
@@ -36,13 +37,15 @@ const CHARTS: [(&str, ChartType, &str, &str, &[&str]); 3] = [
 /// A sheet: titles and units of its columns, and its rows.
 struct Sheet<'a> {
     name: &'a str,
+    /// Number of sheets of this name before this one.
+    alike: usize,
     columns: Vec<(&'a str, &'a str)>,
     rows: Vec<Vec<&'a Cell>>,
 }
 
 /// All tables as a workbook (.xlsx); the bytes depend on nothing else.
 pub(super) fn workbook(contents: &Contents, words: &Words) -> Result<Vec<u8>> {
-    let fail = |e: XlsxError| Message::error(format!("cannot write the workbook: {e}"));
+    let fail = |e: XlsxError| error!("cannot-encode", format = "XLSX", reason = e.to_string());
     let mut workbook = Workbook::new();
     let created = rust_xlsxwriter::ExcelDateTime::from_ymd(1980, 1, 1).map_err(fail)?;
     let properties = rust_xlsxwriter::DocProperties::new().set_creation_datetime(&created);
@@ -77,7 +80,7 @@ fn sheet<'a>(name: &'a str, table: &'a Table) -> Sheet<'a> {
     let columns = table.sheet_columns();
     let row = |row: &'a Vec<Cell>| columns.iter().map(|(i, ..)| &row[*i]).collect();
     let rows = table.rows.iter().map(row).collect();
-    Sheet { name, columns: columns.iter().map(|(_, title, unit)| (*title, *unit)).collect(), rows }
+    Sheet { name, alike: 0, columns: columns.iter().map(|(_, title, unit)| (*title, *unit)).collect(), rows }
 }
 
 /// All tables with a sheet; tables of one sheet are placed below each other.
@@ -88,9 +91,10 @@ fn sheets(contents: &Contents) -> Vec<Sheet<'_>> {
         if table.sheet.is_empty() || table.rows.is_empty() {
             continue;
         }
+        let alike = all.iter().filter(|s| s.name == more.name).count();
         match all.iter_mut().find(|s| s.name == more.name && s.columns == more.columns) {
             Some(sheet) => sheet.rows.extend(more.rows),
-            None => all.push(more),
+            None => all.push(Sheet { alike, ..more }),
         }
     }
     all
@@ -111,7 +115,11 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
     let head =
         Format::new().set_bold().set_background_color(Color::RGB(0x00F3_F5F8)).set_border_bottom(FormatBorder::Thin);
     let text = Format::new().set_num_format("@").set_align(FormatAlign::Top);
-    page.set_name(sheet.name)?;
+    // Excel rejects two sheets of one name
+    page.set_name(match sheet.alike {
+        0 => sheet.name.to_owned(),
+        n => format!("{} {}", sheet.name, n + 1),
+    })?;
     let last = sheet.columns.len().saturating_sub(1) as u16;
     let mut numbers = Vec::new();
     for (i, (title, unit)) in (0u16..).zip(&sheet.columns) {
@@ -157,13 +165,17 @@ fn fill(page: &mut Worksheet, sheet: &Sheet) -> std::result::Result<(), XlsxErro
 
 /// Draws the chart of a sheet beside its table.
 fn draw(page: &mut Worksheet, sheet: &Sheet, rows: u32) -> std::result::Result<(), XlsxError> {
-    let Some((name, kind, title, across, up)) = CHARTS.into_iter().find(|c| c.0 == sheet.name && rows > 0) else {
+    let first = sheet.alike == 0 && rows > 0;
+    let Some((name, kind, title, across, up)) = CHARTS.into_iter().find(|c| c.0 == sheet.name && first) else {
         return Ok(());
     };
     let column = |title: &str| (0u16..).zip(&sheet.columns).find(|(_, c)| c.0 == title).map(|(i, _)| i);
-    let Some(across) = column(across) else { return Ok(()) };
+    let up: Vec<u16> = up.iter().filter_map(|title| column(title)).collect();
+    // a table of other columns on a sheet of this name, as that of a plan, has no chart: Excel
+    // rejects a chart without series
+    let Some(across) = column(across).filter(|_| !up.is_empty()) else { return Ok(()) };
     let mut chart = Chart::new(kind);
-    for up in up.iter().filter_map(|title| column(title)) {
+    for up in up {
         let series = chart.add_series().set_name((name, 0, up));
         series.set_categories((name, 1, across, rows, across)).set_values((name, 1, up, rows, up));
     }

@@ -10,7 +10,9 @@ use super::{
     Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, PlanarPose, Quantity, Robot, Role,
 };
 use super::{REACH, in_plane, in_space, meaning};
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_base::pose::Vector;
 use etalon_base::scalar::{Dual, Scalar, constants, duals};
@@ -492,8 +494,8 @@ impl Robot for FiveBar {
         let ends = self.limits.limits_rad.get(joint).copied();
         JointRange::of_limits(ends.filter(|ends| *ends != FiveBarLimits::default().limits_rad[0]))
     }
-    fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
-        Some("measure every position in all working modes that reach it, and positions all around the workspace")
+    fn remedy(&self, _parameters: &[usize]) -> Option<Phrase> {
+        Some(phrase!("measure-all-working-modes"))
     }
 }
 

@@ -30,6 +30,7 @@ pub use prexyt::Prexyt;
 pub use serial::Serial;
 pub use urdf::{Link, LongestChain, Mimic, Tree, TreeJoint};
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::Formula;
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::scalar::Scalar;
@@ -246,7 +247,7 @@ pub trait Robot: Send + Sync {
 
     /// Hint at measurements that make these parameters separately identifiable, if the model knows
     /// any.
-    fn remedy(&self, _parameters: &[usize]) -> Option<&'static str> {
+    fn remedy(&self, _parameters: &[usize]) -> Option<Phrase> {
         None
     }
 

@@ -10,7 +10,9 @@ use super::{
     RailTable, Robot, Role,
 };
 use super::{REACH, in_plane, in_space, meaning};
+use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_base::scalar::{Dual, Scalar, constants, duals};
 use etalon_base::sketch::{Sketch, StrokeKind};
@@ -303,10 +305,9 @@ impl Robot for Prexyt {
     fn rail_table(&self) -> Option<&dyn RailTable> {
         Some(self)
     }
-    fn remedy(&self, parameters: &[usize]) -> Option<&'static str> {
+    fn remedy(&self, parameters: &[usize]) -> Option<Phrase> {
         // d (or d1) and x_c act along x and x′: only different |theta| separate them
-        (parameters.contains(&6) && parameters.contains(&5))
-            .then_some("measure poses with different |theta|, e.g. 0 and the largest the table reaches")
+        (parameters.contains(&6) && parameters.contains(&5)).then(|| phrase!("measure-different-angles"))
     }
 }
 

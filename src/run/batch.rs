@@ -1,17 +1,21 @@
-//! Many campaigns in one process: each is run, or read back where nothing of it has changed, and their results are one table.
+//! Many campaigns in one process. An unchanged campaign is read back instead of run; all results
+//! form one table.
 //!
-//! Documents of a batch are not synced one by one: what counts as done on a restart is a folder whose files all have the hashes of its
-//! manifest, so a power cut costs no more than the campaigns that the system had not written yet, which are run again.
+//! Documents of a batch are not synced one by one. On a restart, a campaign counts as done if all
+//! files of its folder have the hashes of its manifest; after a power failure, the others are run
+//! again.
 
 use crate::run::documents::{Documents, Run};
 use crate::run::output::current;
 use crate::run::pipeline::{self, Wanted};
+use etalon_base::files;
 use etalon_base::folder::{self, Durability};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Message, Problems, Rank, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    AccuracyDocument, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary, Characteristics, Iso9283Pose,
-    ParametersDocument, PoseCharacteristic,
+    AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict, CampaignSummary,
+    Characteristics, Conformity, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -21,9 +25,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
 
-/// Campaigns whose results are in memory at once; as many are a row group of the table.
+/// Number of campaigns in memory at once; their results form one row group of the table.
 const AT_ONCE: usize = 256;
-/// Of the thread of a campaign, bytes.
+/// Stack size of the thread of a campaign (bytes).
 const STACK: usize = 8 << 20;
 
 /// One result of one campaign.
@@ -42,14 +46,14 @@ struct Row {
 /// All campaigns of a batch, in the order in which they were named.
 #[derive(Debug)]
 pub struct Batch {
-    /// How each ended.
+    /// Outcome of each campaign.
     pub document: BatchDocument,
-    /// Their results, as far as its page shows them.
+    /// Results that the page of the batch shows.
     pub figures: BatchFigures,
 }
 
-/// Runs campaigns on all cores, without those of which nothing has changed `since`, and writes their
-/// results as Parquet; `ended` is called after each.
+/// Runs campaigns on all cores and writes their results as Parquet. Campaigns that are unchanged
+/// `since` are read back. Calls `ended` after each campaign.
 pub fn batch<W: Write + Send>(
     folders: &[PathBuf],
     wanted: Wanted,
@@ -80,12 +84,12 @@ pub fn batch<W: Write + Send>(
     }
     written.finish()?;
     let folders = computed.iter().map(PathBuf::as_path);
-    folder::flush(folders).map_err(|e| Message::error(format!("the results cannot be synced to the disk: {e}")))?;
+    folder::flush(folders).map_err(|e| error!("results-not-synced", reason = e.to_string()))?;
     Ok(Batch { document: BatchDocument::new(campaigns), figures })
 }
 
-/// What `work` makes of each item, in order. Each core has a thread with a pool of its own: a thread of a common pool that waits for
-/// another one (as tables do) takes up the next item meanwhile, deeper and deeper in its stack.
+/// Results of `work` for all items, in order. Each core has a thread with its own pool: a waiting
+/// thread of a common pool would begin the next item deeper in its stack.
 fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Result<Vec<T>> {
     let next = AtomicUsize::new(0);
     let some = || -> std::result::Result<Vec<(usize, T)>, ThreadPoolBuildError> {
@@ -93,13 +97,13 @@ fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) ->
         let taken = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&i| i < items.len());
         Ok(pool.install(|| std::iter::from_fn(taken).map(|i| (i, work(&items[i]))).collect()))
     };
-    let failed = |what: String| Message::error(format!("the campaigns cannot be run at once: {what}"));
+    let failed = |reason: &str| error!("threads-failed", reason);
     let mut all = Vec::with_capacity(items.len());
     std::thread::scope(|scope| -> Result<()> {
         let threads: Vec<_> = (0..rayon::current_num_threads()).map(|_| scope.spawn(some)).collect();
         for thread in threads {
-            let made = thread.join().map_err(|_| failed("a thread has ended".to_owned()))?;
-            all.extend(made.map_err(|e| failed(e.to_string()))?);
+            let made = thread.join().map_err(|_| failed("ended"))?;
+            all.extend(made.map_err(|e| failed(&e.to_string()))?);
         }
         Ok(())
     })?;
@@ -107,7 +111,7 @@ fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) ->
     Ok(all.into_iter().map(|(_, made)| made).collect())
 }
 
-/// Results of one campaign, and its output folder where that was written; `entry` is filled in.
+/// Results of one campaign, and its output folder if it was written; completes `entry`.
 fn campaign(
     folder: &Path,
     (wanted, since): (Wanted, Option<SystemTime>),
@@ -116,7 +120,7 @@ fn campaign(
     let campaign = Campaign::read(folder)?;
     if let Some(name) = campaign.missing_variable() {
         entry.ended = BatchEnd::Skipped;
-        entry.message = Some(format!("its data are below ${name}, which is not set"));
+        entry.message = Some(phrase!("data-elsewhere", name).to_string());
         return Ok(Default::default());
     }
     let output = campaign.output()?;
@@ -126,13 +130,16 @@ fn campaign(
     if let Some(documents) = current(&campaign, last).filter(recent) {
         let run = Run::read(&documents)?;
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
-        describe(entry, &run.campaign, run.report().is_met(), identified.map(|i| i.0));
+        let report = run.report();
+        describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
+        entry.checks = checks(identified, &run.tested, report.messages().into_iter());
         return Ok((rows(identified, &run.tested), None));
     }
     let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
     entry.computed = true;
     let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
     describe(entry, &found.summary, found.met, identified.map(|i| i.0));
+    entry.checks = checks(identified, &found.tested, found.messages.iter());
     Ok((rows(identified, &found.tested), Some(output)))
 }
 
@@ -140,6 +147,52 @@ fn describe(entry: &mut BatchEntry, campaign: &CampaignSummary, met: bool, param
     entry.ended = if met { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (campaign.name.clone(), campaign.date.clone());
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
+    let given = &campaign.conditions;
+    let stated = given.robot_type.as_ref().map(|kind| match &given.robot_maker {
+        Some(maker) => format!("{maker} {kind}"),
+        None => kind.clone(),
+    });
+    entry.alike = stated.or_else(|| parameters.map(nominal)).or_else(|| entry.robot.clone());
+}
+
+/// Model with a checksum of the nominal parameters: equal for robots of one kind.
+fn nominal(document: &ParametersDocument) -> String {
+    let of_robot = document.parameters.iter().filter(|p| p.role == Role::Robot);
+    let listed: String = of_robot.map(|p| format!("{} = {} {}\n", p.name, p.nominal, p.unit)).collect();
+    format!("{} {}", document.robot, &files::sha256(listed.as_bytes())[..8])
+}
+
+/// Checks of a result, in the order of reading.
+fn checks<'a>(
+    identified: Option<(&ParametersDocument, &AccuracyDocument)>,
+    tested: &Characteristics,
+    messages: impl Iterator<Item = &'a Message>,
+) -> Vec<BatchCheck> {
+    let check =
+        |name: &str, verdict| BatchCheck { name: name.to_owned(), verdict, value: None, limit: None, unit: None };
+    let pass = |passed| if passed { BatchVerdict::Pass } else { BatchVerdict::Fail };
+    let limits = identified.iter().flat_map(|i| &i.1.limits).chain(tested.limits()).map(|l| BatchCheck {
+        value: Some(l.value),
+        limit: Some(l.limit),
+        unit: Some(l.unit.clone()),
+        ..check(
+            l.name.into(),
+            match l.conformity {
+                Conformity::Conforming => BatchVerdict::Pass,
+                Conformity::Neither => BatchVerdict::Conditional,
+                Conformity::NotConforming => BatchVerdict::Fail,
+            },
+        )
+    });
+    let mut all: Vec<BatchCheck> = limits.collect();
+    if let Some((parameters, _)) = identified {
+        all.push(check("solver", pass(parameters.solver.termination.is_success())));
+        all.push(check("robot", pass(parameters.is_plausible())));
+    }
+    let decide = messages.filter(|m| m.rank == Rank::Decide).count();
+    let verdict = if decide > 0 { BatchVerdict::Conditional } else { BatchVerdict::Pass };
+    all.push(BatchCheck { value: Some(decide as f64), ..check("warnings", verdict) });
+    all
 }
 
 fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &Characteristics) -> Vec<Row> {
@@ -187,7 +240,7 @@ fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &C
     rows
 }
 
-/// What the page shows of the results of a campaign: errors after calibration, the largest AP and RP, and parameters.
+/// Results that the page shows: errors after calibration, largest AP and RP, and parameters.
 fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
     let errors = of("error").filter(|row| !row.item.ends_with("before")).chain(of("parameter"));
@@ -198,7 +251,7 @@ fn shown(rows: &[Row]) -> impl Iterator<Item = (&str, &str, f64, Option<f64>)> {
     largest.chain(errors.map(|row| (row.item.as_str(), row.unit.as_str(), row.value, row.standard_uncertainty)))
 }
 
-/// One row a result: parameters, errors before and after, limits, AP and RP by pose.
+/// Table of results, one a row: parameters, errors before and after, limits, AP and RP by pose.
 fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
     let all = || found.iter().flat_map(|(entry, rows)| rows.iter().map(move |row| (entry, row)));
     let text = |name: &str, of: fn(&BatchEntry, &Row) -> Option<String>| {
@@ -225,8 +278,8 @@ fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
     frame(all().count(), columns)
 }
 
-/// The campaigns that arguments name: folders, their `campaign.toml`, folders of campaigns, and lists
-/// of campaigns, one a line, `#` before a remark.
+/// Campaigns named by arguments: folders, their `campaign.toml`, folders of campaigns, and lists of
+/// campaigns (one a line, remarks after `#`).
 pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let mut all = Vec::new();
     let mut problems = Problems::default();
@@ -242,13 +295,13 @@ pub fn folders(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
         }
         let Some(text) = problems.keep(etalon_base::files::read_text(path)) else { continue };
         let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
-        // beside the list, as paths in a campaign are beside it
+        // relative to the list, like paths in a campaign
         all.extend(lines.map(|line| path.parent().unwrap_or(Path::new("")).join(line)));
     }
     let mut sorted: Vec<&PathBuf> = all.iter().collect();
     sorted.sort();
     for pair in sorted.windows(2).filter(|pair| pair[0] == pair[1]) {
-        problems.0.push(Message::error(format!("`{}` is named twice", pair[0].display())));
+        problems.0.push(error!("campaign-twice", folder = pair[0].display().to_string()));
     }
     problems.check()?;
     Ok(all)

@@ -1,6 +1,8 @@
-//! The output folder of a run as others read it: every document is what that run wrote, or the folder is refused.
+//! The output folder of a run as others read it: every document is what that run wrote, or the
+//! folder is refused.
 
 use crate::stages::evaluate;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::{Message, Place, Result};
@@ -49,8 +51,7 @@ impl Documents {
     pub fn open(folder: &Path) -> Result<Self> {
         let path = folder.join(ManifestDocument::NAME);
         if !path.is_file() {
-            let message = Message::error(format!("there is no file `{}`", path.display()));
-            return Err(message.hint("name a folder that `etalon run` wrote, or a campaign that was run").into());
+            return Err(error!("not-an-output-folder", file = path.display().to_string()).into());
         }
         let manifest = parse(&path, &files::read(&path)?, "manifest")?;
         Ok(Self { folder: folder.to_owned(), manifest })
@@ -73,8 +74,7 @@ impl Documents {
     pub fn bytes(&self, name: &str) -> Result<Vec<u8>> {
         let path = self.path(name);
         let Some(sha256) = self.manifest.files.get(name) else {
-            let message = Message::error(format!("the run wrote no `{}`", path.display()));
-            return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
+            return Err(error!("file-not-of-run", file = path.display().to_string()).into());
         };
         let read = files::read(&path);
         if !read.as_ref().is_ok_and(|bytes| files::sha256(bytes) == *sha256) {
@@ -82,10 +82,7 @@ impl Documents {
         }
         let bytes = read?;
         if files::sha256(&bytes) != *sha256 {
-            let what =
-                format!("`{}` is not the file that the run wrote beside `{}`", path.display(), ManifestDocument::NAME);
-            let message = Message::error(what).expected(format!("the SHA-256 {sha256}"));
-            return Err(message.hint("run the campaign again: `etalon run CAMPAIGN`").into());
+            return Err(error!("file-changed-since-run", file = path.display().to_string(), sha256).into());
         }
         Ok(bytes)
     }
@@ -123,21 +120,18 @@ impl Documents {
     fn unchanged(&self) -> Result<()> {
         match Self::open(&self.folder) {
             Ok(now) if now.manifest == self.manifest => Ok(()),
-            _ => {
-                let what = format!("`{}` was replaced by another process while it was read", self.folder.display());
-                Err(Message::error(what).hint("repeat the command when the other process has ended").into())
-            }
+            _ => Err(error!("folder-replaced", folder = self.folder.display().to_string()).into()),
         }
     }
 }
 
 /// The documents of a run, read back: all that its report is made from.
 pub struct Run {
-    /// What the campaign states about itself.
+    /// Statements of the campaign about itself.
     pub campaign: CampaignSummary,
-    /// What was read and refused.
+    /// Read and rejected input.
     pub import: ImportDocument,
-    /// What was identified, if anything was.
+    /// Result of the identification, if there is one.
     pub identified: Option<Identified>,
     /// Characteristics of ISO 9283.
     pub tested: Characteristics,
@@ -149,9 +143,9 @@ pub struct Run {
 
 /// The documents of an identification.
 pub struct Identified {
-    /// `parameters.json`
+    /// Document `parameters.json`.
     pub parameters: ParametersDocument,
-    /// `accuracy.json`
+    /// Document `accuracy.json`.
     pub accuracy: AccuracyDocument,
     errors: Vec<PointError>,
 }
@@ -245,24 +239,21 @@ pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Optio
 /// Parameters whose parts belong together.
 fn checked(path: &Path, bytes: &[u8]) -> Result<ParametersDocument> {
     let document: ParametersDocument = parse(path, bytes, "parameters")?;
-    document.check().map_err(|what| wrong(path, &what))?;
+    document.check().map_err(|reason| unreadable(path, &reason))?;
     Ok(document)
 }
 
 /// A document of this name and of the version that this program writes; `campaign` states none.
 fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T> {
-    let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| wrong(path, &e.to_string()))?;
-    let found = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");
-    let expected =
-        if name == "parameters" { ParametersDocument::SCHEMA.to_owned() } else { format!("etalon/{name}/1") };
-    if name != "campaign" && found != expected {
-        let message = wrong(path, &format!("its schema is {found:?}"));
-        return Err(message.expected(format!("{expected:?}")).into());
+    let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| unreadable(path, &e.to_string()))?;
+    let schema = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");
+    let wanted = if name == "parameters" { ParametersDocument::SCHEMA.to_owned() } else { format!("etalon/{name}/1") };
+    if name != "campaign" && schema != wanted {
+        return Err(error!("document-schema-other", file = path.display().to_string(), schema, wanted).into());
     }
-    Ok(serde_json::from_value(value).map_err(|e| wrong(path, &e.to_string()))?)
+    Ok(serde_json::from_value(value).map_err(|e| unreadable(path, &e.to_string()))?)
 }
 
-fn wrong(path: &Path, what: &str) -> Message {
-    let what = format!("`{}` is not the document that this version writes: {what}", path.display());
-    Message::error(what).hint("run the campaign again with this version: `etalon run CAMPAIGN`")
+fn unreadable(path: &Path, reason: &str) -> Message {
+    error!("document-unreadable", file = path.display().to_string(), reason)
 }

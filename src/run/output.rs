@@ -1,13 +1,15 @@
-//! The output folder of a campaign: documents are collected first and written when all of them are whole.
+//! The output folder of a campaign: documents are collected first and written when all of them are
+//! whole.
 
 use crate::run::documents::{self, Documents};
 use crate::stages::evaluate;
 use crate::stages::gather::Gathered;
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
+use etalon_base::error;
 use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
 use etalon_formats::table;
@@ -99,8 +101,8 @@ impl Output {
     }
 
     /// Replaces the folder by one with these files and what others than etalon put there; gives the
-    /// names of the files written. An input that no longer holds what was read is an error, and so is a
-    /// file of others of the same name.
+    /// names of the files written. An input that no longer holds what was read is an error, and so
+    /// is a file of others of the same name.
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
         let names: Vec<String> = self.files.iter().map(|(name, _)| name.clone()).collect();
         // no other process replaces the folder from here on
@@ -109,11 +111,9 @@ impl Output {
         if let Some(earlier) = &earlier {
             let written = names.iter().map(String::as_str).chain([ManifestDocument::NAME]);
             let foreign = written.filter(|name| !earlier.contains(*name)).map(|name| self.folder.join(name));
-            let problems = foreign.filter(|path| path.symlink_metadata().is_ok()).map(|path| {
-                let message =
-                    Message::error(format!("`{}` would be written over, and no run lists it", path.display()));
-                message.hint("move it to another place, or state another `output` in campaign.toml")
-            });
+            let problems = foreign
+                .filter(|path| path.symlink_metadata().is_ok())
+                .map(|path| error!("foreign-file", file = path.display().to_string()));
             Problems(problems.collect()).check()?;
         }
         let ours = |name: &str| match &earlier {
@@ -126,8 +126,8 @@ impl Output {
         Ok(names)
     }
 
-    /// Names of the files that an earlier run wrote: none in a folder of others; `None` where a power cut
-    /// cut off the manifest.
+    /// Names of the files that an earlier run wrote: none in a folder of others; `None` where a
+    /// power cut cut off the manifest.
     fn earlier(&self) -> Option<BTreeSet<String>> {
         if let Ok(earlier) = Documents::open(&self.folder) {
             return Some(earlier.manifest.files.into_keys().chain([ManifestDocument::NAME.to_owned()]).collect());
@@ -138,8 +138,8 @@ impl Output {
     }
 }
 
-/// The campaign's output folder, if it holds the results of the campaign's files as they are, by this version: `file` among them,
-/// and all of them whole.
+/// The campaign's output folder, if it holds the results of the campaign's files as they are, by
+/// this version: `file` among them, and all of them whole.
 pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
     let documents = Documents::open(&campaign.output().ok()?).ok()?;
     let ManifestDocument { version, files, .. } = &documents.manifest;
@@ -156,8 +156,7 @@ fn unchanged(campaign: &Campaign, sources: &[Source]) -> Result<()> {
     for source in sources {
         let now = campaign.source(source).ok().and_then(|path| files::sha256_of_file(&path).ok());
         if now.as_ref() != Some(&source.sha256) {
-            let message = Message::error(format!("`{}` has changed while the campaign was run", source.file));
-            return Err(message.hint("run the campaign again when the file is complete").into());
+            return Err(error!("input-changed", file = source.file).into());
         }
     }
     Ok(())

@@ -15,30 +15,31 @@ use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
 };
-use etalon_report::{Faces, Report};
+use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
 
-/// What a run writes.
+/// Files that a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// Documents, controller files and the reports.
     Reports,
-    /// No reports: `etalon report` can write them. Nor tables of points, joint values and observations, which reports are not made of.
+    /// No reports: `etalon report` can write them. Nor tables of points, joint values and
+    /// observations, which reports are not made of.
     Documents,
 }
 
-/// What a run found, for the one who called it.
+/// Results of a run in memory.
 #[derive(Debug)]
 pub struct Outcome {
     /// Parameters and errors, where the campaign identifies any.
     pub identified: Option<Identified>,
     /// Characteristics of ISO 9283, where the campaign tests any.
     pub tested: Characteristics,
-    /// Whether every limit is met, and the result can be that of a robot.
+    /// `true` if every limit is met, and the result can be that of a robot.
     pub met: bool,
     /// The report, where it was wanted.
-    pub faces: Option<Faces>,
-    /// What the campaign states about itself.
+    pub renderer: Option<Renderer>,
+    /// Statements of the campaign about itself.
     pub summary: CampaignSummary,
     /// Everything that the report warns of.
     pub messages: Vec<Message>,
@@ -73,7 +74,7 @@ pub fn run_for(campaign: &Campaign, wanted: Wanted, durability: Durability) -> R
     write(campaign, wanted, durability, evaluate(campaign)?, out)
 }
 
-/// The same, and nothing is written.
+/// Runs a campaign without writing anything.
 pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     let mut walk = Walk::sound(campaign, Mode::Run)?;
     walk.on(campaign).map_err(|problems| {
@@ -133,8 +134,8 @@ fn write(
     mut out: Output,
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
-    let met = found.report().is_met();
-    let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
+    let met = found.report().passes();
+    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
     if tables {
@@ -164,17 +165,17 @@ fn write(
             }
         }
     }
-    let faces = faces.map(|faces| {
-        faces.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
+    let renderer = renderer.map(|renderer| {
+        renderer.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
     });
-    if let Some(faces) = &faces {
-        out.reports(faces.files()?);
+    if let Some(renderer) = &renderer {
+        out.reports(renderer.files()?);
     }
     let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, faces, summary, messages })
+    Ok(Outcome { written, identified, tested, met, renderer, summary, messages })
 }
 
-/// What controller files are made of, before anything is identified again for them.
+/// Input of controller files before parameters are identified again for them.
 fn given<'a>(
     campaign: &'a Campaign,
     robot: &'a dyn Robot,
@@ -206,7 +207,8 @@ mod tests {
     use etalon_base::files::{self, record_opened};
     use std::path::{Path, PathBuf};
 
-    /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other files.
+    /// A copy of a sample in a folder of its own, with more in its `campaign.toml`, and other
+    /// files.
     fn copy(sample: &str, more: &str, others: &[(&str, &str)]) -> tempfile::TempDir {
         fn copy_all(from: &Path, to: &Path) {
             for entry in std::fs::read_dir(from).unwrap().flatten() {

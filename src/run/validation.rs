@@ -5,11 +5,13 @@ use crate::stages::identification::{identify, select};
 use crate::stages::monte_carlo::{Draws, Trials};
 use crate::stages::recommendation;
 use crate::stages::validation::{self, Validated};
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::error;
+use etalon_base::message::{Place, Result};
 use etalon_campaign::{Campaign, Identify};
 use etalon_documents::{GivenFrames, ParametersDocument, RecommendationDocument, UncertaintyDocument};
 
-/// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is written.
+/// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is
+/// written.
 pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, given: GivenFrames) -> Result<Validated> {
     let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
     let selected = select(campaign, stated, robot.as_mut(), &joined)?;
@@ -18,8 +20,8 @@ pub fn validate(campaign: &Campaign, document: Option<&ParametersDocument>, give
     Ok(found)
 }
 
-/// Judges which parameters of a campaign deserve to be loaded; `report` is called with the choices that were tried and the most that may be.
-/// Nothing is written.
+/// Judges which parameters of a campaign deserve to be loaded; `report` is called with the choices
+/// that were tried and the most that may be. Nothing is written.
 pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
     let (stated, Observed { gathered, mut robot, joined, .. }) = observed(campaign)?;
     let inputs = gathered.document.inputs();
@@ -29,7 +31,8 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
     Ok(found)
 }
 
-/// Distributions of the results of a campaign; `report` is called with the draws made and the most that may be. Nothing is written.
+/// Distributions of the results of a campaign; `report` is called with the draws made and the most
+/// that may be. Nothing is written.
 pub fn uncertainty(
     campaign: &Campaign,
     draws: Draws,
@@ -46,9 +49,7 @@ pub fn uncertainty(
 
 fn observed(campaign: &Campaign) -> Result<(&Identify, Observed)> {
     let Some(stated) = &campaign.file.identify else {
-        let message = Message::error("the campaign has no [identify]: nothing names the poses to judge parameters on");
-        let message = message.at(Place::file(campaign.path.as_str()));
-        return Err(message.hint("state `calibration` and `validation` in [identify]").into());
+        return Err(error!("identify-missing").at(Place::file(campaign.path.as_str())).into());
     };
     Ok((stated, walk::observed(campaign)?))
 }

@@ -1,4 +1,5 @@
-//! The hallway: a campaign on its way through the stages, each of which makes something from what those before it have made.
+//! The hallway: a campaign on its way through the stages, each of which makes something from what
+//! those before it have made.
 
 use super::{names, statements};
 use crate::stages::controlled;
@@ -23,7 +24,8 @@ use etalon_robots::Robot;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-/// How far a campaign goes, and what a stage that fails does to those after it.
+/// Extent of the walk through a campaign, and the effect of a stage that fails on the following
+/// ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Mode {
     /// To its results; a stage that fails ends the walk.
@@ -31,7 +33,8 @@ pub(super) enum Mode {
     Run,
     /// To its observations; likewise.
     Observe,
-    /// To the solver; every error is collected, and the later stages are tried on what is left of their input.
+    /// To the solver; every error is collected, and the later stages are tried on what is left of
+    /// their input.
     Check,
 }
 
@@ -58,7 +61,7 @@ pub(super) struct Walk {
     pub frames: Option<FramesDocument>,
     pub tested: Characteristics,
     pub joined: Option<Joined>,
-    /// How far the joints move in the calibration poses, of a check.
+    /// Travel of the joints in the calibration poses, for a check.
     joints: Vec<JointTravel>,
     pub identified: Option<Identified>,
     pub geometric: Option<GeometricDocument>,
@@ -78,8 +81,8 @@ pub struct Observed {
 
 /// Takes a campaign, which identifies something, as far as its observations.
 ///
-/// # Errors
-/// Everything that is wrong with its statements and files, or what the first stage that fails reports.
+/// # Errors Everything that is wrong with its statements and files, or what the first stage that
+/// fails reports.
 pub fn observed(campaign: &Campaign) -> Result<Observed> {
     let mut walk = Walk::sound(campaign, Mode::Observe)?;
     walk.on(campaign)?;
@@ -89,17 +92,18 @@ pub fn observed(campaign: &Campaign) -> Result<Observed> {
     }
 }
 
-/// What a check finds before a run identifies.
+/// Findings of a check before a run identifies.
 pub struct Checked {
     /// List of inputs, with all warnings.
     pub inputs: ImportDocument,
     /// Every error.
     pub problems: Problems,
-    /// How far the joints move in the calibration poses.
+    /// Travel of the joints in the calibration poses.
     pub joints: Vec<JointTravel>,
 }
 
-/// Checks all that can stop a run before it identifies: the list of inputs with all warnings, and every error.
+/// Checks all that can stop a run before it identifies: the list of inputs with all warnings, and
+/// every error.
 pub fn everything(campaign: &Campaign) -> (ImportDocument, Problems) {
     let Checked { inputs, problems, .. } = checked(campaign);
     (inputs, problems)
@@ -245,7 +249,8 @@ impl Walk {
         Ok(())
     }
 
-    /// Looks for what is wrong with the set-up and with the selections of poses; without a join these select from all points.
+    /// Looks for what is wrong with the set-up and with the selections of poses; without a join
+    /// these select from all points.
     fn select(&mut self, campaign: &Campaign) {
         let mut poses: BTreeSet<PoseName> = self.gathered.points.iter().filter_map(|p| p.pose).collect();
         if let (Some(robot), Some(joined)) = (&mut self.robot, &self.joined) {
@@ -266,7 +271,8 @@ impl Walk {
 }
 
 impl Mode {
-    /// The value of a stage, or what it fails with: an error that ends the walk, or one of those that are collected.
+    /// The value of a stage, or what it fails with: an error that ends the walk, or one of those
+    /// that are collected.
     fn keep<T>(self, problems: &mut Problems, result: Result<T>) -> Result<Option<T>> {
         match self {
             Self::Check => Ok(problems.keep(result)),

@@ -1,5 +1,6 @@
-//! Targets and fixtures (sockets, anchors, surfaces, stations) that validation poses alone show: they are placed by their own readings, with
-//! the identified robot held, and their readings count in the statistics by what the placement leaves of them.
+//! Targets and fixtures (sockets, anchors, surfaces, stations) of validation poses alone. Their own
+//! readings place them, with the identified robot held; the redundancy that the placement leaves
+//! counts in the statistics.
 
 use super::evaluate::{self, Sets};
 use crate::stages::remedies::remedied;
@@ -28,19 +29,20 @@ pub struct Apart {
     settings: Settings,
 }
 
-/// How they were placed, with the identified parameters.
+/// Placement of the targets and fixtures, with the identified parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Placed {
     groups: Vec<Vec<usize>>,
     /// Redundancy numbers of the readings of each group.
     redundancies: Vec<Vec<f64>>,
-    /// Those of all readings that have a position error, in the order of the errors.
+    /// Redundancies of all readings with a position error, in the order of the errors.
     of_errors: Vec<f64>,
     uncertainties: BTreeMap<usize, f64>,
 }
 
 impl Apart {
-    /// Takes the readings of what no calibration pose shows out of `sets` and `settings`, which hold its parameters.
+    /// Takes the readings that no calibration pose shows out of `sets` and `settings`, which hold
+    /// the parameters of their targets and fixtures.
     pub(crate) fn take(robot: &dyn Robot, sets: &mut Sets, settings: &mut Settings) -> Self {
         let Some(arm) = robot.free_base() else { return Self::default() };
         let groups = unplaced(robot, arm, sets, settings);
@@ -134,8 +136,8 @@ impl ExtendAt for Vec<Vec<f64>> {
     }
 }
 
-/// Parameters of each target and fixture that validation readings show, and nothing else: no calibration reading, no stated place, no
-/// tolerance, and no rigid part with a target that is placed.
+/// Returns the parameters of each target and fixture that only validation readings show: no
+/// calibration reading, no stated place, no tolerance, and no rigid part with a placed target.
 fn unplaced(robot: &dyn Robot, arm: &dyn FreeBase, sets: &Sets, settings: &Settings) -> Vec<Vec<usize>> {
     let of = |observations: &[Observation], conditions: &[Condition]| -> Vec<Vec<usize>> {
         let conditions = conditions.iter().flat_map(|c| c.shows(arm));
@@ -198,7 +200,7 @@ impl Placed {
         Ok(Some(message))
     }
 
-    /// What `accuracy.json` states of them.
+    /// Entries of `accuracy.json`.
     pub fn documents(&self, robot: &dyn Robot) -> Vec<documents::PlacedApart> {
         let of = |(group, r): (&Vec<usize>, &Vec<f64>)| documents::PlacedApart {
             name: name(robot, group),
@@ -209,7 +211,8 @@ impl Placed {
         self.groups.iter().zip(&self.redundancies).map(of).collect()
     }
 
-    /// Marks their parameters, with the uncertainty that their readings give them beside the residuals that were `found`.
+    /// Marks the placed parameters in the document, with the uncertainty of their readings beside
+    /// the residuals that were `found`.
     pub fn mark(&self, robot: &dyn Robot, found: &Identification, document: &mut ParametersDocument) {
         let stated = document.residuals.stated_standard_uncertainty_mm.unwrap_or(0.0);
         let equations = (found.degrees_of_freedom + found.free.len()) as f64;

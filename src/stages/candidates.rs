@@ -1,4 +1,5 @@
-//! Candidates of a table: poses with joint values, or positions that the robot finds its own joint values for.
+//! Candidates of a table: poses with joint values, or positions that the robot finds its own joint
+//! values for.
 
 use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
@@ -21,7 +22,8 @@ pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates
     within_reach(robot, all).map_err(remedied)
 }
 
-/// One configuration a row; rows that differ in the target alone are one configuration of several targets.
+/// One configuration a row; rows that differ in the target alone are one configuration of several
+/// targets.
 fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let modes = stated_modes(robot, table)?;
     let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
@@ -66,7 +68,7 @@ fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> R
         }
     }
     if all.is_empty() {
-        return Err(error!("candidates-unreachable", model = robot.model()).into());
+        return Err(error!("candidate-positions-unreachable", model = robot.model()).into());
     }
     Ok(all)
 }

@@ -1,4 +1,5 @@
-//! Checks of the model by what it leaves: trends of the residuals, how well readings control each other, which poses decide.
+//! Checks of the model by what it leaves: trends of the residuals, how well readings control each
+//! other, which poses decide.
 
 use crate::stages::shown;
 use etalon_base::message::Message;
@@ -22,7 +23,7 @@ const NAMED: usize = 5;
 /// Poses without which no trend is tested.
 const FEWEST: usize = 10;
 
-/// What a document states of the reliability.
+/// Reliability as a document states it.
 pub fn reliability_summary(robot: &dyn Robot, found: &Reliability) -> Option<ReliabilitySummary> {
     let readings: Vec<_> = found.readings.iter().flatten().flatten().collect();
     let least = readings.iter().map(|r| r.redundancy).reduce(f64::min)?;
@@ -48,7 +49,7 @@ pub fn reliability_summary(robot: &dyn Robot, found: &Reliability) -> Option<Rel
     })
 }
 
-/// What a document states of a robust fit.
+/// Robust fit as a document states it.
 pub fn robust_summary(robot: &dyn Robot, found: &RobustComparison) -> RobustSummary {
     let parameter = |c: &RobustChange| {
         let p = &robot.parameters()[c.parameter];
@@ -80,14 +81,17 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
     let (over_u, limit) = (change.over_u(), found.critical);
     let poses: Vec<_> = found.disagreeing().iter().map(|p| p.pose).collect();
     Some(match poses.is_empty() {
-        true => warning!("robust-fit-differs", parameter = name, over_u, limit),
-        false => warning!("robust-fit-differs-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
-            .to_decide()
-            .hint(phrase!("check-readings")),
+        true => warning!("robust-fit-disagrees", parameter = name, over_u, limit),
+        false => {
+            warning!("robust-fit-disagrees-at-poses", parameter = name, over_u, limit, poses = shown(poses, NAMED))
+                .to_decide()
+                .hint(phrase!("check-readings"))
+        }
     })
 }
 
-/// Gives the errors of the calibration what is known of their readings; of the centre of a platform the worse of its two.
+/// Adds the reliability of its readings to each calibration error; the centre of a platform has the
+/// worse of its two.
 pub fn with_reliability(robot: &dyn Robot, found: &Reliability, errors: &mut [PointError]) {
     let mut errors = errors.iter_mut().filter(|e| e.set == PoseSet::Calibration);
     for readings in &found.readings {
@@ -116,8 +120,9 @@ struct Mean {
     count: f64,
 }
 
-/// How the mean errors of the calibration poses after identification depend on each joint, on the distance from `base_mm` and on the order of
-/// the measurement: F tests of a parabola against a constant, all coordinates together; p values are corrected for their number.
+/// Dependence of the mean calibration errors after identification on each joint, on the distance
+/// from `base_mm` and on the order of the measurement. F tests compare a parabola with a constant,
+/// all coordinates together; p values are corrected for the number of tests.
 pub fn trends(errors: &[PointError], joints: &[String], base_mm: Vector) -> Vec<ResidualTrend> {
     let mut poses: BTreeMap<PoseName, Mean> = BTreeMap::new();
     for (order, e) in errors.iter().filter(|e| e.set == PoseSet::Calibration).enumerate() {

@@ -1,4 +1,5 @@
-//! Coordinates that nobody measured: what the nominal robot computes from the joint values, rounded.
+//! Coordinates that were commanded, not measured: the nominal robot computes them from the joint
+//! values.
 
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
@@ -15,8 +16,8 @@ const ALLOWANCE: f64 = 1.2;
 /// Difference (mm) of computed coordinates that are not rounded.
 const COMPUTED_MM: f64 = 1e-6;
 
-/// An error where coordinates of a target are those that `robot` with these values (nominal, base and targets placed) computes from the joint
-/// values, to the rounding of the file: they were commanded, not measured.
+/// Returns an error where `robot` with these values (nominal, base and targets placed) computes the
+/// coordinates of a target from the joint values, to the rounding of the file: they were commanded.
 pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Observation]) -> Option<Message> {
     let names = robot.targets().iter().enumerate().filter_map(|(k, name)| {
         let measured: Vec<(Vector, Vector)> = observations
@@ -32,7 +33,8 @@ pub(super) fn commanded(robot: &dyn Robot, values: &[f64], observations: &[Obser
     Some(error!("coordinates-commanded", targets, largest_mm))
 }
 
-/// The largest difference (mm) of positions from computed ones, if these reproduce them all to their rounding.
+/// The largest difference (mm) of positions from computed ones, if these reproduce them all to
+/// their rounding.
 fn reproduced_mm(positions: &[(Vector, Vector)]) -> Option<f64> {
     if positions.len() < FEWEST {
         return None;
@@ -59,7 +61,8 @@ mod tests {
         let at = |of: &dyn Fn(f64) -> f64| (0..20).map(|i| (computed(i).map(of), computed(i))).collect::<Vec<_>>();
         assert!(reproduced_mm(&at(&|v| (v * 10.0).round() / 10.0)).is_some_and(|mm| mm < 0.09));
         assert!(reproduced_mm(&at(&|v| v)).is_some_and(|mm| mm == 0.0));
-        // an error of a hundredth in data of a thousandth, and of a micrometre in data of a tenth of it
+        // an error of a hundredth in data of a thousandth, and of a micrometre in data of a tenth
+        // of it
         assert_eq!(reproduced_mm(&at(&|v| ((v + 0.01) * 1000.0).round() / 1000.0)), None);
         assert_eq!(reproduced_mm(&at(&|v| ((v + 0.001) * 10_000.0).round() / 10_000.0)), None);
         assert_eq!(reproduced_mm(&at(&|v| v)[..9]), None);

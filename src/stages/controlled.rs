@@ -1,6 +1,8 @@
-//! What controls the frames of a campaign: nominal places of their points, and what no data can show.
+//! Controls of the frames of a campaign: nominal places of their points, and errors that no data
+//! show.
 
 use etalon_base::message::{Message, Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, centroid, minus, norm};
 use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, WorldDefinition};
@@ -14,7 +16,8 @@ use std::f64::consts::FRAC_PI_2;
 const STEPS: usize = 300;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
-/// How far a base may be from the nominal place that robot.toml states, where it states no tolerance: mm and rad.
+/// Largest distance (mm) and rotation (rad) of a base from its nominal place in robot.toml, where
+/// robot.toml states no tolerance.
 const BASE: (f64, f64) = (100.0, 0.2);
 
 /// A point with a nominal place.
@@ -26,7 +29,8 @@ struct Nominal<'a> {
     expanded_mm: f64,
 }
 
-/// Refuses points that are not where their nominal geometry has them, by more than the tolerance that is stated for it and their uncertainty.
+/// Rejects points farther from their nominal places than their stated tolerance and uncertainty
+/// allow.
 ///
 /// # Errors
 /// A name that was not measured, or the point that is off.
@@ -113,8 +117,9 @@ fn worst_pair<'a>(known: &[Nominal<'a>]) -> (&'a str, &'a str, f64, f64) {
     distances.max_by(|x, y| off(x).total_cmp(&off(y))).unwrap_or(("", "", f64::NAN, f64::NAN))
 }
 
-/// The motion that brings the first of each pair to the second so that the farthest is as near as possible, and how far that is: weighted
-/// least squares, with weights that grow by the distances (Lawson 1961).
+/// Returns the motion that brings the first of each pair to the second with the smallest largest
+/// distance, and that distance: weighted least squares whose weights grow with the distances
+/// (Lawson 1961).
 fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
     let mut weights = vec![1.0 / pairs.len() as f64; pairs.len()];
     let mut best = (Pose::identity(), f64::INFINITY);
@@ -140,7 +145,8 @@ fn farthest(pairs: &[(Vector, Vector)]) -> (Pose, f64) {
     best
 }
 
-/// What no reading of a campaign can show of its frames, with the keys that would control it.
+/// Returns the errors of the frames that no reading of a campaign shows, with the keys that would
+/// control them.
 pub fn not_controlled(
     campaign: &Campaign,
     robot: Option<&dyn Robot>,
@@ -152,14 +158,16 @@ pub fn not_controlled(
         let points: Vec<String> = once_measured(world, features).into_iter().filter(|name| !nominal(name)).collect();
         if !points.is_empty() {
             all.push(Uncontrolled {
-                what: "points that define the world frame without redundancy: one that is off moves the frame and nothing else".to_owned(),
+                what: phrase!("unshown-frame-points").to_string(),
+                what_phrase: Some(phrase!("unshown-frame-points")),
                 points,
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
         }
         if world.nominal_mm.is_empty() && world.each.is_some() {
             all.push(Uncontrolled {
-                what: "places of the targets that carry the world frame: they are those that were measured".to_owned(),
+                what: phrase!("unshown-frame-targets").to_string(),
+                what_phrase: Some(phrase!("unshown-frame-targets")),
                 points: world.targets.iter().flatten().map(|target| target.get_ref().clone()).collect(),
                 keys: ["nominal_mm", "tolerance_mm"].map(|key| format!("[frame.world] {key}")).to_vec(),
             });
@@ -169,7 +177,8 @@ pub fn not_controlled(
     let missing: Vec<&str> = base(robot).filter(|name| !campaign.robot.states_nominal(name)).collect();
     if !missing.is_empty() {
         all.push(Uncontrolled {
-            what: "a shift or rotation that all readings have in common: the base takes it up".to_owned(),
+            what: phrase!("unshown-shift").to_string(),
+            what_phrase: Some(phrase!("unshown-shift")),
             points: Vec::new(),
             keys: vec![format!("[nominal] {} of robot.toml", missing.join(", "))],
         });
@@ -212,7 +221,8 @@ fn once_measured(world: &WorldDefinition, features: &FeaturesDocument) -> Vec<St
     names
 }
 
-/// A warning where the identified base is not where robot.toml states it, without a tolerance of its own.
+/// Returns a warning where the identified base is far from its place in robot.toml, which states no
+/// tolerance.
 pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) -> Option<Message> {
     let stated = base(robot).all(|name| campaign.robot.states_nominal(name)) && robot.free_base().is_some();
     if !stated || robot.parameters().iter().any(|p| p.role == Role::Base && p.tolerance.is_finite()) {

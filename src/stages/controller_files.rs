@@ -1,14 +1,17 @@
-//! Controller files of formats that leave identified parameters out: their values, and errors at the measured poses.
+//! Controller files of formats that leave identified parameters out: their values, and errors at
+//! the measured poses.
 
 use super::evaluate::summarise;
 use super::identification::Identified;
 use etalon_base::message::{Message, Result, Severity};
+use etalon_base::phrase;
 use etalon_base::pose::norm;
 use etalon_controllers::{Exporter, Given, Statement};
 use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
 use etalon_robots::Robot;
 
-/// Identifies again for each of these formats that leaves identified parameters out; `None` if none does.
+/// Identifies again for each of these formats that leaves identified parameters out; `None` if none
+/// does.
 pub fn identify_again(
     given: &Given,
     robot: &dyn Robot,
@@ -24,8 +27,8 @@ pub fn identify_again(
                 None => files.push(ControllerFiles { formats: vec![name.to_owned()], ..file }),
             },
             Err(problems) => messages.extend(problems.0.into_iter().map(|m| {
-                let what = format!("parameters of the format `{name}` could not be identified again: {}", m.what);
-                Message { what, severity: Severity::Warning, ..m }
+                let message = m.within(phrase!("format-not-identified", format = name));
+                Message { severity: Severity::Warning, ..message }
             })),
         }
     }
@@ -54,7 +57,8 @@ fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     refused
 }
 
-/// Values of a format that leaves parameters out or ties them; `None` if the format holds the identified values.
+/// Values of a format that leaves parameters out or ties them; `None` if the format holds the
+/// identified values.
 fn of_format(
     given: &Given,
     robot: &dyn Robot,

@@ -1,5 +1,6 @@
-//! Conventions of orientations: a table states them in a unit, an order, a handedness, a direction; each may be another than the columns
-//! say. A slip is named that brings the observed orientations to those of the nominal robot where positions place it.
+//! Conventions of orientations. A table states orientations in a unit, an order, a handedness and a
+//! direction; each may differ from what the columns say. A slip is named if it brings the observed
+//! orientations to those of the nominal robot, which positions place.
 
 use crate::stages::orientations::{AngleOrder, Form, Written};
 use etalon_base::catalogue::Phrase;
@@ -12,9 +13,11 @@ use etalon_robots::Robot;
 
 /// Poses at which conventions are tried.
 const SUBSET: usize = 48;
-/// Median angle (rad) between observed and nominal orientations below which no slip is looked for: joints of robots are wrong by that.
+/// Median angle (rad) between observed and nominal orientations below which no slip is searched
+/// for: joints of robots are wrong by as much.
 const RIGHT: f64 = 3.0 * DEG;
-/// A slip leaves less than this share of the angles that the table leaves as stated, and of the turns of the robot itself.
+/// Largest share of the angles that a slip leaves, of the angles as stated and of the turns of the
+/// robot itself.
 const LEFT: f64 = 0.2;
 /// Slips that leave at most this many times the least are named beside it.
 const AS_GOOD: f64 = 1.5;
@@ -29,8 +32,9 @@ struct Slip {
     reversed: Option<usize>,
 }
 
-/// An error that names the slip with which observed orientations are those of the robot, where they are far from these as stated: `written` are
-/// those of the table, in the order of the conditions.
+/// Returns an error that names the slip with which observed orientations fit the robot, where they
+/// are far from it as stated. `written` are the orientations of the table, in the order of the
+/// conditions.
 pub fn wrong(
     robot: &dyn Robot,
     observations: &[Observation],

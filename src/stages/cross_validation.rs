@@ -1,6 +1,7 @@
-//! Cross-validation of effects: the calibration poses are cut into folds, each predicted from the others (Stone 1974). Of the effects that are
-//! left the one that predicts them best is added while its gain exceeds its standard uncertainty and the F test of nested models does not
-//! reject it. All errors are sizes of position errors: each pose counts once, by their mean square.
+//! Cross-validation of effects: the calibration poses are cut into folds, each predicted from the
+//! others (Stone 1974). Of the effects that are left the one that predicts them best is added while
+//! its gain exceeds its standard uncertainty and the F test of nested models does not reject it.
+//! All errors are sizes of position errors: each pose counts once, by their mean square.
 
 use super::apart::Apart;
 use super::evaluate::{self, Sets, summarise};
@@ -25,7 +26,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const FOLDS: usize = 5;
 /// Fewest parts.
 const FEWEST: usize = 3;
-/// How often they are cut: once where they are many, at most three times.
+/// Number of cuts of this many poses: one where they are many, at most three.
 fn repeats(poses: usize) -> usize {
     (300 / poses).clamp(1, 3)
 }
@@ -37,7 +38,7 @@ pub(super) const SIGNIFICANCE: f64 = 0.05;
 /// Poses on which effects that are not identified are tried.
 const TRIED_POSES: usize = 200;
 
-/// What is tried on which poses.
+/// Cross-validation of effects on the poses of a set.
 pub(super) struct Study<'a> {
     pub robot: &'a dyn Robot,
     /// Readings of the calibration.
@@ -57,7 +58,7 @@ type Again<'a> = &'a (dyn Fn(&Identification) -> Vec<String> + Sync);
 /// Squared position errors of poses: mean of each, mm².
 type Squares = BTreeMap<PoseName, f64>;
 
-/// What a choice of parameters leaves.
+/// Errors that a choice of parameters leaves.
 pub(super) struct Tried {
     pub found: Identification,
     /// At poses that were left out.
@@ -67,7 +68,7 @@ pub(super) struct Tried {
 }
 
 impl<'a> Study<'a> {
-    /// Of the calibration readings of `sets`; `settings` have their conditions.
+    /// Study of the calibration readings of `sets`; `settings` have their conditions.
     ///
     /// # Errors
     /// Too few poses, readings without a length, or a failed fit of base and targets.
@@ -77,7 +78,7 @@ impl<'a> Study<'a> {
         if parts < FEWEST {
             return Err(error!("few-poses-to-leave-out", count = names.len(), least = FEWEST).into());
         }
-        // which effects are identified is what is asked
+        // the study decides which effects are identified
         let settings = Settings { effects: Effects::All, ..settings };
         let before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
         let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
@@ -149,7 +150,8 @@ impl<'a> Study<'a> {
         squares_at(self.robot, (observations, conditions), values)
     }
 
-    /// Adds effects one by one, the best of those that are left first, while the poses that were left out become better.
+    /// Adds effects one by one, the best of those that are left first, while the poses that were
+    /// left out become better.
     pub fn steps(&self, none: &Tried, one_more: &mut dyn FnMut()) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
         let mut steps = vec![none.step(None, None, true)];
         let mut chosen: Vec<Effect> = Vec::new();
@@ -209,8 +211,8 @@ fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
     folds
 }
 
-/// Readings of all poses but those of a fold to identify from, and those of the fold to test on: of targets and fixtures that the
-/// others show.
+/// Returns the readings to identify from (all poses but those of a fold) and the readings to test
+/// on (those of the fold, of targets and fixtures that the other poses show).
 fn split(robot: &dyn Robot, all: &Sets, settings: &Settings, fold: &BTreeSet<PoseName>) -> (Sets, Settings) {
     let (validation, calibration) = all.calibration.iter().cloned().partition(|o| fold.contains(&o.pose));
     let (validation_conditions, conditions): (_, Vec<Condition>) =
@@ -239,7 +241,7 @@ fn mean_of(folds: Vec<Squares>) -> Squares {
     all.into_iter().map(|(pose, squares)| (pose, mean(squares))).collect()
 }
 
-/// By how much the mean square error becomes smaller, and its standard uncertainty, from the poses.
+/// Returns the decrease of the mean square error, and its standard uncertainty, from the poses.
 fn gain(before: &Squares, after: &Squares) -> [f64; 2] {
     let gains: Vec<f64> = after.iter().filter_map(|(pose, squared)| Some(before.get(pose)? - squared)).collect();
     [mean(gains.iter().copied()), (variance(&gains) / gains.len() as f64).sqrt()]
@@ -249,7 +251,8 @@ fn rms(squares: &Squares) -> f64 {
     mean(squares.values().copied()).sqrt()
 }
 
-/// F of what `after` explains more than `before`, each by its sum of squares, degrees of freedom and parameters, and its p value.
+/// Returns the F statistic of the further variance that `after` explains, and its p value; each
+/// model is a sum of squares, degrees of freedom and number of parameters.
 fn f_test(before: [f64; 3], after: [f64; 3]) -> [f64; 2] {
     let [[squares_before, _, fewer], [squares, degrees, parameters]] = [before, after];
     let more = (parameters - fewer).round().max(1.0);
@@ -346,8 +349,9 @@ fn joints_of(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String> {
     joints.into_iter().filter_map(|joint| Some(robot.joints().get(joint)?.name.clone())).collect()
 }
 
-/// Effects that `settings` leave out of the identification and that would prove themselves, each beside those that are identified. `found` is
-/// where they start; errors are those of at most 200 poses.
+/// Effects that `settings` leave out of the identification and that would prove themselves, each
+/// beside those that are identified. `found` is where they start; errors are those of at most 200
+/// poses.
 pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
     let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
     let stated = |i: usize| {
@@ -377,13 +381,14 @@ pub(super) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
     candidates.filter_map(proof).collect()
 }
 
-/// Joints whose bending is tried where robot.toml states none: so many of the first that carry a moment.
+/// Number of joints whose bending is tried where robot.toml states none: the first that carry a
+/// moment.
 const BENDING: usize = 2;
 /// Load of a joint, over the largest that it may have, from which it carries a moment.
 const LOADED: f64 = 0.1;
 
-/// The bending of the first joints of an arm that carry a moment, which robot.toml does not describe, if it would prove itself: of
-/// positions that the model does not explain.
+/// Returns the bending of the first joints of an arm that carry a moment, if robot.toml lacks it
+/// and the positions prove it.
 pub(super) fn undescribed_bending(
     robot_file: &RobotFile,
     robot: &dyn Robot,
@@ -421,7 +426,8 @@ pub(super) fn undescribed_bending(
     Some(EffectProof { robot_key: Some(format!("bending = [{}]", numbers.join(", "))), ..proof })
 }
 
-/// Some calibration poses, settings with their conditions, and folds of them; `None` if they are too few.
+/// Some calibration poses, settings with their conditions, and folds of them; `None` if they are
+/// too few.
 fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTreeSet<PoseName>>)> {
     let all = poses(&sets.calibration, &settings.conditions);
     if all.len() < FEWEST {
@@ -437,7 +443,8 @@ fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTre
     Some((Sets { calibration, ..Sets::default() }, Settings { conditions, ..settings.clone() }, folds))
 }
 
-/// What an effect is worth that is not identified, if it proves itself: fits and errors without it and with it.
+/// Returns the gain of an effect that is not identified, if the effect proves itself: fits and
+/// errors without it and with it.
 fn would_prove(
     (plain, without): ([f64; 3], &Squares),
     (fit, with): ([f64; 3], &Squares),
@@ -465,7 +472,8 @@ struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// Sum of squares, degrees of freedom and parameters of the fit to all poses, and errors of poses that were left out.
+    /// Sum of squares, degrees of freedom and parameters of the fit to all poses, and errors of
+    /// poses that were left out.
     fn of(&self, settings: &Settings) -> Option<([f64; 3], Squares)> {
         let fit = NestedFit::new(self.robot, &self.sets.calibration, settings, self.start).ok()?;
         let of_fold = |fold: &BTreeSet<PoseName>| -> Option<Squares> {

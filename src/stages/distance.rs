@@ -1,4 +1,5 @@
-//! How far the validation poses lie from those of the calibration: errors hold among poses like these.
+//! Distances of the validation poses from the calibration poses: errors apply to poses at such
+//! distances.
 
 use crate::stages::evaluate::Sets;
 use etalon_base::message::Message;
@@ -11,7 +12,8 @@ use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Nearer than a tenth of the spacing of the calibration poses a validation pose repeats its neighbour, whose errors the fit made small.
+/// Distance below which a validation pose repeats its neighbour, whose errors the fit made small,
+/// in spacings of the calibration poses.
 const REPEATED: f64 = 0.1;
 /// Further than three spacings no calibration pose shows what the robot does there.
 const BEYOND: f64 = 3.0;
@@ -19,8 +21,8 @@ const BEYOND: f64 = 3.0;
 /// Joint values of repeats of a pose scatter by less than this share of their range.
 const SCATTER: f64 = 1e-3;
 
-/// Distances in the space of the joints, each joint in its range over the calibration poses; `None` without validation poses, or where
-/// the calibration has fewer than two poses or none that differ.
+/// Distances in joint space, each joint scaled by its range over the calibration poses; `None`
+/// without validation poses, or with fewer than two distinct calibration poses.
 pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationDistance> {
     let count = robot.joints().len();
     let joints = |o: &Observation| o.joints.get(..count).map(<[f64]>::to_vec);
@@ -29,7 +31,8 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
         .map(|j| all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
         .collect();
     let space = JointSpace { ranges };
-    // repeats of a pose, whose joint values scatter, are one; so are the same joint values under several numbers
+    // Repeats of a pose, whose joint values scatter, are one; so are equal joint values under
+    // several numbers.
     let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
         let mut of_pose: BTreeMap<PoseName, Vec<Vec<f64>>> = BTreeMap::new();
         for (pose, q) in observations.iter().filter_map(|o| Some((o.pose, joints(o)?))) {
@@ -88,7 +91,8 @@ impl JointSpace {
     }
 }
 
-/// Orders points so that the middle one divides them along an axis, and each half likewise along the next (a k-d tree, Bentley 1975).
+/// Orders points so that the middle one divides them along an axis, and each half likewise along
+/// the next (a k-d tree, Bentley 1975).
 fn divide(points: &mut [Vec<f64>], axis: usize) {
     if points.len() > 1 {
         let middle = points.len() / 2;
@@ -139,7 +143,8 @@ mod tests {
             .expect("a distance")
     }
 
-    /// By hand: the centre of a cell is √3/2 of its side from the nearest corner, and 3 of 4 of these are inside along each joint.
+    /// Computed by hand: the centre of a cell is √3/2 of its side from the nearest corner, and 3 of
+    /// 4 of these are inside along each joint.
     #[test]
     fn distances_are_multiples_of_the_spacing_of_the_calibration() {
         let between = distance(grid(5.0));

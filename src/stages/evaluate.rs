@@ -2,10 +2,10 @@
 
 use crate::stages::join::ObservationTime;
 use crate::stages::kinds::Observed;
-use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, Limits, Selections};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
@@ -26,9 +26,9 @@ pub struct Sets {
     pub calibration: Vec<Observation>,
     /// To test on; may be empty.
     pub validation: Vec<Observation>,
-    /// What else was observed, to identify on.
+    /// Conditions beside the positions, to identify from.
     pub calibration_conditions: Vec<Condition>,
-    /// The same to test on.
+    /// Conditions beside the positions, to test on.
     pub validation_conditions: Vec<Condition>,
 }
 
@@ -42,7 +42,8 @@ impl Sets {
     }
 }
 
-/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log that is identified.
+/// Splits observations; indices of poses count from 0 over `poses`: those that remain of the log
+/// that is identified.
 pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
     let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
     let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| poses.range(..pose).count());
@@ -179,7 +180,8 @@ impl BeforeAfter<'_> {
     }
 }
 
-/// Adds the time of each observation (s) from the first, as the last of what errors are drawn against; `true` if there are times.
+/// Adds the time of each observation (s) from the first, as the last of what errors are drawn
+/// against; `true` if there are times.
 pub fn with_times(errors: &mut [PointError], times: &[ObservationTime]) -> bool {
     if times.is_empty() {
         return false;
@@ -204,25 +206,22 @@ fn logged(robot: &dyn Robot, joints: &[f64]) -> Vec<f64> {
     robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect()
 }
 
-/// Whose errors those of a platform are: parameters that shift balls and tool alike do not show in them.
-const MEASURED_CENTRE: &str = "the platform's centre as the balls measure it";
-/// Whose errors those of other robots are.
-const MEASURED_TARGETS: &str = "the targets as measured";
-
-/// Standard uncertainty (k = 1) of measured errors, by what the instrument measures; the parameters are what is judged, and add nothing.
+/// Standard uncertainty (k = 1) of measured errors, by the uncertainty of the instrument. The
+/// parameters are judged, and add nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorUncertainty {
-    /// Of a coordinate, mm.
+    /// Coordinate (mm).
     pub coordinate_mm: f64,
-    /// Of a position, mm.
+    /// Position (mm).
     pub position_mm: f64,
-    /// Of an orientation, degrees; `None` where it is not known.
+    /// Orientation (deg); `None` if unknown.
     pub orientation_deg: Option<f64>,
 }
 
 impl ErrorUncertainty {
-    /// As the campaign states it: a position has √3 (planar robots √2) times the uncertainty of a coordinate where no other is stated, an
-    /// orientation that of the targets about their centroid, of the observation with the largest.
+    /// Uncertainties as the campaign states them. A position without its own has √3 (planar robots
+    /// √2) times the uncertainty of a coordinate; an orientation has the uncertainty of the targets
+    /// about their centroid, at the observation where it is largest.
     pub fn of(campaign: &Campaign, robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Self {
         let instrument = &campaign.file.instrument;
         let coordinate_mm = settings.coordinate_uncertainty_mm();
@@ -249,8 +248,9 @@ impl ErrorUncertainty {
     }
 }
 
-/// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a coordinate: the root of the trace of the
-/// inverse of Σ(|r|²I - r rᵀ), r from their centroid; planar robots turn about z alone.
+/// Standard uncertainty of the rotation of the targets of an observation, rad for 1 mm of a
+/// coordinate: the root of the trace of the inverse of Σ(|r|²I - r rᵀ), r from their centroid;
+/// planar robots turn about z alone.
 fn rotation_per_mm(o: &Observation, planar: bool) -> Option<f64> {
     let measured: Vec<Vector> = o.targets.iter().flatten().copied().collect();
     let middle = centroid(&measured)?;
@@ -287,26 +287,18 @@ pub fn evaluate(
         let expanded = uncertainty.expanded(quantity);
         verdicts.push(LimitVerdict::of(name, limit, pick(&errors.after), expanded, rule));
     }
-    let (point, error) = if robot.platform().is_some() {
-        (
-            MEASURED_CENTRE,
-            "the pose of the platform's centre C, as the balls measure it, minus the pose that the model predicts from the joints; \
-         positions are those of C in the base frame",
-        )
-    } else {
-        (
-            MEASURED_TARGETS,
-            "each target's measured position minus the one that the model predicts from the joints; orientation is the \
-         rotation that is left between measured and predicted targets; positions are those of the targets in the world",
-        )
+    let (point, error) = match robot.platform() {
+        // parameters that shift balls and tool alike do not show in these errors
+        Some(_) => (phrase!("platform-as-measured"), phrase!("error-of-platform")),
+        None => (phrase!("targets-as-measured"), phrase!("error-of-targets")),
     };
+    let definition = phrase!("error-definition", error, values = phrase!("values-of-identification"));
     Ok(AccuracyDocument {
         schema: "etalon/accuracy/1".to_owned(),
-        definition: format!(
-            "error: {error}; before: nominal parameters of the robot, with only base and targets fitted to the calibration \
-             poses; after: all identified parameters; statistics are of sizes, each repeat counted"
-        ),
-        point: point.to_owned(),
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
+        point: point.to_string(),
+        point_phrase: Some(point),
         joints: robot.joints().iter().map(|joint| joint.column()).collect(),
         sets,
         validation_distance: None,
@@ -366,14 +358,16 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
     }
 }
 
-/// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum of sizes.
+/// Mean, root mean square, 95 % (linear between order statistics, as spreadsheets do) and maximum
+/// of sizes.
 pub(super) fn summarise(mut sizes: Vec<f64>) -> Statistics {
     sizes.sort_by(f64::total_cmp);
     let (Some(&max), Some(p95)) = (sizes.last(), quantile(&sizes, 0.95)) else { return Statistics::default() };
     Statistics { mean: mean(sizes.iter().copied()), rms: rms(sizes), p95, max }
 }
 
-/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
+/// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns
+/// `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
 pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
     let text =
         |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());

@@ -1,4 +1,5 @@
-//! Excitation: how far each joint moves in the calibration poses, and what that leaves to tolerances.
+//! Excitation: how far each joint moves in the calibration poses, and what that leaves to
+//! tolerances.
 
 use crate::stages::shown;
 use etalon_base::message::Message;

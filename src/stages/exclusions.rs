@@ -15,7 +15,7 @@ use toml::Spanned;
 pub struct Exclusion {
     /// The rule.
     pub rule: Exclude,
-    /// Where it is stated.
+    /// Place of the statement.
     pub place: Place,
 }
 
@@ -26,8 +26,8 @@ impl Exclusion {
         stated.exclude.iter().map(rule).collect()
     }
 
-    /// Returns a predicate that is `true` of the readings that the rule names, by pose, cycle and target; `None` of a rule that
-    /// names no poses.
+    /// Returns a predicate that is `true` for the readings that the rule names, by pose, cycle and
+    /// target; `None` for a rule without poses.
     pub fn covering(&self) -> Option<impl Fn(PoseName, i64, &str) -> bool + '_> {
         let Exclude { poses, cycle: only, target: of, .. } = &self.rule;
         let Ok(Selection::Named(named)) = Selection::parse(poses.as_ref()?) else { return None };
@@ -51,8 +51,8 @@ impl Exclusion {
     }
 }
 
-/// Leaves out the readings of the poses that are excluded, and names them with their reasons. What a rule names must have been measured,
-/// whatever other rules exclude.
+/// Leaves out the readings of the excluded poses, and names them with their reasons. The readings
+/// of each rule must exist, whatever other rules exclude.
 pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) -> Result<Vec<Message>> {
     let Observed { observations, settings: Settings { conditions, .. } } = observed;
     let (mut messages, mut problems) = (Vec::new(), Problems::default());
@@ -90,14 +90,14 @@ pub fn exclude(rules: &[Exclusion], robot: &dyn Robot, observed: &mut Observed) 
     Ok(messages)
 }
 
-/// Where a reading is: a target of an observation, or a condition.
+/// Place of a reading: a target of an observation, or a condition.
 #[derive(Clone, Copy, PartialEq)]
 enum Source {
     Target(usize, usize),
     Condition(usize),
 }
 
-/// What rules name of a reading.
+/// Reading as rules name it.
 struct Reading {
     pose: PoseName,
     cycle: i64,

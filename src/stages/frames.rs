@@ -3,6 +3,7 @@
 use crate::stages::gather::used_labels;
 use crate::stages::labelled_points::LabelledPoints;
 use crate::stages::repeats;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::{Pose, Vector, centroid, cross, dot, minus, norm, unit};
@@ -82,7 +83,7 @@ fn fitted(element: &str, points: &[Vector], settings: &etalon_fit::FitSettings) 
 
 /// A direction worse known than this spoils a frame: 0.1 deg is 0.5 mm over 300 mm.
 const DIRECTION_POOR_DEG: f64 = 0.1;
-/// A direction worse known than this is none.
+/// Largest standard uncertainty (deg) of a direction that may define a frame.
 const DIRECTION_UNKNOWN_DEG: f64 = 3.0;
 /// `towards` must be off the axis by this share of its distance from the origin.
 const OFF_AXIS: f64 = 0.01;
@@ -133,14 +134,15 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
             from_targets(campaign, points, targets, each.is_some())?
         }
         Some(world) => from_plane(campaign, &Geometry::of(campaign, points, features, world), world)?,
-        None => fixed("the coordinates of the exports are those of the world".to_owned(), Pose::identity()),
+        None => fixed(phrase!("frame-as-exported"), Pose::identity()),
     })
 }
 
-/// A world frame that is the same for all poses.
-fn fixed(definition: String, export_T_world: Pose) -> WorldFrame {
+/// A world frame for all poses.
+fn fixed(definition: Phrase, export_T_world: Pose) -> WorldFrame {
     WorldFrame {
-        definition,
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
         planar: false,
         poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
         common_covariance: None,
@@ -150,7 +152,7 @@ fn fixed(definition: String, export_T_world: Pose) -> WorldFrame {
     }
 }
 
-/// What a world frame is made from, by name.
+/// Features and labels that define a world frame, by name.
 #[derive(Default)]
 struct Geometry {
     /// Point and direction of the features.
@@ -204,18 +206,20 @@ fn from_plane(campaign: &Campaign, geometry: &Geometry, world: &WorldDefinition)
         .filter(|_| norm(off_axis) > OFF_AXIS * norm(side))
         .ok_or_else(|| error!("world-side-undetermined").at(campaign.world_place()))?;
     let (x, y) = if axis_name == "x" { (first, other) } else { (other, first) };
-    let definition = format!(
-        "xy plane: feature `{}`; origin: `{}`; {axis_name} axis: {}; other axis towards `{}`",
-        plane_name.get_ref(),
-        world.origin.as_ref().map_or("", |o| o.get_ref()),
-        ends.iter().map(|e| format!("`{}`", e.get_ref())).collect::<Vec<_>>().join(" to "),
-        world.towards.as_ref().map_or("", |t| t.get_ref()),
+    let definition = phrase!(
+        "frame-from-plane",
+        plane = plane_name.get_ref(),
+        origin = world.origin.as_ref().map_or("", |o| o.get_ref()),
+        axis = axis_name,
+        from = ends.first().map_or("", |e| e.get_ref()),
+        to = ends.last().map_or("", |e| e.get_ref()),
+        towards = world.towards.as_ref().map_or("", |t| t.get_ref()),
     );
     Ok(fixed(definition, from_axes(origin, x, y)))
 }
 
-/// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x − u)) / 2 for each coordinate
-/// (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
+/// Covariance of a world frame by the uncertainty of each point that makes it: Z = (f(x + u) − f(x
+/// − u)) / 2 for each coordinate (GUM 5.1.3, note 2), and the sum of Z Zᵀ.
 fn covariance(campaign: &Campaign, points: &[Point], world: &WorldDefinition, nominal: &Pose) -> Result<[[f64; 6]; 6]> {
     let mut basis = Basis::of(campaign, points, world);
     let mut sum = [[0.0; 6]; 6];
@@ -240,8 +244,8 @@ const FEW: usize = 300;
 /// Steps of the golden section meet no pattern in which points were measured.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// The points that make a world frame. Of more than a few, some of each label are there for all of it: each has the weight of those it
-/// is there for, and the uncertainty of their mean.
+/// Points that define a world frame. Of many points some of each label stand for all: each has the
+/// weight of those it stands for, and the uncertainty of their mean.
 struct Basis {
     points: Vec<Vector>,
     weights: Vec<f64>,
@@ -341,7 +345,8 @@ fn add_outer(sum: &mut [[f64; 6]; 6], z: &[f64; 6]) {
     }
 }
 
-/// Covariance of a best fit to points at `places`, each with the standard uncertainty `u_mm` of its coordinates.
+/// Covariance of a best fit to points at `places`, each with the standard uncertainty `u_mm` of its
+/// coordinates.
 fn rigid_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     let mut normal = nalgebra::Matrix6::<f64>::zeros();
     for (p, u_mm) in places.iter().zip(u_mm) {
@@ -354,7 +359,8 @@ fn rigid_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     Some(std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])))
 }
 
-/// Covariance of a frame with its origin at the first of `places`, x towards the second and the third in the xy plane.
+/// Covariance of a frame with its origin at the first of `places`, x towards the second and the
+/// third in the xy plane.
 fn three_two_one_covariance(places: &[Vector], u_mm: &[f64]) -> Option<[[f64; 6]; 6]> {
     let ([_, second, third, ..], [_, _, _, ..]) = (places, u_mm) else { return None };
     let mut sum = [[0.0; 6]; 6];
@@ -379,7 +385,8 @@ pub(super) fn target_height_mm(world: &WorldFrame, points: &[Point]) -> f64 {
     centroid(&heights).map_or(0.0, |middle| middle[2])
 }
 
-/// Brings the covariance of the frame of a planar robot to the mean height of its targets: what they see of a tilt is a shift.
+/// Moves the covariance of the frame of a planar robot to the mean height of its targets, where a
+/// tilt is a shift.
 fn at_height(world: &mut WorldFrame, points: &[Point]) {
     let height_mm = target_height_mm(world, points);
     // shift in x and y at this height, and the turn about z
@@ -412,7 +419,8 @@ fn three_two_one(p: &[Vector]) -> Option<Pose> {
     Some(from_axes(p[0], x, y))
 }
 
-/// The frame that targets carry: their mean places in it, and each pose as the best fit to those places.
+/// Frame that targets carry: their mean places define it, and each pose is the best fit to those
+/// places.
 fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String>], each: bool) -> Result<WorldFrame> {
     let names: Vec<&str> = targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 3 {
@@ -448,8 +456,9 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     if let (true, Some(places)) = (each, whole.values().next()) {
         u_of = places.iter().map(u_at).collect();
     }
-    // Each pose is a best fit to the mean places, which define the world by its origin and axes: an error of theirs is common to all
-    // poses, independent of the errors of the fits, and what the covariance of that definition exceeds that of a fit by.
+    // Each pose is a best fit to the mean places, which define the world by its origin and axes.
+    // Errors of the mean places are common to all poses and independent of the errors of the fits:
+    // the excess of the covariance of that definition over that of a fit.
     let fitted = rigid_covariance(&reference, &u_of);
     let excess = three_two_one_covariance(&reference, &u_of).zip(fitted).map(|(defined, fitted)| {
         let share = 1.0 / locals.len() as f64;
@@ -466,14 +475,14 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
         let (pose, cycle) = if each { (Some(pose), Some(cycle)) } else { (None, None) };
         poses.push(FramePose { pose, cycle, export_T_world: fitted.to_T_from, covariance });
     }
-    let definition = format!(
-        "best fit of the targets {}{}: origin at the first, x axis to the second, the third in the xy plane",
-        names.join(", "),
-        if each { ", measured again at every pose" } else { "" },
-    );
+    let definition = match each {
+        true => phrase!("frame-from-targets-each", targets = names),
+        false => phrase!("frame-from-targets", targets = names),
+    };
     let rms = (squares / (poses.len() * names.len()) as f64).sqrt();
     Ok(WorldFrame {
-        definition,
+        definition: definition.to_string(),
+        definition_phrase: Some(definition),
         planar: false,
         poses,
         common_covariance: excess.filter(|_| each),
@@ -483,7 +492,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     })
 }
 
-/// Where each of the named targets was, by pose and cycle.
+/// Places of the named targets, by pose and cycle.
 fn measured(points: &[Point], names: &[&str]) -> BTreeMap<Key, Vec<Option<Vector>>> {
     let mut seen: BTreeMap<Key, Vec<Option<Vector>>> = BTreeMap::new();
     for point in points {

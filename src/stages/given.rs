@@ -33,7 +33,7 @@ pub fn given(robot: &dyn Robot, document: &ParametersDocument) -> Result<GivenPa
         return Err(of_another_robot(robot, document, &missing).into());
     }
     if document.covariance.is_empty() && document.parameters.iter().any(|p| p.status == ParameterStatus::Identified) {
-        return Err(error!("parameters-without-covariance").into());
+        return Err(error!("given-without-covariance").into());
     }
     let inward = |k: usize| robot.parameters()[free[k]].quantity.inward(1.0);
     let n = places.len();
@@ -63,8 +63,8 @@ fn of_another_robot(robot: &dyn Robot, document: &ParametersDocument, missing: &
     if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }
 }
 
-/// Refuses parameters of the robot that its description lacks: their values would be left out. Those without effect, at a nominal zero, may
-/// be missing.
+/// Rejects parameters of the robot that its description lacks: their values would be left out.
+/// Parameters without effect, at a nominal zero, may be missing.
 ///
 /// # Errors
 /// The names of these parameters, with the lines that robot.toml needs.
@@ -111,7 +111,8 @@ fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
     keys.into_iter().filter(|(key, _)| is_needed(key)).map(line).collect()
 }
 
-/// Nominal values, and those of parameters of these roles as a document has them: of the robot itself all, of others where it has them.
+/// Returns nominal values, with the document's values for parameters of these roles: all parameters
+/// of the robot itself, the others where the document has them.
 ///
 /// # Errors
 /// A document of another robot.
@@ -132,7 +133,8 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
     Ok(values)
 }
 
-/// A warning where the nominal values of the robot are not those from which the parameters were identified.
+/// Returns a warning where a nominal value of the robot differs from the one that the parameters
+/// were identified with.
 pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
     let differs = |p: &&Parameter| {
         let stated = p.quantity.outward(p.nominal);
@@ -145,19 +147,20 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
     Some(warning!("nominal-value-changed", parameter = p.name, stated, unit = p.quantity.unit(), identified = then))
 }
 
-/// How far a coordinate is measured from where the given parameters put it, if nothing has changed.
+/// Expected deviation of a measured coordinate from the given parameters, if nothing has changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExpectedDeviation {
     /// Standard uncertainty of a measured coordinate, mm.
     pub measured_mm: f64,
-    /// What the model left unexplained in the calibration (standard deviation), mm.
+    /// Deviation that the model left unexplained in the calibration (standard deviation, mm).
     pub model_mm: f64,
-    /// What both rest on.
+    /// Kind of both variances.
     pub variance: Variance,
 }
 
 impl ExpectedDeviation {
-    /// From the calibration; `stated_mm` is the standard uncertainty of a coordinate where it is measured with another instrument.
+    /// Deviation of a calibration; `stated_mm` is the standard uncertainty of a coordinate where it
+    /// is measured with another instrument.
     ///
     /// # Errors
     /// A calibration whose residuals give no standard deviation.
@@ -187,8 +190,9 @@ impl ExpectedDeviation {
         self.measured_mm.hypot(self.model_mm)
     }
 
-    /// Settings with the noise of a measured coordinate. What the model leaves unexplained is beside it in the covariance of each position:
-    /// it is common to all positions of a pose, which are weighted so that their mean has its variance.
+    /// Returns settings with the noise of a measured coordinate. The covariance of each position
+    /// also holds what the model leaves unexplained: it is common to all positions of a pose, whose
+    /// weights give their mean this variance.
     pub fn applied(&self, observations: &mut [Observation], settings: Settings) -> Settings {
         let mut points: BTreeMap<PoseName, usize> = BTreeMap::new();
         for o in observations.iter() {

@@ -23,7 +23,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections};
+use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule, Selection, Selections, StatedPoses};
 use etalon_documents::parameters_document;
 use etalon_documents::{
     AccuracyDocument, EffectProof, FramePose, FramesDocument, JointTravel, ParametersDocument, PointError, WorldFrame,
@@ -36,7 +36,7 @@ use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
-/// What a campaign identifies.
+/// Result of the identification of a campaign.
 #[derive(Clone, Debug)]
 pub struct Identified {
     /// Identified parameters.
@@ -47,15 +47,15 @@ pub struct Identified {
     pub errors: Vec<PointError>,
     /// The observations that were used.
     pub sets: Sets,
-    /// What they were weighed with.
+    /// Settings and weights of the identification.
     pub settings: Settings,
-    /// What the solver found.
+    /// Result of the solver.
     pub found: Identification,
-    /// What it takes to identify again.
+    /// Input for another identification.
     pub again: Again,
 }
 
-/// What it takes to identify the same observations again.
+/// Input for another identification from the same observations.
 #[derive(Clone, Debug)]
 pub struct Again {
     systematic: Systematic,
@@ -181,7 +181,8 @@ pub fn identify(
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })
 }
 
-/// Sets the effects that the data prove, where the campaign asks for these, and gives what each is worth.
+/// Sets the effects that the data prove, if the campaign asks for them, and returns the gain of
+/// each.
 fn proven_effects(
     robot: &dyn Robot,
     stated: &Identify,
@@ -237,7 +238,8 @@ impl Solved {
         Ok(messages)
     }
 
-    /// Errors before and after. What shows that the result can be no robot comes first among its warnings, then what is `said`.
+    /// Returns errors before and after. Warnings that the result can be no robot come first, then
+    /// what is `said`.
     pub fn judge(
         &mut self,
         robot: &dyn Robot,
@@ -267,7 +269,8 @@ pub struct Selected {
     pub messages: Vec<Message>,
 }
 
-/// What a campaign selects of the observations of its first log; what they refer to is added to the parameters of `robot`.
+/// Selects the observations of the first log as the campaign states; the fixed things that they
+/// refer to become parameters of `robot`.
 pub fn select(campaign: &Campaign, stated: &Identify, robot: &mut dyn Robot, joined: &Joined) -> Result<Selected> {
     let mut messages = Vec::new();
     let observed = Input::of(campaign, stated, &joined.observations[0].1)?.observed(robot, &mut messages)?;
@@ -326,7 +329,8 @@ impl<'a> Input<'a> {
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })
     }
 
-    /// What was observed, and what is identified from it: what the rows of a table refer to is added to the parameters of `robot`.
+    /// Observations and their settings; the fixed things that the rows of a table refer to become
+    /// parameters of `robot`.
     pub fn read(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
         let checked = match self.observations {
             Observations::Table(table) => joint_range::check_table(robot, table, &self.exclusions, Joints::Measured),
@@ -337,7 +341,7 @@ impl<'a> Input<'a> {
         checked.and_then(read).map_err(&self.place)
     }
 
-    /// The same without what is excluded, which `messages` name.
+    /// Observations without the excluded ones, which `messages` name.
     pub fn observed(&self, robot: &mut dyn Robot, messages: &mut Vec<Message>) -> Result<Observed> {
         let mut observed = self.read(robot, messages)?;
         messages.extend(exclude(&self.exclusions, robot, &mut observed)?);
@@ -345,8 +349,8 @@ impl<'a> Input<'a> {
     }
 }
 
-/// What shows before an identification that the set-up of the first log is wrong: readings that repeat, a nominal robot that is
-/// nowhere near the measurements.
+/// Signs of a wrong set-up of the first log that are visible before an identification: repeated
+/// readings, or a nominal robot far from the measurements.
 pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> Result<Preview> {
     let (Some(stated), Some((_, observations))) = (&campaign.file.identify, joined.observations.first()) else {
         return Ok(Preview::default());
@@ -366,12 +370,12 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     Ok(Preview { messages, joints })
 }
 
-/// What a check shows of observations.
+/// Findings of a check of observations.
 #[derive(Default)]
 pub struct Preview {
     /// Errors and warnings.
     pub messages: Vec<Message>,
-    /// How far the joints move in the calibration poses.
+    /// Ranges of the joints in the calibration poses.
     pub joints: Vec<JointTravel>,
 }
 
@@ -382,11 +386,12 @@ pub(super) fn check_set_up(robot: &dyn Robot, observations: &[Observation], sett
     problem.map_or(Ok(()), |problem| Err(etalon_documents::warning_message(&problem).into()))
 }
 
-/// Share of the readings that may be left out as outliers: beyond it the model or the set-up is wrong.
+/// Share of the readings that may be left out as outliers: beyond it the model or the set-up is
+/// wrong.
 const MOST_OUTLIERS: f64 = 0.1;
 
-/// Leaves the outliers of a robust fit out of `observations`, of which `fewest` readings must remain, and names them; `None` where
-/// there are none.
+/// Leaves the outliers of a robust fit out of `observations`, of which `fewest` readings must
+/// remain, and names them; `None` without outliers.
 fn leave_outliers_out(
     robot: &dyn Robot,
     observations: &mut Vec<Observation>,
@@ -416,7 +421,8 @@ struct LogFit<'a> {
     found: &'a Identification,
 }
 
-/// A warning where the residuals with one log correlate with its difference from another; `used` is the campaign's choice.
+/// Returns a warning where the residuals with one log correlate with its difference from another
+/// log; `used` is the campaign's choice.
 fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> Option<Message> {
     let compared =
         etalon_identify::compare_logs(robot, &this.found.values, &this.sets.calibration, &that.sets.calibration)?;
@@ -440,7 +446,7 @@ fn compare_logs(robot: &dyn Robot, this: &LogFit, that: &LogFit, used: &str) -> 
     })
 }
 
-/// Errors where a selection or a table takes none of these poses, or calibration and validation share some.
+/// Errors of selections and tables without a measured pose, and of sets that share poses.
 pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Result<()> {
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     // what does not read is reported with the statements
@@ -458,15 +464,16 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>) -> Resu
         }
     }
     let numbered = || poses.iter().copied().enumerate();
-    let hint = measured(poses);
+    let without_pose = |poses_stated: &Spanned<StatedPoses>, set: &str| {
+        let hint = measured(poses);
+        error!("selection-without-pose", set).at(campaign.place(poses_stated)).hint(hint)
+    };
     if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
-        let message = error!("selection-without-pose", set = "calibration");
-        problems.0.push(message.at(campaign.place(&identify.calibration)).hint(hint.clone()));
+        problems.0.push(without_pose(&identify.calibration, "calibration"));
     }
     if let Some(text) = &identify.validation {
         if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
-            let message = error!("selection-without-pose", set = "validation");
-            problems.0.push(message.at(campaign.place(text)).hint(hint));
+            problems.0.push(without_pose(text, "validation"));
         }
         let shared: Vec<String> = numbered()
             .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))

@@ -1,5 +1,5 @@
-//! Joint values that no robot reaches: a lost decimal mark, turns too many. A gain would absorb one of them without a trace,
-//! because an angle far from all others weighs more than they do.
+//! Joint values that no robot reaches: a lost decimal mark, turns too many. A gain would absorb one
+//! of them without a trace, because an angle far from all others weighs more than they do.
 
 use crate::stages::exclusions::Exclusion;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -11,19 +11,23 @@ use etalon_robots::{Joint, JointRange, Quantity, Robot};
 use polars::prelude::DataFrame;
 use std::f64::consts::TAU;
 
-/// How far a sliding joint may be beyond its stated limits, mm: rounding of the limits, and overshoot of the drive.
+/// Allowance (mm) of a sliding joint beyond its stated limits: rounding of the limits, and
+/// overshoot of the drive.
 const OVERSHOOT_MM: f64 = 0.1;
-/// How far a joint that turns may be beyond them, rad.
+/// Allowance (rad) of a turning joint beyond its stated limits.
 const OVERSHOOT_RAD: f64 = 0.1 * TAU / 360.0;
-/// Largest angle of a joint without stated limits, rad: joints of arms turn by up to 1.3 turns to either side.
+/// Largest angle of a joint without stated limits, rad: joints of arms turn by up to 1.3 turns to
+/// either side.
 const LARGEST_ANGLE: f64 = 2.0 * TAU;
-/// Largest distance of a value from the middle half of its column, in widths of that half, where the joint turns without end.
+/// Largest distance of a value from the middle half of its column, in widths of that half, where
+/// the joint turns without end.
 const WIDTHS_OF_ANGLES: f64 = 3.0;
-/// Largest distance of a value of a sliding joint without stated limits from the middle half, mm: no machine has a longer axis.
+/// Largest distance of a value of a sliding joint without stated limits from the middle half, mm:
+/// no machine has a longer axis.
 const LARGEST_LENGTH: f64 = 1e5;
 /// Largest distance in widths of the middle half, of such a joint.
 const WIDTHS_OF_LENGTHS: f64 = 100.0;
-/// Fewest values of a column of which a middle half is taken.
+/// Fewest values of a column with a middle half.
 const FEWEST: usize = 8;
 
 /// Joint values of a row, and how the row is named.
@@ -103,7 +107,7 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
 /// The values that joint `k` may have; `None` where any may be.
 fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<Expected> {
     let is_angle = robot.joints()[k].quantity == Quantity::Angle;
-    // limits are those of the joint, logged values may be those of its motor
+    // limits refer to the joint, logged values perhaps to its motor
     let gain = Some(robot.nominal_gain(k)).filter(|gain| gain.is_normal()).unwrap_or(1.0);
     match robot.joint_range(k) {
         JointRange::Limits(_) if of == Joints::Proposed => None,
@@ -133,7 +137,8 @@ fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
     (sorted.len() >= FEWEST).then_some(Expected { ends, reason: "others" })
 }
 
-/// One message for a joint most of whose values are out of range; `first` is that of the first of them.
+/// One message for a joint most of whose values are out of range; `first` is that of the first of
+/// them.
 fn column_out_of_range(joint: &Joint, column: &[f64], expected: &Expected, out: usize, first: &Message) -> Message {
     let (factor, units) = match joint.quantity {
         Quantity::Angle => (1f64.to_radians(), "degrees"),

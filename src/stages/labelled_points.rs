@@ -21,7 +21,7 @@ pub(crate) struct LabelledPoints<'a> {
 }
 
 impl<'a> LabelledPoints<'a> {
-    /// Of these points.
+    /// Collection of these points.
     pub fn new(campaign: &'a Campaign, points: &'a [Point]) -> Self {
         Self { campaign, points }
     }

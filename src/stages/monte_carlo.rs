@@ -1,5 +1,6 @@
-//! Distributions of the results of a campaign: by draws of everything that it states of its readings, through frames and identification
-//! (JCGM 101:2008, Monte Carlo), and by poses and cycles drawn from those that were measured (bootstrap).
+//! Distributions of the results of a campaign: by draws of everything that it states of its
+//! readings, through frames and identification (JCGM 101:2008, Monte Carlo), and by poses and
+//! cycles drawn from those that were measured (bootstrap).
 
 use crate::stages::evaluate::summarise;
 use crate::stages::frames;
@@ -22,7 +23,7 @@ use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 use std::collections::BTreeMap;
 
-/// How many draws, and from which seed.
+/// Number and seed of the draws.
 #[derive(Clone, Copy, Debug)]
 pub struct Draws {
     /// At most so many; fewer where two digits of every standard uncertainty are reached before.
@@ -33,7 +34,8 @@ pub struct Draws {
     pub seed: u64,
 }
 
-/// Draws of one sequence of the adaptive procedure (JCGM 101, 7.9.4 asks for 10⁴; fewer need more sequences).
+/// Draws of one sequence of the adaptive procedure (JCGM 101, 7.9.4 asks for 10⁴; fewer need more
+/// sequences).
 const SEQUENCE: usize = 2_000;
 /// Resamples of which this share fails show nothing.
 const MOST_FAILED: f64 = 0.05;
@@ -42,10 +44,11 @@ const APART_BY_CHANCE: f64 = 0.01;
 /// Standard deviations of a normal distribution to either side of its mean that hold 95 %.
 const NORMAL_95: f64 = 1.959_963_985;
 
-/// Standard deviation of an end of the 95 % interval by one draw of a normal distribution, in its standard deviations: √(p(1 − p)) / φ.
+/// Standard deviation of an end of the 95 % interval by one draw of a normal distribution, in its
+/// standard deviations: √(p(1 − p)) / φ.
 const OF_END: f64 = 2.671;
 
-/// What a campaign is drawn from.
+/// Input of the draws of a campaign.
 pub struct Trials<'a> {
     campaign: &'a Campaign,
     robot: &'a dyn Robot,
@@ -69,7 +72,8 @@ pub struct Trials<'a> {
 /// An observation, and how each of its targets scatters.
 struct Reading {
     observation: Observation,
-    /// Root of the covariance of each target, by which independent normal numbers are multiplied; `None` where not measured.
+    /// Root of the covariance of each target, by which independent normal numbers are multiplied;
+    /// `None` where not measured.
     scatter: Vec<Option<Matrix3<f64>>>,
     /// The number of the reading that each target is, where one reading is common to several.
     numbers: Vec<usize>,
@@ -192,7 +196,8 @@ impl<'a> Trials<'a> {
         })
     }
 
-    /// Parameters and figures of each draw, and whether two digits of all standard uncertainties are reached.
+    /// Parameters and figures of each draw, and whether two digits of all standard uncertainties
+    /// are reached.
     fn monte_carlo(&self, most: usize, report: &mut dyn FnMut(usize, usize)) -> (Vec<Vec<f64>>, bool) {
         let measured = |of: &[Reading]| of.iter().map(|r| r.observation.clone()).collect::<Vec<_>>();
         let room = || [measured(&self.calibration), measured(&self.validation)];
@@ -225,8 +230,8 @@ impl<'a> Trials<'a> {
         (all, false)
     }
 
-    /// One campaign measured again, in the `room` for its observations: its parameters, then figures of the validation; `None` where the
-    /// solver fails.
+    /// One campaign measured again, in the `room` for its observations: its parameters, then
+    /// figures of the validation; `None` where the solver fails.
     fn trial(&self, again: &Repeated, number: u64, room: &mut [Vec<Observation>; 2]) -> Option<Vec<f64>> {
         let mut noise = Noise::new(self.seed, number);
         let moved = self.moved_frames(&mut noise)?;
@@ -265,7 +270,8 @@ impl<'a> Trials<'a> {
         Some(all)
     }
 
-    /// For each frame what takes points of the world as measured into that of another measurement; empty where none is measured.
+    /// For each frame what takes points of the world as measured into that of another measurement;
+    /// empty where none is measured.
     fn moved_frames(&self, noise: &mut Noise) -> Option<BTreeMap<Option<(PoseName, i64)>, Pose>> {
         if self.points.is_empty() {
             return Some(BTreeMap::new());
@@ -310,8 +316,9 @@ impl<'a> Trials<'a> {
         vec![found.mean, found.rms, found.max]
     }
 
-    /// Parameters identified from poses, and of each pose from cycles, that are drawn from the measured ones with replacement (Efron &
-    /// Tibshirani 1993); `None` where readings are common to several or of other kinds, or too many draws do not determine the parameters.
+    /// Parameters identified from poses, and of each pose from cycles, that are drawn from the
+    /// measured ones with replacement (Efron & Tibshirani 1993); `None` where readings are common
+    /// to several or of other kinds, or too many draws do not determine the parameters.
     fn bootstrap(&self, resamples: usize) -> Option<Vec<Vec<f64>>> {
         let other_kinds = !self.settings.conditions.is_empty();
         if self.settings.common_uncertainty_mm.is_some() || other_kinds || resamples == 0 {
@@ -374,7 +381,8 @@ fn reading(
     }
 }
 
-/// Mean, standard deviation, and the ends of the probabilistically symmetric interval of 95 % (JCGM 101, 7.6, 7.7).
+/// Mean, standard deviation, and the ends of the probabilistically symmetric interval of 95 % (JCGM
+/// 101, 7.6, 7.7).
 struct Distribution {
     mean: f64,
     sd: f64,
@@ -395,7 +403,8 @@ fn numerical_tolerance(u: f64) -> f64 {
     if u > 0.0 { 0.5 * 10f64.powi(u.log10().floor() as i32 - 1) } else { 0.0 }
 }
 
-/// Whether twice the standard deviation of the mean over sequences is below the numerical tolerance, of all results (JCGM 101, 7.9.4).
+/// `true` if twice the standard deviation of the mean over sequences is below the numerical
+/// tolerance, for all results (JCGM 101, 7.9.4).
 fn stable(sequences: &[Vec<[f64; 4]>]) -> bool {
     let h = sequences.len() as f64;
     (0..sequences[0].len()).all(|k| {

@@ -1,4 +1,5 @@
-//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated order.
+//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated
+//! order.
 
 pub use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Result};
@@ -13,7 +14,7 @@ use polars::prelude::DataFrame;
 pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
 /// Columns of three angles.
 const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
-/// The same as a rotation vector, and as angles.
+/// Columns of rotation vectors and of angles, their unit (rad), and `true` for angles.
 const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (ROTATION_VECTOR, DEG, false),
     (["rx_rad", "ry_rad", "rz_rad"], 1.0, false),
@@ -21,13 +22,13 @@ const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (["a_rad", "b_rad", "c_rad"], 1.0, true),
 ];
 const DEG: f64 = std::f64::consts::PI / 180.0;
-/// How far a quaternion of a measurement may be from length one: it has a few decimals.
+/// Largest deviation of the length of a measured quaternion from one: it has a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 /// Orders that a message names.
 const NAMED: usize = 4;
 /// Orders whose misfit is at most this many times the least are named beside it.
 const AS_GOOD: f64 = 3.0;
-/// A misfit beyond this is none of the robot.
+/// Largest misfit (deg) of an order of angles that fits the robot.
 const MISFIT_DEG: f64 = 10.0;
 
 /// An orientation as the row of a table states it.
@@ -135,8 +136,9 @@ impl Written {
     }
 }
 
-/// The error about angles whose order is not stated, with those that fit the nominal robot where positions place it: `angles` are those of the
-/// orientations among the conditions of `settings`, in their order.
+/// The error about angles whose order is not stated, with those that fit the nominal robot where
+/// positions place it: `angles` are those of the orientations among the conditions of `settings`,
+/// in their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
     let message = error!("angle-order-missing");
     let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_orientation()).collect();

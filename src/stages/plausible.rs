@@ -1,17 +1,18 @@
-//! Whether a result can be a robot at all: what must never reach a controller, however well it converged.
+//! Plausibility of a result: errors of a result that can be no robot, and must not reach a
+//! controller.
 
 use crate::stages::remedies::{reading, readings_to_check};
 use crate::stages::shown;
 use crate::stages::solved::Solved;
-use crate::stages::undescribed::undescribed;
+use crate::stages::undescribed::{CalibrationFit, undescribed};
 use etalon_base::message::Message;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_identify::{
-    Identification, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds, far_from_nominal,
-    moved_between, set_up_error,
+    Identification, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm, chi_square_exceeds,
+    far_from_nominal, moved_between, set_up_error,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -22,11 +23,14 @@ use std::collections::BTreeSet;
 const EXPANDED: f64 = 2.0;
 /// Parameters beyond their tolerance that a message names.
 const NAMED: usize = 5;
-/// Validation errors beyond this many times their median are named: of normal errors in the plane one of 60,000 is (Rayleigh).
+/// Validation errors beyond this many times their median are named: of normal errors in the plane
+/// one of 60,000 is (Rayleigh).
 const FAR: f64 = 4.0;
-/// The same of errors along one direction, as distances and planes have them: of normal ones one of 19,000 is.
+/// Limit for errors along one direction, as distances and planes have them: one in 19,000 normal
+/// errors exceeds it.
 const FAR_ALONG: f64 = 6.0;
-/// A residual this many times the root mean square is looked at as an outlier where no uncertainty is stated.
+/// A residual this many times the root mean square is looked at as an outlier where no uncertainty
+/// is stated.
 const SPIKE: f64 = 5.0;
 /// Parameters that must be off by one factor, at least.
 const FEWEST_SCALED: usize = 4;
@@ -38,7 +42,8 @@ const LEAST_SCALE: f64 = 2e-4;
 const SIGNIFICANT: f64 = 3.0;
 /// Probability with which independent deviations look like a common factor.
 const CHANCE: f64 = 1e-3;
-/// Errors after over errors before beyond which it is not noise that makes an already good robot look no better.
+/// Errors after over errors before beyond which it is not noise that makes an already good robot
+/// look no better.
 const WORSE: f64 = 1.1;
 
 /// Messages about what was found and the errors that it leaves: errors where it can be no robot,
@@ -51,8 +56,9 @@ pub fn plausibility(
     errors: &[PointError],
 ) -> Vec<Message> {
     let found = &solved.found;
-    let mut messages = implausible(robot, found, errors);
-    messages.extend(undetermined(robot, observations, settings, found));
+    let unchecked = undetermined(robot, observations, settings, found);
+    let mut messages = implausible(robot, found, errors, unchecked.is_some());
+    messages.extend(unchecked);
     let far = far_before(robot, observations, settings, solved, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
@@ -90,8 +96,9 @@ pub fn plausibility(
     messages
 }
 
-/// Message where the poses give no more coordinates than parameters are identified, so that none is left to contradict them: an error
-/// where parameters rest on the poses alone, a warning beside nominal values.
+/// Message where the poses give no more coordinates than parameters are identified, so that none is
+/// left to contradict them: an error where parameters rest on the poses alone, a warning beside
+/// nominal values.
 fn undetermined(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -113,8 +120,8 @@ fn undetermined(
     (coordinates <= determined).then_some(message)
 }
 
-/// Median angle between observed and predicted orientations beyond which these are of another convention: joints of robots are wrong by
-/// degrees at most.
+/// Median angle between observed and predicted orientations beyond which these are of another
+/// convention: joints of robots are wrong by degrees at most.
 const TURNED_DEG: f64 = 10.0;
 
 /// An error where observed orientations are far from those of the identified robot.
@@ -127,7 +134,8 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
     Some(error!("orientations-off", robot = "identified", median_deg))
 }
 
-/// A warning about validation readings that lie far from the others: their errors are in the accuracy.
+/// A warning about validation readings that lie far from the others: their errors are in the
+/// accuracy.
 fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == PoseSet::Validation).collect();
     let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
@@ -142,7 +150,8 @@ fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message>
     Some(message.to_decide().hint(phrase!("check-readings")))
 }
 
-/// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the measuring system, or a unit.
+/// A warning where lengths, or gains of sliding joints, are all off by one factor: the scale of the
+/// measuring system, or a unit.
 fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let sliding = robot.joints().iter().all(|j| j.quantity == Quantity::Length);
     let of = |quantity: Quantity| -> Vec<usize> {
@@ -167,7 +176,8 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     })
 }
 
-/// A warning where a joint bends against its own torque, which no material does: gravity or an axis points the other way.
+/// A warning where a joint bends against its own torque, which no material does: gravity or an axis
+/// points the other way.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let of_one_joint = |p: &Parameter| p.effect == Effect::Bending && p.by.is_some() && p.by == p.joint;
     let negative = |&&i: &&usize| {
@@ -179,7 +189,8 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
     Some(warning!("compliance-negative", parameter, value, unit).to_decide())
 }
 
-/// A warning where a joint is ahead of its motor on the side from which it came: the directions have the other sign.
+/// A warning where a joint is ahead of its motor on the side from which it came: the directions
+/// have the other sign.
 fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
@@ -198,8 +209,6 @@ fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
 /// Largest residual of parameters that explain the measurements, as a share of what tolerances
 /// allow.
 const EXPLAINED: f64 = 0.1;
-/// Largest residual that noise leaves, in standard uncertainties of a coordinate.
-const NOISE: f64 = 3.5;
 
 /// Returns an error where the nominal robot is further from most measurements than its tolerances
 /// allow, and the identified parameters do not explain the measurements within their tolerances.
@@ -220,7 +229,7 @@ fn far_before(
     let rms_mm = rms(left.iter().copied());
     let noise_mm = settings.coordinate_uncertainty_mm();
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
-    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE * noise_mm);
+    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE_DISTANCE * noise_mm);
     let explained = rms(calibration().map(|e| norm(e.after_mm))) < explained_mm
         && settings.prior != Prior::None
         && beyond_tolerance(robot, found).is_none();
@@ -228,19 +237,24 @@ fn far_before(
         .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
 }
 
-/// Errors about the parameters found and the errors that they leave; empty where the result is plausible.
-fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError]) -> Vec<Message> {
+/// Errors about the parameters found and the errors that they leave; empty where the result is
+/// plausible.
+fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError], unchecked: bool) -> Vec<Message> {
     let mut messages = Vec::new();
     if let Some((p, value)) = exchanged(robot, &found.values) {
         return vec![error!("ball-names-exchanged", parameter = p.name, value, unit = p.quantity.unit())];
     }
     messages.extend(beyond_tolerance(robot, found));
-    let mut calibration_fits = false;
+    let mut calibration = CalibrationFit::Unknown;
     for set in PoseSet::ALL {
         let of = || errors.iter().filter(|e| e.set == set);
         let (before_mm, after_mm) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
-        let undescribed = undescribed(set, errors, calibration_fits);
-        calibration_fits = undescribed.is_none() && of().count() > 1;
+        let undescribed = undescribed(set, errors, calibration);
+        calibration = match undescribed.is_none() && of().count() > 1 {
+            true if unchecked => CalibrationFit::Unchecked,
+            true => CalibrationFit::Fits,
+            false => CalibrationFit::Unknown,
+        };
         if undescribed.is_none() && after_mm > WORSE * before_mm {
             messages.push(error!("identified-worse-than-nominal", set = set.name(), before_mm, after_mm));
         }
@@ -249,7 +263,8 @@ fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError])
     messages
 }
 
-/// An error about parameters that the data alone put beyond their tolerance, by more than their uncertainty.
+/// An error about parameters that the data alone put beyond their tolerance, by more than their
+/// uncertainty.
 fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
     let by_data = |i: usize| match found.covariance {
         Some(_) => found.without_nominal(robot, i),
@@ -286,8 +301,8 @@ mod tests {
     use etalon_identify::identify;
     use etalon_robots::Prexyt;
 
-    /// What is said of a common factor where all measured points are `factor` times what they are, and the robot's parameters are off
-    /// nominal by up to `off_mm`.
+    /// Message about a common factor where all measured points are scaled by `factor`, and the
+    /// robot's parameters are off nominal by up to `off_mm`.
     fn said(factor: f64, off_mm: f64) -> Option<Message> {
         let (robot, mut noise) = (Prexyt::default(), Noise::new(16, 5));
         let own = |p: &Parameter| p.role == Role::Robot && p.quantity == Quantity::Length && p.nominal != 0.0;

@@ -1,4 +1,5 @@
-//! Measured positions of a table, and observations of measured positions with every contradiction in words.
+//! Measured positions of a table, and observations of measured positions with every contradiction
+//! in words.
 
 use crate::stages::resolution;
 use etalon_base::message::{Message, Place, Result};
@@ -11,8 +12,8 @@ use etalon_identify::{
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 
-/// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes that are taken from the
-/// measurement are in `messages`.
+/// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes
+/// that are taken from the measurement are in `messages`.
 pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
     let table = &*resolution::of_table(table, messages)?;
     grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
@@ -40,7 +41,7 @@ pub fn grouped(
             let place = Place { line: line(row), ..Place::default() };
             Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place).into())
         }
-        Err(ObservationError::Empty) => Err(error!("no-observations").into()),
+        Err(ObservationError::Empty) => Err(error!("table-without-observations").into()),
         Err(ObservationError::ArmsApart(pose, cycle)) => {
             Err(error!("arms-apart").within(phrase!("in-observation", pose, cycle)).into())
         }
@@ -82,17 +83,18 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
     joints.into_iter().enumerate().map(position).collect()
 }
 
-/// Column of a standard uncertainty that is that of every coordinate, mm.
+/// Column of the standard uncertainty of every coordinate (mm).
 const ANY_AXIS: &str = "u_mm";
 
 /// Standard uncertainties that a coordinate can have, mm.
 const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 
-/// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2 .. czz_mm2`; `None` in rows that
-/// leave them empty.
+/// The covariance of each row's position, by its columns `ux_mm uy_mm [uz_mm]` or `cxx_mm2 cxy_mm2
+/// .. czz_mm2`; `None` in rows that leave them empty.
 ///
 /// # Errors
-/// A row that states some of them, a value that no coordinate has, or a covariance that is not positive definite.
+/// A row that states some of them, a value that no coordinate has, or a covariance that is not
+/// positive definite.
 fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
     let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
     if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {
@@ -139,7 +141,7 @@ fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covaria
         }
         match is_positive_definite(&covariance, dimension) {
             true => Ok(Some(covariance)),
-            false => Err(error!("covariance-not-positive-definite").at(at()).into()),
+            false => Err(error!("position-covariance-invalid").at(at()).into()),
         }
     };
     (0..table.height()).map(of_row).collect()

@@ -7,7 +7,7 @@ use etalon_documents::{FitDocument, FitStated};
 use etalon_fit::{Element, Fit, FitSettings, Probe, Side};
 use etalon_formats::qif::{FeatureGeometry, MeasuredFeature, Touch};
 
-/// What the user states about the probe, over what the file states.
+/// Statements of the user on the probe, which replace those of the file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ProbeStated {
     /// Its radius.
@@ -16,14 +16,16 @@ pub struct ProbeStated {
     pub side: Option<Side>,
 }
 
-/// Fits a measured feature to its points by `settings` (without probe), compensates it where the points are probe
-/// centres, and sets it against what the file states; `None` where it has no points or is not an element.
+/// Fits a measured feature to its points by `settings` (without probe), compensates it where the
+/// points are probe centres, and sets it against what the file states; `None` where it has no
+/// points or is not an element.
 ///
-/// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no measured normal is.
+/// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no
+/// measured normal is.
 ///
 /// # Errors
-/// If its points do not determine the element, or if they are probe centres and neither the file nor the user states how
-/// large the probe was and on which side.
+/// If its points do not determine the element, or if they are probe centres and neither the file
+/// nor the user states how large the probe was and on which side.
 pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
     let label = feature.label();
@@ -48,7 +50,8 @@ fn is_coordinate_axis(d: Vector) -> bool {
     d.iter().filter(|x| **x == 0.0).count() == 2
 }
 
-/// The probe whose centres the points are, and what its side was taken from; `None` for contact points.
+/// The probe whose centres the points are, and what its side was taken from; `None` for contact
+/// points.
 fn probe_of(feature: &MeasuredFeature, centres: &Fit, stated: ProbeStated) -> Result<Option<(Probe, String)>> {
     let Touch::Centre { radius_mm } = feature.touch else { return Ok(None) };
     let label = feature.label();

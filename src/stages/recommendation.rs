@@ -1,13 +1,15 @@
-//! Recommend: which effects the data prove by the poses that are left out, and which parameters deserve to be loaded.
+//! Recommend: which effects the data prove by the poses that are left out, and which parameters
+//! deserve to be loaded.
 //!
-//! Parameters are chosen within every fold of the cross-validation again, so that the error stated for the choice has
-//! not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2). What is not stable is found once, by all poses, and held in
-//! every fold.
+//! Parameters are chosen within every fold of the cross-validation again, so that the error stated
+//! for the choice has not seen the poses that it is of (Hastie, Tibshirani & Friedman, 7.10.2).
+//! What is not stable is found once, by all poses, and held in every fold.
 
 use super::cross_validation::{ALL, SIGNIFICANCE, Study, Tried};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
-use etalon_base::message::{Message, Result, count};
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Result};
 use etalon_base::{phrase, warning};
 use etalon_documents::parameters_document;
 use etalon_documents::*;
@@ -33,7 +35,8 @@ pub fn recommend(
     Recommendation { study: &study }.document(inputs, messages, report)
 }
 
-/// Largest error at left-out poses of the proven parameters alone, over the error of all parameters.
+/// Largest error at left-out poses of the proven parameters alone, over the error of all
+/// parameters.
 const COSTS: f64 = 1.05;
 
 /// Rule by which parameters of the accepted effects are loaded.
@@ -45,7 +48,7 @@ enum Choice {
     Stable,
 }
 
-/// What is recommended by a study.
+/// Recommendation of a study.
 struct Recommendation<'a> {
     study: &'a Study<'a>,
 }
@@ -101,10 +104,12 @@ impl Recommendation<'_> {
         let document = parameters_document(study.robot, &settings, &study.before, &recommended.found, inputs);
         messages
             .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
+        let meaning = meaning((&chosen, together), choice, &parameters, &held_out);
         Ok(RecommendationDocument {
             schema: "etalon/recommendation/1".to_owned(),
             robot: study.robot.model().to_owned(),
-            meaning: meaning((&chosen, together), choice, &parameters, &held_out),
+            meaning: meaning.iter().map(Phrase::to_string).collect(),
+            meaning_phrases: meaning,
             poses: study.poses,
             folds: study.first_cut().len(),
             repeats: study.folds.len() / study.first_cut().len(),
@@ -116,8 +121,9 @@ impl Recommendation<'_> {
         })
     }
 
-    /// Parameters of the robot itself whose change from nominal is proven: each by itself, and of the others those without which the rest
-    /// is not proven together. Correlated parameters may each be unproven, and matter.
+    /// Parameters of the robot itself whose change from nominal is proven: each by itself, and of
+    /// the others those without which the rest is not proven together. Correlated parameters may
+    /// each be unproven, and matter.
     fn proven(&self, found: &Identification) -> Vec<usize> {
         let changes = self.changes(found);
         let (load, held): (Vec<&Change>, Vec<&Change>) = changes.iter().partition(|c| c.p_value < SIGNIFICANCE);
@@ -133,8 +139,8 @@ impl Recommendation<'_> {
         load
     }
 
-    /// How much the parameters of the robot itself depend on which poses they are identified from: without each part of the first cut, and
-    /// from each half of the measurement.
+    /// Dependence of the parameters of the robot itself on the poses that they are identified from:
+    /// without each part of the first cut, and from each half of the measurement.
     fn stability(&self, model: &Settings, found: &Identification) -> Result<Vec<Stability>> {
         let (study, calibration) = (self.study, &self.study.sets.calibration);
         let of_robot: Vec<usize> = found.free.iter().copied().filter(|&i| study.effects[i].is_some()).collect();
@@ -164,7 +170,8 @@ impl Recommendation<'_> {
         (!parameters.is_empty()).then(|| warning!("parameters-unstable", parameters))
     }
 
-    /// Changes of several parameters together over their covariance, as a sum of squares, and its p value.
+    /// Changes of several parameters together over their covariance, as a sum of squares, and its p
+    /// value.
     fn together(&self, found: &Identification, indices: &[usize]) -> Option<[f64; 2]> {
         let places: Vec<usize> =
             indices.iter().map(|i| found.free.iter().position(|f| f == i)).collect::<Option<_>>()?;
@@ -199,7 +206,8 @@ impl Recommendation<'_> {
         changes
     }
 
-    /// The verdict on each parameter that can be identified; those of the model that is recommended are judged in it.
+    /// The verdict on each parameter that can be identified; those of the model that is recommended
+    /// are judged in it.
     fn verdicts(
         &self,
         [all, model]: [&Identification; 2],
@@ -217,7 +225,8 @@ impl Recommendation<'_> {
             let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
             let variance = variance(&values);
-            // two folds share all but two parts of their poses: their values differ by less than independent ones
+            // two folds share all but two parts of their poses: their values differ by less than
+            // independent ones
             let u_fold = judged.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
             Some(ParameterVerdict {
                 name: p.name.clone(),
@@ -250,41 +259,28 @@ fn meaning(
     choice: Choice,
     parameters: &[ParameterVerdict],
     errors: &HeldOutErrors,
-) -> Vec<String> {
+) -> Vec<Phrase> {
     let word = |effect: &Effect| match effect {
-        Effect::Zeros => "zeros of the joints",
-        Effect::Geometry => "geometry",
-        Effect::Gains => "gains",
-        Effect::Harmonics => "harmonics of the transmissions",
-        Effect::Backlash => "backlash",
-        Effect::Coupling => "coupling",
-        Effect::Bending => "bending",
+        Effect::Zeros => phrase!("zeros-of-the-joints"),
+        Effect::Geometry => phrase!("geometry"),
+        Effect::Gains => phrase!("gains"),
+        Effect::Harmonics => phrase!("harmonics-of-the-transmissions"),
+        Effect::Backlash => phrase!("backlash"),
+        Effect::Coupling => phrase!("coupling"),
+        Effect::Bending => phrase!("bending"),
     };
-    let words: Vec<&str> = chosen.iter().map(word).collect();
-    let load = parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count();
-    let first = match words[..] {
-        [] => "no effect makes poses better that were left out: load nothing".to_owned(),
-        _ if together => format!("identify {}: together they make poses better that were left out", words.join(", ")),
-        _ => format!("identify {}: each makes poses better that were left out", words.join(", ")),
+    let effects: Vec<Phrase> = chosen.iter().map(word).collect();
+    let (load, count) = (parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count(), parameters.len());
+    let first = match effects[..] {
+        [] => phrase!("identify-nothing"),
+        _ if together => phrase!("identify-together", effects),
+        _ => phrase!("identify-each", effects),
+    };
+    let loaded = match choice {
+        Choice::Proven => phrase!("load-proven", load, count),
+        Choice::Stable => phrase!("load-stable", load, count),
     };
     let rms = |s: &Statistics| format!("{:.4}", s.rms);
-    vec![
-        first,
-        match choice {
-            Choice::Proven => format!(
-                "load {load} of {}: their change from nominal is proven, alone or together",
-                count(parameters.len(), "parameter")
-            ),
-            Choice::Stable => format!(
-                "load {load} of {}, all that are stable: those whose change from nominal is proven leave larger errors without the others",
-                count(parameters.len(), "parameter")
-            ),
-        },
-        format!(
-            "error at poses that were left out (root mean square): {} mm with nominal parameters, {} mm with all, {} mm with those recommended",
-            rms(&errors.none),
-            rms(&errors.all),
-            rms(&errors.recommended)
-        ),
-    ]
+    let [nominal, all, recommended] = [&errors.none, &errors.all, &errors.recommended].map(rms);
+    vec![first, loaded, phrase!("error-left-out", nominal, all, recommended)]
 }

@@ -1,4 +1,5 @@
-//! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml, columns of tables and options of the command line.
+//! Remedies for identifications without a result and for wrong readings, in keys of campaign.toml,
+//! columns of tables and options of the command line.
 
 use crate::stages::shown;
 use etalon_base::catalogue::{Argument, Phrase};
@@ -23,7 +24,7 @@ pub fn remedied(error: Error) -> Problems {
         Error::KindsWithoutUncertainty => Some("uncertainty"),
         Error::OwnUncertainties => Some("own-uncertainties"),
         Error::ReadingsWithoutUncertainty { .. } => Some("row-uncertainty"),
-        Error::NotPlanar { model } => return error!("pose-residuals-not-planar", model).into(),
+        Error::NotPlanar { model } => return error!("residuals-pose-not-planar", model).into(),
         Error::NoSuchPart { .. } => Some("part"),
         Error::TooFewPoses { .. } => Some("positions"),
         Error::BaseNotFound => Some("base"),
@@ -66,7 +67,8 @@ const NAMED: usize = 3;
 /// Largest number of outliers that are named.
 const NAMED_OUTLIERS: usize = 40;
 
-/// Readings to look at first where the instrument does not explain the residuals: the outliers, or the largest residuals.
+/// Readings to look at first where the instrument does not explain the residuals: the outliers, or
+/// the largest residuals.
 pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Message {
     match robust.outliers().is_empty() {
         true => {
@@ -95,6 +97,7 @@ fn named(readings: &[Reading], most: usize, robot: &dyn Robot) -> Vec<Argument> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::phrase;
     use etalon_identify::{Origin, SetUpError};
 
     #[test]
@@ -104,14 +107,12 @@ mod tests {
             let error = Error::NothingLeft { cause: Some(cause.clone()), set_up };
             remedied(error).0.remove(0).hint.unwrap()
         };
-        let changes = vec![("in inches".to_owned(), Origin::Unit), ("`q1` reversed".to_owned(), Origin::Named)];
+        let inches = phrase!("slip-unit", quantity = "points", slip = "inch-mm");
+        let changes = vec![(inches, Origin::Unit), (phrase!("slip-reversed", joint = "`q1`"), Origin::Named)];
         let found = hint(Some(SetUpError { changes, stated_mm: 9.0, changed_mm: 1.0 }));
-        assert!(
-            found.starts_with(
-                "with in inches (`unit` of the export) (as well with `q1` reversed), an identification leaves 1.000 mm"
-            ),
-            "{found}"
-        );
+        let expected = "with the measured points in inches instead of millimetres (`unit` of the export) (as well with `q1` \
+                        reversed), an identification leaves 1.000 mm";
+        assert!(found.starts_with(expected), "{found}");
         assert_eq!(hint(None), phrase!("remedy", remedy = check(&cause)).to_string());
     }
 

@@ -1,4 +1,5 @@
-//! What repeats and should not: readings and joint values that stayed where they were, and repeats of a fixed point that disagree.
+//! Repeated values: readings and joint values that stayed the same, and repeats of a fixed point
+//! that disagree.
 
 use crate::stages::shown;
 use etalon_base::message::{Message, Place};
@@ -12,21 +13,23 @@ use etalon_math::statistics::middle_pair;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
 
-/// Two readings are of two poses where the nominal robot moves its target by this or more between them, mm.
+/// Two readings are of two poses where the nominal robot moves its target by this or more between
+/// them, mm.
 const MOVED_MM: f64 = 1.0;
-/// Repeats of a point that are further apart than this many standard uncertainties of a coordinate are not of one point: in three
-/// coordinates the instrument does that fewer than once in ten thousand times.
+/// Repeats of a point that are further apart than this many standard uncertainties of a coordinate
+/// are not of one point: in three coordinates the instrument does that fewer than once in ten
+/// thousand times.
 const APART: f64 = 5.0;
-/// A repeat further from the others than this many standard uncertainties spoils the frame: what follows would be wrong by many of its
-/// own.
+/// A repeat further from the others than this many standard uncertainties spoils the frame: what
+/// follows would be wrong by many of its own.
 const SPOILS: f64 = 20.0;
-/// Where most points of a label lie apart by more than this, they are several points by design, mm.
+/// Distance (mm) beyond which most points of a label are several points by design.
 const SEVERAL_MM: f64 = 1.0;
 /// Pairs, or repeats, that are named.
 const NAMED: usize = 5;
 
-/// Warnings about measured positions, or joint values, that are the same to the last digit at poses where the others are not: what
-/// was read there is that of another pose.
+/// Warnings about measured positions, or joint values, that are the same to the last digit at poses
+/// where the others are not: what was read there is that of another pose.
 pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
     let nominal = robot.nominal();
     let mut at_place: BTreeMap<(usize, [u64; 3]), Vec<&Observation>> = BTreeMap::new();
@@ -75,8 +78,9 @@ pub fn stale(robot: &dyn Robot, observations: &[Observation]) -> Vec<Message> {
     messages
 }
 
-/// Messages about points of the same label whose repeats are further apart than the instrument explains, for the labels of features
-/// and frames; `names` are those labels. An error where one repeat spoils what is made from them.
+/// Messages about points of the same label whose repeats are further apart than the instrument
+/// explains, for the labels of features and frames; `names` are those labels. An error where one
+/// repeat spoils what is made from them.
 pub fn fixed_points(campaign: &Campaign, points: &[Point], names: &[&str]) -> Vec<Message> {
     let instrument = &campaign.file.instrument;
     let mut repeats: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();

@@ -1,4 +1,5 @@
-//! Standard uncertainties that a column rounds to zero: each is read as the resolution of its column.
+//! Standard uncertainties that a column rounds to zero: each is read as the resolution of its
+//! column.
 
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::warning;
@@ -10,15 +11,17 @@ use std::borrow::Cow;
 
 /// Most decimals of a column with a resolution: with more, its numbers are not rounded.
 const MOST_DECIMALS: i32 = 9;
-/// Smallest standard uncertainty that a zero is read as, in the unit of its column: 0.02 µm or 0.00002 degrees.
+/// Smallest standard uncertainty that a zero is read as, in the unit of its column: 0.02 µm or
+/// 0.00002 degrees.
 const LEAST: f64 = 2e-5;
 /// Columns of standard uncertainties and covariances of a table of observations.
 const COLUMNS: [&str; 11] =
     ["u_mm", "urot_deg", "ux_mm", "uy_mm", "uz_mm", "cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2"];
-/// Of these the covariances of two coordinates, which may be zero.
+/// Covariances of two coordinates, which may be zero.
 const MIXED: [&str; 3] = ["cxy_mm2", "cxz_mm2", "cyz_mm2"];
 
-/// Largest power of ten, not above one, of which all numbers are multiples; `None` with more decimals than these.
+/// Largest power of ten, not above one, of which all numbers are multiples; `None` with more
+/// decimals than these.
 pub(super) fn step(values: impl Iterator<Item = f64> + Clone, most_decimals: i32) -> Option<f64> {
     let whole = |digits: &i32| {
         let tens = 10f64.powi(*digits);
@@ -30,13 +33,13 @@ pub(super) fn step(values: impl Iterator<Item = f64> + Clone, most_decimals: i32
 /// Zeros of a column of standard uncertainties.
 struct Zeros {
     count: usize,
-    /// What they are read as: half of the last digit d as the half-width of a rectangular distribution, d/(2√3) (GUM 4.3.7); `None` where
-    /// the column shows no resolution.
+    /// Standard uncertainty that zeros are read as: half of the last digit d as the half-width of a
+    /// rectangular distribution, d/(2√3) (GUM 4.3.7); `None` if the column shows no resolution.
     read_as: Option<f64>,
 }
 
 impl Zeros {
-    /// Of these numbers; `None` if none of them is zero.
+    /// Zeros among these numbers; `None` without a zero.
     fn of(values: &[f64]) -> Option<Self> {
         let count = values.iter().filter(|v| **v == 0.0).count();
         let others = values.iter().copied().filter(|v| v.is_finite() && *v != 0.0);
@@ -58,7 +61,8 @@ impl Zeros {
     }
 }
 
-/// The table of observations with zeros of its standard uncertainties read as their resolution, which `messages` state.
+/// The table of observations with zeros of its standard uncertainties read as their resolution,
+/// which `messages` state.
 pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) -> Result<Cow<'t, DataFrame>> {
     let mut columns: Vec<(&str, Vec<f64>)> = Vec::new();
     for name in COLUMNS.into_iter().filter(|name| observations.column(name).is_ok()) {
@@ -96,7 +100,8 @@ pub fn of_table<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) ->
     Ok(Cow::Owned(table::frame(observations.height(), all)?))
 }
 
-/// Reads zeros of the standard uncertainties of an export as their resolution, or, where none shows, as the uncertainty of the instrument.
+/// Reads zeros of the standard uncertainties of an export as their resolution, or, where none
+/// shows, as the uncertainty of the instrument.
 pub(super) fn of_export(campaign: &Campaign, export: &Export, rows: &mut [Point]) -> Vec<Message> {
     let (mut messages, in_mm) = (Vec::new(), export.unit.in_mm());
     let instrument_mm = campaign.file.instrument.standard_uncertainty_mm();

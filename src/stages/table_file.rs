@@ -20,7 +20,8 @@ pub(crate) struct TableFile {
     pub name: String,
     text: String,
     pub table: DataFrame,
-    /// Names and texts of further files, whose rows follow; their lines are counted from [`FILE`] times their number.
+    /// Names and texts of further files, whose rows follow; their lines are counted from [`FILE`]
+    /// times their number.
     more: Vec<(String, String)>,
 }
 
@@ -54,7 +55,8 @@ impl TableFile {
         Self::read_with(path, etalon_formats::observations)
     }
 
-    /// A table of observations in this layout, in a text of this encoding or in a sheet of a workbook.
+    /// A table of observations in this layout, in a text of this encoding or in a sheet of a
+    /// workbook.
     pub fn observations(
         path: &Path,
         bytes: &[u8],
@@ -76,7 +78,7 @@ impl TableFile {
         Self::of(Path::new(name), text.to_owned(), etalon_formats::observations)
     }
 
-    /// The same in another layout.
+    /// Reads a table of another layout.
     pub fn parse_with(name: &str, text: &str, layout: &TableLayout) -> Result<Self> {
         let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, layout);
         Self::of(Path::new(name), text.to_owned(), table)
@@ -87,7 +89,7 @@ impl TableFile {
         Self::of(path, files::text(path, files::read(path)?)?, table)
     }
 
-    /// The same of the text that the file holds.
+    /// Reads a table from the text of the file.
     fn of(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })

@@ -2,7 +2,9 @@
 
 use super::evaluate::{Sets, summarise};
 use crate::stages::remedies::remedied;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
+use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, MapNode, PredictionMap, Statistics, ToolAccuracy};
@@ -16,8 +18,9 @@ use std::collections::BTreeSet;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
 
-/// The error that the controller will make at a point with what was found. Its variance is the sum of those of the predicted position, of
-/// parameters that the data do not determine, of what the model leaves out, and of the point's place.
+/// The error that the controller will make at a point with what was found. Its variance is the sum
+/// of those of the predicted position, of parameters that the data do not determine, of what the
+/// model leaves out, and of the point's place.
 pub struct Expected<'a> {
     prediction: ToolPrediction<'a>,
     model_mm: f64,
@@ -29,7 +32,8 @@ impl<'a> Expected<'a> {
     /// that `settings` state.
     pub fn new(prediction: ToolPrediction<'a>, settings: &Settings, accuracy: &AccuracyDocument) -> Self {
         let dimension = prediction.robot.dimension() as f64;
-        // what is measured beyond the instrument's own error, where the residuals show that there is something
+        // what is measured beyond the instrument's own error, where the residuals show that there
+        // is something
         let position = accuracy.sets.last().and_then(|set| set.of(ErrorQuantity::Position));
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);
@@ -65,11 +69,10 @@ impl<'a> Expected<'a> {
             of_held += error.held_mm.powi(2) / count;
         }
         let after: Statistics = summarise(sizes);
+        let definition = phrase!("tool-error-definition", error = self.error());
         Ok(Some(ToolAccuracy {
-            definition: format!(
-                "{}; {MADE_OF}; errors of the targets do not show parameters that shift targets and tool alike",
-                self.error()
-            ),
+            definition: definition.to_string(),
+            definition_phrase: Some(definition),
             point_mm: self.prediction.point.point_mm,
             frame: self.prediction.point.frame.into(),
             set: judged.name,
@@ -84,20 +87,23 @@ impl<'a> Expected<'a> {
         }))
     }
 
-    /// What the error is, in words.
-    fn error(&self) -> String {
+    /// Description of the error.
+    fn error(&self) -> Phrase {
         let place = self.prediction.point.point_mm;
-        let which = match self.prediction.point.frame {
-            ToolFrame::Platform if place == [0.0; 3] => "the platform's centre C".to_owned(),
-            ToolFrame::Targets if place == [0.0; 3] => format!("the target {}", self.prediction.robot.targets()[0]),
-            ToolFrame::Platform => format!("the point {place:?} mm in the frame of the platform"),
-            ToolFrame::Flange => format!("the point {place:?} mm in the frame of the flange"),
-            ToolFrame::Targets => format!("the point {place:?} mm in the frame of the targets"),
+        let point = match self.prediction.point.frame {
+            ToolFrame::Platform if place == [0.0; 3] => phrase!("platform-centre"),
+            ToolFrame::Targets if place == [0.0; 3] => {
+                phrase!("target-named", target = self.prediction.robot.targets()[0])
+            }
+            ToolFrame::Platform => phrase!("point-in-platform", point = format!("{place:?}")),
+            ToolFrame::Flange => phrase!("point-in-flange", point = format!("{place:?}")),
+            ToolFrame::Targets => phrase!("point-in-targets", point = format!("{place:?}")),
         };
-        format!("error: the true place of {which} in the base frame minus the one that the controller computes")
+        phrase!("error-of-tool", point)
     }
 
-    /// On a grid of the workspace that the calibration poses span; `None` without a covariance or inverse kinematics.
+    /// On a grid of the workspace that the calibration poses span; `None` without a covariance or
+    /// inverse kinematics.
     pub fn map(&self, sets: &Sets) -> Result<Option<PredictionMap>> {
         let Some(kinematics) = self.prediction.robot.kinematics() else { return Ok(None) };
         let values = &self.prediction.found.values;
@@ -113,10 +119,7 @@ impl<'a> Expected<'a> {
         let nodes = places.par_iter().map(|at| self.node(kinematics, &poses, *at)).collect::<Result<Vec<_>>>()?;
         let nodes: Vec<MapNode> = nodes.into_iter().flatten().collect();
         Ok((nodes.len() >= FEWEST_NODES).then(|| PredictionMap {
-            definition: format!(
-                "{}; {MADE_OF}; 95 % of the errors at a node are at most p95_mm, if they are normal (Box 1954)",
-                self.error()
-            ),
+            definition: phrase!("prediction-map-definition", error = self.error()).to_string(),
             point_mm: self.prediction.point.point_mm,
             frame: self.prediction.point.frame.into(),
             spacing_mm,
@@ -158,10 +161,6 @@ impl<'a> Expected<'a> {
     }
 }
 
-/// What the numbers are made of, in words.
-const MADE_OF: &str = "nominal minus identified: difference of the positions that both sets of parameters predict; expected: size (k = 1), from \
-                       the covariance of the parameters, the tolerance of those that the data do not determine, what the model leaves out beyond the \
-                       instrument, and the place of the point on the tool";
 /// Joint values beyond those of the calibration by less than this are within them, mm or rad.
 const SAME: f64 = 1e-9;
 /// Nodes that a map has at least: with fewer it shows nothing of the workspace.
@@ -176,8 +175,8 @@ struct Spanning<'a> {
     joints: &'a [f64],
 }
 
-/// The places of a grid over the box of these poses, and its spacing: the least of 1, 2, 5, 10 ... that makes few enough. Along an axis in
-/// which the poses differ by less than that, the middle.
+/// The places of a grid over the box of these poses, and its spacing: the least of 1, 2, 5, 10 ...
+/// that makes few enough. Along an axis in which the poses differ by less than that, the middle.
 fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     let bounds: [[f64; 2]; 3] = std::array::from_fn(|axis| {
         let of = |pick: fn(f64, f64) -> f64| poses.iter().map(|p| p.at_mm[axis]).reduce(pick).unwrap_or(0.0);
@@ -196,8 +195,9 @@ fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     (x.iter().flat_map(yz).collect(), spacing)
 }
 
-/// The size that a normal error of this covariance exceeds once in 20 times: the sum of squares has nearly the distribution g χ²(ν) with the
-/// same mean and variance (Box 1954, Ann. Math. Statist. 25, 290, theorem 3.1).
+/// The size that a normal error of this covariance exceeds once in 20 times: the sum of squares has
+/// nearly the distribution g χ²(ν) with the same mean and variance (Box 1954, Ann. Math. Statist.
+/// 25, 290, theorem 3.1).
 fn p95(covariance: &Matrix3<f64>) -> f64 {
     let (trace, of_square) = (covariance.trace(), (covariance * covariance).trace());
     match Gamma::new(0.5 * trace.powi(2) / of_square, 0.5 * trace / of_square) {

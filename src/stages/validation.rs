@@ -4,8 +4,9 @@ use super::evaluate::{self, ErrorUncertainty, Sets};
 use super::given::{ExpectedDeviation, given, other_nominal, robot_values};
 use super::identification::{Selected, check_set_up};
 use crate::stages::remedies::remedied;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{AccuracyDocument, ErrorQuantity, GivenFrames, GivenSummary, ParametersDocument};
 use etalon_identify::{Comparison, GivenParameters, Settings};
@@ -48,7 +49,8 @@ pub fn validate(
     let uncertainty = ErrorUncertainty::of(campaign, robot, &apart.beside(&sets), &settings);
     let mut accuracy = evaluate::evaluate(robot, &errors, &campaign.file.limits, uncertainty)?;
     accuracy.placed_apart = placed.documents(robot);
-    accuracy.definition = definition(&accuracy, document.is_some(), frames);
+    let definition = definition(accuracy.definition_phrase, document.is_some(), frames);
+    (accuracy.definition, accuracy.definition_phrase) = (definition.to_string(), Some(definition));
     let consistency = document.filter(|_| frames != GivenFrames::Refit && sets.calibration_conditions.is_empty());
     let p_value = consistency.map(|document| p_value(robot, document, &sets, &settings)).transpose()?.flatten();
     accuracy.given = Some(GivenSummary { frames, p_value });
@@ -96,7 +98,8 @@ impl Values {
     }
 }
 
-/// The given parameters with the most probable base and targets, by what they are given with and by the calibration poses.
+/// The given parameters with the most probable base and targets, by what they are given with and by
+/// the calibration poses.
 fn with_prior(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Vec<f64>> {
     if !sets.calibration_conditions.is_empty() {
         return Err(error!("prior-of-conditions").into());
@@ -126,8 +129,8 @@ fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
     }
 }
 
-/// Probability of errors as large as these of the parameters, base and targets that are given, by their uncertainty and that of the
-/// measurement.
+/// Probability of errors as large as these of the parameters, base and targets that are given, by
+/// their uncertainty and that of the measurement.
 fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Option<f64>> {
     let mut observations = sets.calibration.clone();
     let calibrated =
@@ -140,29 +143,16 @@ fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settin
     Ok(all.p_value(noise.variance).ok())
 }
 
-/// What before and after are.
-fn definition(accuracy: &AccuracyDocument, identified: bool, frames: GivenFrames) -> String {
-    let error = accuracy.definition.split("; before:").next().unwrap_or_default();
-    let which = match (identified, frames) {
-        (true, GivenFrames::Refit) => {
-            "before: nominal parameters of the robot, after: the given ones, each with base and targets fitted to the calibration poses"
-        }
-        (true, GivenFrames::Prior) => {
-            "before: nominal parameters of the robot, with base and targets fitted to the calibration poses; after: all parameters as given, base \
-             and targets the most probable ones by the covariance that they are given with and by the calibration poses"
-        }
-        (true, GivenFrames::Given) => {
-            "before: nominal parameters of the robot, with base and targets as the calibration that gave the parameters fitted them to it; \
-             after: all parameters as given, base and targets too; nothing is fitted to these data"
-        }
-        (false, GivenFrames::Refit | GivenFrames::Prior) => {
-            "before and after: nominal parameters of the robot, with base and targets fitted to the calibration poses"
-        }
-        (false, GivenFrames::Given) => {
-            "before and after: nominal parameters, base and targets too; nothing is fitted to these data"
-        }
+/// Definition of errors with other parameters before and after.
+fn definition(of: Option<Phrase>, identified: bool, frames: GivenFrames) -> Phrase {
+    let values = match (identified, frames) {
+        (true, GivenFrames::Refit) => phrase!("values-given-refit"),
+        (true, GivenFrames::Prior) => phrase!("values-given-prior"),
+        (true, GivenFrames::Given) => phrase!("values-given"),
+        (false, GivenFrames::Refit | GivenFrames::Prior) => phrase!("values-nominal-refit"),
+        (false, GivenFrames::Given) => phrase!("values-nominal"),
     };
-    format!("{error}; {which}; statistics are of sizes, each repeat counted")
+    of.unwrap_or_else(|| Phrase::new("error-definition")).with("values", &values)
 }
 
 /// A warning where the given parameters are worse than nominal ones.

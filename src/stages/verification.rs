@@ -3,10 +3,11 @@
 use super::given::{ExpectedDeviation, given, other_nominal};
 use super::repeats::stale;
 use crate::stages::remedies::remedied;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
     Comparison, Detectable, Explanation, GivenParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE, Settings,
@@ -76,10 +77,12 @@ pub fn verify(
         Some(Moved::Target(_)) | None => VerificationVerdict::Other,
     };
     messages.extend(alike(&found, robot));
+    let meaning = meaning(verdict, moved.as_ref());
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
-        meaning: meaning(verdict, moved.as_ref()),
+        meaning: meaning.to_string(),
+        meaning_phrase: Some(meaning),
         verdict,
         p_value: found.p_value,
         significance: SIGNIFICANCE,
@@ -130,7 +133,7 @@ pub fn plan(
         let observed = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
         observed.detectable(noise.variance)
     };
-    // sum of logarithms; what is not shown at all counts as the largest change
+    // sum of logarithms; an invisible change counts as the largest
     let score = |chosen: &[PoseName]| {
         let all = |d: &Detectable| d.change.iter().copied().chain(d.named).collect::<Vec<f64>>();
         let found = detectable(chosen).ok()?;
@@ -170,7 +173,7 @@ pub fn plan(
     })
 }
 
-/// What poses are chosen by takes a change that they do not show for this large, mm or rad.
+/// Assumed size (mm or rad) of a change that the chosen poses do not show.
 const UNSEEN: f64 = 1e3;
 
 /// An error where two targets with each other's names are where the parameters put them.
@@ -270,20 +273,17 @@ fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
     names.into_iter().zip(&detectable.change).map(of).collect()
 }
 
-fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> String {
+fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>) -> Phrase {
     let by = moved.map(|m| m.by.iter().map(number).collect::<Vec<_>>().join(", ")).unwrap_or_default();
     let name = moved.map(|m| m.name.as_str()).unwrap_or_default();
     match (verdict, moved) {
-        (VerificationVerdict::Valid, _) => "the parameters are still valid for these poses".to_owned(),
-        (VerificationVerdict::BaseMoved, _) => format!("the base has moved by {by}"),
+        (VerificationVerdict::Valid, _) => phrase!("parameters-still-valid"),
+        (VerificationVerdict::BaseMoved, _) => phrase!("base-moved", by),
         (VerificationVerdict::Joint, _) => {
-            format!("the zero of joint {name} has moved by {}", by.trim_start_matches(name).trim_start())
+            phrase!("joint-zero-moved", joint = name, by = by.trim_start_matches(name).trim_start())
         }
-        (VerificationVerdict::Other, Some(_)) => format!("the target {name} has moved on its part by {by}"),
-        (VerificationVerdict::Other, None) => {
-            "the parameters are no longer valid, and no motion of the base, one joint or one target explains why"
-                .to_owned()
-        }
+        (VerificationVerdict::Other, Some(_)) => phrase!("target-moved", target = name, by),
+        (VerificationVerdict::Other, None) => phrase!("parameters-no-longer-valid"),
     }
 }
 

@@ -25,13 +25,15 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
         return;
     }
     let reports = all();
-    let checks: [(&str, Check); 8] = [
+    let checks: [(&str, Check); 10] = [
         ("widths", nothing_overflows_on_a_phone_a_tablet_and_a_wide_screen),
         ("requests", a_page_asks_for_nothing_but_itself_and_hostile_names_do_nothing),
         ("marks", marks_answer_to_the_pointer_and_to_the_keyboard),
         ("switch", before_and_after_are_switched_without_a_script),
         ("batch", the_page_over_all_campaigns_is_sorted_filtered_and_drawn),
         ("print", printing_cuts_no_figure_and_no_row),
+        ("verdicts", verdicts_are_on_a_narrow_screen),
+        ("files", tables_are_saved_with_whole_heads_and_their_names),
         ("comfort", tables_are_sorted_and_filtered_and_space_turns),
         ("axe", every_page_is_accessible_in_light_and_dark),
     ];
@@ -43,8 +45,12 @@ fn reports_are_shown_and_printed_as_they_are_meant() {
 
 fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browser, reports: &Pages) {
     browser.open(&reports.batch);
-    let robots = "[...document.querySelectorAll('#campaigns tbody tr')].map(row => row.cells[1].textContent)";
-    let all = list(&browser.evaluate(robots));
+    // campaign, verdict, cause, checks, robot
+    let heads = "[...document.querySelectorAll('#campaigns thead th')].map(head => head.textContent)";
+    let column = list(&browser.evaluate(heads)).iter().position(|head| head == "Robot").unwrap();
+    let robots = "[...document.querySelectorAll('#campaigns tbody tr')].map(row => row.cells[ROBOT].textContent)"
+        .replace("ROBOT", &column.to_string());
+    let all = list(&browser.evaluate(&robots));
     assert_eq!(all.len(), 3);
     let sorted = |down: bool| {
         let mut sorted = all.clone();
@@ -54,7 +60,7 @@ fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browse
         }
         sorted
     };
-    let click = "document.querySelectorAll('#campaigns thead button')[1].click(); ";
+    let click = format!("document.querySelectorAll('#campaigns thead button')[{column}].click(); ");
     assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(false));
     assert_eq!(list(&browser.evaluate(&format!("{click}{robots}"))), sorted(true));
     let marks = "document.querySelectorAll('#trend .robot').length";
@@ -68,6 +74,61 @@ fn the_page_over_all_campaigns_is_sorted_filtered_and_drawn(browser: &mut Browse
     let filter = "document.getElementById('filter').value = 'campaign/no such'; \
         document.getElementById('filter').dispatchEvent(new Event('input')); ";
     assert_eq!(list(&browser.evaluate(&format!("{filter}{robots}"))), Vec::<String>::new());
+}
+
+/// The verdict of each limit is on a phone's screen.
+fn verdicts_are_on_a_narrow_screen(browser: &mut Browser, reports: &Pages) {
+    browser.size(390, 844);
+    browser.open(&reports.pages[0]);
+    let right = "Math.max(...[...document.querySelectorAll('#limits tbody tr')].map(row => row.cells[1].getBoundingClientRect().right))";
+    let right = browser.evaluate(right).as_f64().unwrap();
+    assert!(right > 0.0 && right < 390.0, "{right}");
+    browser.open(&reports.batch);
+    let right =
+        browser.evaluate("document.querySelector('#campaigns tbody tr').cells[1].getBoundingClientRect().right");
+    assert!(right.as_f64().unwrap() < 390.0, "{right}");
+}
+
+/// Name and contents of the file that a table is saved as.
+fn saved(browser: &mut Browser, table: &str) -> (String, Vec<Vec<String>>) {
+    let script = format!(
+        "(async () => {{ let blob, name; URL.createObjectURL = b => {{ blob = b; return '#' }}; \
+         HTMLAnchorElement.prototype.click = function () {{ name = this.download }}; \
+         const tools = {table}.parentNode.previousElementSibling.classList.contains('tools') ? {table}.parentNode.previousElementSibling \
+         : {table}.parentNode.previousElementSibling.previousElementSibling; \
+         [...tools.querySelectorAll('button')].pop().click(); return [name, await blob.text()] }})()"
+    );
+    let [name, text] = list(&browser.evaluate(&script)).try_into().unwrap();
+    let rows = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes()).into_records();
+    (name, rows.map(|row| row.unwrap().iter().map(str::to_owned).collect()).collect())
+}
+
+fn tables_are_saved_with_whole_heads_and_their_names(browser: &mut Browser, reports: &Pages) {
+    browser.size(1024, 768);
+    browser.open(&reports.pages[0]);
+    let table = "[...document.querySelectorAll('#errors table')].find(t => t.tHead.rows.length > 1 && t.tBodies[0].rows.length > 2)";
+    let (name, rows) = saved(browser, table);
+    let heads = &rows[0];
+    assert!(heads.contains(&"before: RMS".to_owned()) && heads.contains(&"after: RMS".to_owned()), "{heads:?}");
+    assert_eq!(heads.iter().collect::<std::collections::BTreeSet<_>>().len(), heads.len(), "{heads:?}");
+    assert!(name.starts_with("errors-before-and-after-calibration-") && name.ends_with(".csv"), "{name}");
+    let all = "[...document.querySelectorAll('.scroll > table')].filter(t => t.tHead && t.tBodies[0].rows.length > 2)";
+    let count = browser.evaluate(&format!("{all}.length")).as_u64().unwrap();
+    let names: Vec<String> = (0..count).map(|i| saved(browser, &format!("{all}[{i}]")).0).collect();
+    let different: std::collections::BTreeSet<_> = names.iter().collect();
+    assert!(different.len() == names.len() && !names.iter().any(|n| n.starts_with("table")), "{names:?}");
+    // cells without a number are last, whichever way
+    let first = format!("{all}.find(t => t.tBodies[0].rows.length > 10)");
+    let column = format!(
+        "(t => {{ [...t.tBodies[0].rows].slice(0, 2).forEach(r => {{ r.cells[1].textContent = '' }}); \
+         t.tHead.rows[t.tHead.rows.length - 1].cells[1].querySelector('button').click(); \
+         return [...t.tBodies[0].rows].map(r => r.cells[1].textContent) }})({first})"
+    );
+    for way in ["ascending", "descending"] {
+        let cells = list(&browser.evaluate(&column));
+        let blanks = cells.iter().rev().take_while(|c| c.is_empty()).count();
+        assert!(blanks >= 2 && blanks == cells.iter().filter(|c| c.is_empty()).count(), "{way}: {cells:?}");
+    }
 }
 
 fn tables_are_sorted_and_filtered_and_space_turns(browser: &mut Browser, reports: &Pages) {
@@ -239,7 +300,7 @@ fn printing_cuts_no_figure_and_no_row(browser: &mut Browser, reports: &Pages) {
         browser.evaluate("document.querySelectorAll('.over').forEach(letters => letters.style.stroke = 'none')");
         let whole = list(&browser.evaluate(
             "[...document.querySelectorAll('tr, figure, .signatures')].filter(e => e.checkVisibility()).map(e =>
-               e.tagName === 'FIGURE' ? e.querySelector('figcaption').textContent + [...e.querySelectorAll('svg text')].filter(t => t.getBoundingClientRect().width).map(t => t.textContent).join('') : e.textContent)",
+               e.tagName === 'FIGURE' ? e.querySelector('figcaption').innerText + [...e.querySelectorAll('svg text')].filter(t => t.getBoundingClientRect().width).map(t => t.textContent).join('') : e.textContent)",
         ));
         let printed = browser.call(
             "Page.printToPDF",

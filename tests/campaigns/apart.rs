@@ -83,8 +83,13 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
         }
     }
     campaign(&scratch, &table);
-    let said = ends(&scratch, "run", 0, &["60 targets measured at validation poses alone: `V0`, `V1`", "placed by"]);
-    assert!(!said.contains("not judged") && !said.contains("another campaign"), "{said}");
+    let said = ends(
+        &scratch,
+        "run",
+        0,
+        &["[placed-by-validation]: 60 targets measured at validation poses alone: `V0`, `V1`", "placed by"],
+    );
+    assert!(!said.contains("[placed-by-validation-unjudged]") && !said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");
     // all that is left is noise: two readings place a target, and show half of their errors
     let expected = 3f64.sqrt() * U_MM;
@@ -145,11 +150,13 @@ fn anchors_and_sockets_of_validation_poses_are_placed() {
         table += &format!("contact,{pose},ball,{},,,,,cup,,{U_MM}\n", cells(&joints));
     }
     campaign(&scratch, &table);
-    let what = ["3 fixtures measured at validation poses alone: `anchor_0`, `anchor_1`, `cup`"];
+    let what = [
+        "[placed-by-validation-unjudged]: 3 fixtures measured at validation poses alone: `anchor_0`, `anchor_1`, `cup`",
+    ];
     let said = ends(&scratch, "run", 0, &what);
     assert!(!said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");
-    assert!(said.contains("those of `anchor_1`"), "{said}\n{}", accuracy["placed_apart"]);
+    assert!(said.contains("not judged: `anchor_1`"), "{said}\n{}", accuracy["placed_apart"]);
     // without places the errors are hundreds of millimetres
     assert!(rms(&accuracy, "after") < 3.0 * U_MM, "{}", rms(&accuracy, "after"));
     assert_eq!(accuracy["sets"][1]["count"], 15, "two distances do not place an anchor, and are not counted");

@@ -63,7 +63,7 @@ fn contributions_add_up_to_the_uncertainty_of_every_parameter() {
 fn range_and_angles_weigh_the_readings_by_their_distance() {
     let polar = "polar = { station_mm = [4000, 0, 0], expanded_range_uncertainty_um = 1, expanded_angle_uncertainty_um_per_m = 2 }";
     let scratch = with(polar, "");
-    ends(&scratch, "run", 0, &["all readings weigh by their own standard uncertainties"]);
+    ends(&scratch, "run", 0, &["[readings-weighted]"]);
 }
 
 #[test]
@@ -73,17 +73,13 @@ fn what_means_nothing_is_refused_by_its_key() {
         format!("\n[expansion]\nexpanded_temperature_uncertainty_c = 1\ncoverage_factor = 2\nrobot_per_c = {per_c}\n")
     };
     let cases = [
-        ("", expansion("11.5"), "`robot_per_c` = 11.5 is not between 0.0 and 0.0002"),
-        (
-            "",
-            homing("expanded_uncertainty_deg = 0.01"),
-            "[homing] lacks `expanded_uncertainty_um`, and the joint `rho1` has values in mm",
-        ),
-        ("", homing("expanded_uncertainty_um = -1"), "`expanded_uncertainty_um` = -1.0 is not between"),
+        ("", expansion("11.5"), "[key-out-of-range]: `robot_per_c` = 11.5 is outside 0 to 0.0002"),
+        ("", homing("expanded_uncertainty_deg = 0.01"), "[homing] lacks `expanded_uncertainty_um` for joint `rho1`"),
+        ("", homing("expanded_uncertainty_um = -1"), "`expanded_uncertainty_um` = -1 is outside"),
         (
             "expanded_scale_uncertainty_um_per_m = 5e4",
             String::new(),
-            "`expanded_scale_uncertainty_um_per_m` = 50000.0 is not between",
+            "`expanded_scale_uncertainty_um_per_m` = 50000 is outside",
         ),
         (
             "polar = { station_mm = [0, 0, 0], expanded_angle_uncertainty_um_per_m = nan }",
@@ -102,10 +98,10 @@ fn what_nothing_would_use_is_refused() {
     let scratch = copy_sample("contacts");
     let polar = "polar = { station_mm = [0, 0, 0], expanded_range_uncertainty_um = 10 }";
     scratch.replace("campaign.toml", FACTOR, &format!("{FACTOR}{polar}\n"));
-    ends(&scratch, "check", 2, &["`polar` is for exports"]);
+    ends(&scratch, "check", 2, &["[polar-with-observations]"]);
     let scratch = copy_sample("pose-test");
     let path = scratch.path().join("campaign.toml");
     std::fs::write(&path, std::fs::read_to_string(&path).unwrap() + STATED).unwrap();
-    let parts = ["[expansion] is for identified parameters", "[homing] is for identified parameters"];
+    let parts = ["[section-without-identify]: [expansion]", "[section-without-identify]: [homing]"];
     ends(&scratch, "check", 2, &parts);
 }

@@ -2,12 +2,12 @@
 //! computes.
 
 use super::controllers::{disturbed, etalon, parameters};
+use crate::support::controller_files::galil_prexyt;
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::campaign::read_robot;
 use etalon::robots::{Kinematics, Quantity, Robot};
-use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -273,102 +273,20 @@ fn structured_text_computes_what_the_program_does() {
     }
 }
 
-/// Numbers of a Galil controller: multiples of 1/65536, four bytes before the point; what is behind the last bit is cut or rounded.
-struct Dmc<'a> {
-    rest: &'a str,
-    known: &'a BTreeMap<String, i128>,
-    round: bool,
-}
-
-impl Dmc<'_> {
-    fn held(&self, numerator: i128, denominator: i128) -> i128 {
-        let half = if self.round { denominator.abs() / 2 } else { 0 };
-        let value = (numerator * denominator.signum() + half).div_euclid(denominator.abs());
-        assert!(value.abs() < 1 << 47, "overflow before {}", self.rest);
-        value
-    }
-
-    fn operand(&mut self) -> i128 {
-        if let Some(inside) = self.rest.strip_prefix("@ABS[") {
-            self.rest = inside;
-            let value = self.expression().abs();
-            self.rest = self.rest.strip_prefix(']').unwrap();
-            return value;
-        }
-        if let Some(inside) = self.rest.strip_prefix('(') {
-            self.rest = inside;
-            let value = self.expression();
-            self.rest = self.rest.strip_prefix(')').unwrap();
-            return value;
-        }
-        let end = self.rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '.')).unwrap_or(self.rest.len());
-        let (word, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        let literal = || (word.parse::<f64>().unwrap() * 65_536.0).round() as i128;
-        self.known.get(word).copied().unwrap_or_else(literal)
-    }
-
-    /// Strictly from left to right.
-    fn expression(&mut self) -> i128 {
-        let mut value = if let Some(rest) = self.rest.strip_prefix('-') {
-            self.rest = rest;
-            -self.operand()
-        } else {
-            self.operand()
-        };
-        while let Some(sign) = self.rest.chars().next().filter(|c| "+-*/".contains(*c)) {
-            self.rest = &self.rest[1..];
-            let other = self.operand();
-            value = match sign {
-                '+' => value + other,
-                '-' => value - other,
-                '*' => self.held(value * other, 65_536),
-                _ => self.held(value * 65_536, other),
-            };
-        }
-        value
-    }
-}
-
 #[test]
 fn a_galil_controller_finds_the_joints_of_a_prexyt() {
     let exported = Exported::new("samples/prexyt-cmm/robot.toml", "galil");
     let text = exported.text("etalon_parameters.dmc");
     assert!(text.lines().all(|line| line.starts_with("REM ") || line.len() <= 80), "{text}");
-    let body = |label: &str| {
-        let from = text.split(&format!("\n#{label}\n")).nth(1).unwrap().split("\nEN\n").next().unwrap();
-        from.lines().filter(|line| !line.starts_with("REM ")).collect::<Vec<_>>()
-    };
-    let (constants, inverse) = (body("PRXCON"), body("PREXYT"));
     let mut noise = Noise::new(19, 9);
     let mut worst = 0f64;
     for i in 0..2 * POSES {
         let pose = [noise.uniform(400.0) + 300.0, noise.uniform(400.0) + 300.0, noise.uniform(20f64.to_radians())];
-        let mut known: BTreeMap<String, i128> = BTreeMap::new();
-        for (name, value) in [("KWX", pose[0] * 1e3), ("KWY", pose[1] * 1e3), ("KWT", pose[2].to_degrees() * 1e6)] {
-            known.insert(name.to_owned(), (value * 65_536.0).round() as i128);
-        }
-        let mut within = true;
-        for line in constants.iter().chain(&inverse) {
-            assert!(line.split('=').next().unwrap().len() <= 8 || line.starts_with("IF "), "{line}");
-            let dmc = |rest| Dmc { rest, known: &known, round: i % 2 == 0 };
-            if let Some((left, right)) =
-                line.strip_prefix("IF (").and_then(|rest| rest.strip_suffix(')')?.split_once("<="))
-            {
-                within = dmc(left).expression() <= dmc(right).expression();
-            } else if *line == "ENDIF" {
-                within = true;
-            } else if within {
-                let (name, expression) = line.split_once('=').unwrap();
-                let value = dmc(expression).expression();
-                known.insert(name.to_owned(), value);
-            }
-        }
-        assert_eq!(known["KWOK"], 65_536);
+        let found = galil_prexyt(&text, pose, i % 2 == 0).unwrap();
         let there = Pose { translation_mm: [pose[0], pose[1], 0.0], ..Pose::identity() }.turn_z(pose[2]);
         let q = exported.arm().all_joints(&exported.values, &there).remove(0);
-        for (q, name) in q.iter().zip(["KWR1", "KWR2", "KWR3"]) {
-            worst = worst.max((known[name] as f64 / 65_536.0 - q * 1e3).abs());
+        for (q, found) in q.iter().zip(&found) {
+            worst = worst.max((found - q).abs() * 1e3);
         }
     }
     println!("Galil, PreXYT: joint values off by {worst:.4} um at most");

@@ -1,7 +1,8 @@
 //! Files for controllers of one kind of robot: what an independent reader makes of them is the identified robot.
 
+use crate::support::controller_files::{genserkins, universal_robots};
 use crate::support::scratch::{Scratch, copy_sample};
-use etalon::base::pose::{Pose, minus, norm};
+use etalon::base::pose::{minus, norm};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::controllers::{self, Description, Given};
 use etalon::documents::{CampaignSummary, ParametersDocument};
@@ -71,13 +72,11 @@ fn reads_as_the_identified_robot(urdf: &Path, robot: &dyn Robot, values: &[f64])
     let input = urdf.with_file_name("joints.jsonl");
     std::fs::write(&input, cases.iter().map(line).collect::<String>()).unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/urdf_direct.py");
-    let numpy = Command::new("python3").args(["-c", "import numpy"]).output();
-    if !numpy.is_ok_and(|output| output.status.success()) {
-        return crate::support::skipped("numpy");
-    }
     let mut reader = Command::new("python3");
     let reader = reader.arg("-B").arg(script).arg(urdf).args(["base_link", "tool"]);
-    let output = reader.stdin(std::fs::File::open(input).unwrap()).output().unwrap();
+    let Ok(output) = reader.stdin(std::fs::File::open(input).unwrap()).output() else {
+        return crate::support::skipped("python3");
+    };
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let read = String::from_utf8(output.stdout).unwrap();
     assert_eq!(read.lines().count(), cases.len());
@@ -173,16 +172,7 @@ fn a_universal_robots_calibration_is_the_identified_arm() {
         assert_eq!(code, Some(0), "{said}");
         let text = std::fs::read_to_string(scratch.path().join("universal_robots_calibration.yaml")).unwrap();
         assert!(text.starts_with("# Written by etalon") && text.contains("  hash: calib_"), "{text}");
-        // the frames of six joints, as `xyz` and `rpy` of a URDF
-        let numbers: Vec<f64> =
-            text.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ")?.1.parse().ok()).collect();
-        let frames: Vec<Pose> = numbers
-            .chunks_exact(6)
-            .map(|f| Pose::from_xyz_rpy([f[0] * 1000.0, f[1] * 1000.0, f[2] * 1000.0], [f[3], f[4], f[5]]))
-            .collect();
-        assert_eq!(frames.len(), 6);
-        let reach =
-            |q: &[f64]| frames.iter().zip(q).fold(Pose::identity(), |pose, (frame, q)| pose.then(frame).turn_z(*q));
+        let reach = |q: &[f64]| universal_robots(&text, q);
         // a point that the last joint carries stays at one place of the frame that the file gives it
         let mut noise = etalon::base::noise::Noise::new(19, 3);
         let places: Vec<[f64; 3]> = (0..20)
@@ -224,29 +214,10 @@ fn genserkins_has_the_axes_of_the_identified_arm() {
         assert_eq!(code, Some(0), "{said}");
         let text = std::fs::read_to_string(scratch.path().join("genserkins.hal")).unwrap();
         assert!(text.lines().all(|l| l.starts_with("# ") || l.starts_with("setp genserkins.")), "{text}");
-        let set = |name: &str, i: usize| -> f64 {
-            text.lines().find_map(|l| l.strip_prefix(&format!("setp genserkins.{name}-{i} "))).unwrap().parse().unwrap()
-        };
-        let theta = |i: usize| -> f64 {
-            let line = text
-                .lines()
-                .find_map(|l| l.strip_prefix(&format!("# joint {i}: at its zero genserkins has ")))
-                .unwrap();
-            line.split(' ').next().unwrap().parse::<f64>().unwrap().to_radians()
-        };
-        let framed = |name: &str| {
-            let line = text.lines().find(|l| l.starts_with(&format!("# {name}: "))).unwrap();
-            let v: Vec<f64> = line.split([' ', ',']).filter_map(|v| v.parse().ok()).collect();
-            Pose::from_xyz_rpy([v[0], v[1], v[2]], [v[3], v[4], v[5]].map(f64::to_radians))
-        };
-        let (base, flange) = (framed("first frame in the base"), framed("flange in the last frame"));
         let mut noise = etalon::base::noise::Noise::new(19, 4);
         for _ in 0..20 {
             let q: Vec<f64> = (0..6).map(|_| noise.uniform(2.5)).collect();
-            let link = |pose: Pose, i: usize| {
-                pose.turn_x(set("ALPHA", i)).shift(0, set("A", i)).turn_z(theta(i) + q[i]).shift(2, set("D", i))
-            };
-            let reached = (0..6).fold(base, link).then(&flange);
+            let reached = genserkins(&text, &q);
             let off = norm(minus(reached.translation_mm, robot.position(&values, &q, 0)));
             assert!(off < 1e-9, "{off}: {text}");
         }

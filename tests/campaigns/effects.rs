@@ -35,7 +35,7 @@ fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
         &scratch,
         "run",
         0,
-        &["bending of joints q2, q3 would prove itself", "add `bending = [2, 3]` to robot.toml"],
+        &["[effect-would-prove]: bending of joints q2, q3 ", "add `bending = [2, 3]` to robot.toml"],
     );
     let accuracy = || -> Value {
         serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
@@ -47,10 +47,10 @@ fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
     // what is said becomes true
     scratch.replace("robot.toml", "joint = [", "bending = [2, 3]\njoint = [");
     let said = ends(&scratch, "run", 0, &[]);
-    assert!(!said.contains("would prove itself"), "{said}");
+    assert!(!said.contains("[effect-would-prove]"), "{said}");
     let after = accuracy()["sets"][1]["errors"][0]["after"]["rms"].as_f64().unwrap();
     assert!((after / with - 1.0).abs() < 0.25, "{after} {with}");
     // a stiff arm has nothing to prove
     let said = ends(&campaign(0.0), "run", 0, &[]);
-    assert!(!said.contains("would prove itself"), "{said}");
+    assert!(!said.contains("[effect-would-prove]"), "{said}");
 }

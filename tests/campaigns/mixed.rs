@@ -90,11 +90,11 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
         );
     };
     add(&without, &rule);
-    ends(&without, "run", 0, &["excluded: 28 rows of `all.csv`", "beam broken"]);
+    ends(&without, "run", 0, &["warning[excluded-rows]: `all.csv`: excluded: 28 rows", "beam broken"]);
     // with them, by their weight
     let with = campaign(&weighted.replace(", u1", ", pose = \"Pose\", u1"), "", &rows);
     add(&with, "");
-    ends(&with, "run", 0, &["all readings weigh by their own standard uncertainties, 0.0030 to 0.3000 mm"]);
+    ends(&with, "run", 0, &["[readings-weighted]", "0.0030 to 0.3000 mm"]);
     let table = std::fs::read_to_string(with.path().join("out/observations.csv")).unwrap();
     assert!(table.starts_with("pose,cycle,target,x_mm,y_mm,cxx_mm2,cxy_mm2,cyy_mm2,rho1_mm"), "{}", &table[..200]);
     for (a, b) in parameters(&without).parameters.iter().zip(&parameters(&with).parameters) {
@@ -160,10 +160,15 @@ fn a_serial_arm_touches_points_by_their_label() {
     let found = parameters(&scratch);
     assert!(found.residuals.rms < 1e-6, "{}", found.residuals.rms);
     scratch.replace("log.csv", "hole 7;", "hole seven;");
-    ends(&scratch, "check", 2, &["no measured point has the label `hole seven`", "log.csv:9"]);
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["error[label-not-measured]: no measured point has the label `hole seven`", "log.csv:9"],
+    );
     scratch.replace("log.csv", "hole seven;", "hole 7;");
     scratch.replace("campaign.toml", "targets = [\"tip\"]", "targets = [\"tip\", \"tap\"]");
-    ends(&scratch, "check", 2, &["a join by label is for robots with one target, this has 2"]);
+    ends(&scratch, "check", 2, &["error[join-by-label-targets]"]);
 }
 
 #[test]
@@ -259,7 +264,7 @@ fn measured_poses_in_a_layout_of_their_own_are_those_of_the_plain_table() {
     };
     slip("\"J1\"", "\"J7\"", "error[column-unknown]: there is no column `J7`");
     slip("q2_deg = \"J2\"", "q2_deg = \"J1\"", "error[column-stated-twice]: the column `J1`");
-    slip("delimiter =", "sheet = \"A\"\ndelimiter =", "`delimiter` means nothing for a sheet of a workbook");
+    slip("delimiter =", "sheet = \"A\"\ndelimiter =", "error[key-of-text-table]: `delimiter`");
     slip("x_mm =", "x =", "error[observation-column-unknown]: `x`");
     slip("pose = \"row\"", "", "no column `pose`");
     let spoilt = own.replacen(';', ";x", 9);
@@ -289,7 +294,7 @@ fn uncertainties_that_are_rounded_to_zero_are_read_as_their_resolution() {
     let export = format!("{FORMAT}, pose = \"Pose\", u1 = \"U\", u2 = \"V\", u3 = \"W\" }} }}\n{JOINTS}");
     let scratch = campaign(&export, "", &cells);
     scratch.replace("campaign.toml", "\"1-40\"", "\"P1-P40\"");
-    let said = ends(&scratch, "run", 0, &["`u1` is 0 in 40 rows", "u = 0.00029 mm", "half of the last digit"]);
+    let said = ends(&scratch, "run", 0, &["`u1` is 0 in 40 rows", "u = 0.00029 mm", "[uncertainty-zero-rounded]"]);
     assert_eq!(said.matches("is 0 in").count(), 2, "one warning a column that was measured:\n{said}");
     // a table of observations
     let written = std::fs::read_to_string(scratch.path().join("out/observations.csv")).unwrap();
@@ -318,10 +323,10 @@ fn uncertainties_that_are_rounded_to_zero_are_read_as_their_resolution() {
     assert!(said.contains("u = 0.00029 mm"), "{said}");
     // where all are 0 no resolution shows
     let (code, said) = identify(&table.join("\n").replace(",0.003", ",0"));
-    assert!(code == Some(0) && said.contains("the uncertainty of the instrument counts"), "{said}");
+    assert!(code == Some(0) && said.contains("[uncertainty-zero]"), "{said}");
     // what is negative is none
     let (code, said) = identify(&table.join("\n").replace(",0.003", ",-0.003"));
-    assert!(code == Some(2) && said.contains("is not the uncertainty of a coordinate"), "{said}");
+    assert!(code == Some(2) && said.contains("error[coordinate-uncertainty-unusable]"), "{said}");
 }
 
 /// Columns of covariances in the first line of a table.

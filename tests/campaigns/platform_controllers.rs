@@ -1,6 +1,7 @@
 //! Controller files of hexapods, deltas and five-bars, read back by the formulas of the controllers' own sources.
 
 use super::controllers::{disturbed, etalon, parameters};
+use crate::support::controller_files::{Towers, after, five_bar, genhexkins, rotarydeltakins};
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
@@ -27,19 +28,6 @@ fn exported(model: &str, format: &str, change: impl Fn(&dyn Robot) -> Vec<f64>) 
     (robot, values, text)
 }
 
-/// The number behind a text.
-fn after(text: &str, key: &str) -> f64 {
-    let rest = text.split_once(key).unwrap_or_else(|| panic!("{key}: {text}")).1;
-    rest.split(|c: char| !"0123456789.-+e".contains(c)).find(|v| !v.is_empty()).unwrap().parse().unwrap()
-}
-
-/// Numbers of a letter of a line of G-code, between colons.
-fn letter(text: &str, code: &str, letter: char) -> Vec<f64> {
-    let line = text.lines().find(|l| l.starts_with(code)).unwrap();
-    let word = line.split(' ').skip(1).find(|w| w.starts_with(letter)).unwrap();
-    word[1..].split(':').map(|v| v.parse().unwrap()).collect()
-}
-
 #[test]
 fn genhexkins_has_the_struts_of_the_identified_hexapod() {
     let (robot, values, text) = exported("hexapod", "linuxcnc-hexapod", |r| disturbed(r, &[]));
@@ -47,21 +35,14 @@ fn genhexkins_has_the_struts_of_the_identified_hexapod() {
     for _ in 0..20 {
         let [x, y, z] = [0.0, 0.0, 400.0].map(|v| v + noise.uniform(50.0));
         let [a, b, c] = [0; 3].map(|_| noise.uniform(0.3));
-        // genhexkins: |t + Rz(c) Ry(b) Rx(a) platform - base|
         let pose = Pose::from_xyz_rpy([x, y, z], [a, b, c]);
         let ours = &robot.kinematics().unwrap().all_joints(&values, &pose)[0];
-        for (leg, q) in ours.iter().enumerate() {
-            let end =
-                |end: &str| ["x", "y", "z"].map(|axis| after(&text, &format!("setp genhexkins.{end}.{leg}.{axis} ")));
-            let (on_platform, on_base) = (pose.apply(end("platform")), end("base"));
-            let strut = (0..3).map(|i| (on_platform[i] - on_base[i]).powi(2)).sum::<f64>().sqrt();
-            let zero = after(&text, &format!("# joint {leg}: its position in LinuxCNC is the joint value + "));
-            assert!((strut - q - zero).abs() < 1e-9, "{strut} {q} {zero}");
+        for (q, found) in ours.iter().zip(genhexkins(&text, &pose)) {
+            assert!((found - q).abs() < 1e-9, "{found} {q}");
         }
     }
 }
 
-/// Carriages of three upright towers: z + √(L² − level distance²), as `delta.py` and `LinearDeltaKinematics.cpp` have them.
 #[test]
 fn firmwares_move_the_carriages_of_the_identified_delta() {
     let upright = |robot: &dyn Robot| {
@@ -73,33 +54,15 @@ fn firmwares_move_the_carriages_of_the_identified_delta() {
     for format in ["klipper-delta", "reprap-delta"] {
         let (robot, values, text) = exported("delta_linear", format, upright);
         assert!(!text.contains("not in this format"), "{text}");
-        let (radius, directions, rods, heights): (f64, Vec<f64>, Vec<f64>, Vec<f64>) = if format == "klipper-delta" {
-            let sections: Vec<&str> = text.split("[stepper_").skip(1).collect();
-            let all = |key: &str| sections.iter().map(|s| after(s, key)).collect();
-            (after(&text, "delta_radius: "), all("angle: "), all("arm_length: "), all("position_endstop: "))
-        } else {
-            let number = |code, l| letter(&text, code, l)[0];
-            let mean = after(&text, "homed height (H): ");
-            let directions = vec![210.0 + number("M665", 'X'), 330.0 + number("M665", 'Y'), 90.0 + number("M665", 'Z')];
-            let heights = ['X', 'Y', 'Z'].map(|l| mean + number("M666", l)).to_vec();
-            (number("M665", 'R'), directions, letter(&text, "M665", 'L'), heights)
-        };
-        let (x0, y0) = (after(&text, "in the base: x "), after(&text, " mm, y "));
-        let turned = after(&text, "turned by ").to_radians();
+        let towers = if format == "klipper-delta" { Towers::klipper(&text) } else { Towers::reprap(&text) };
         let mut noise = Noise::new(19, 6);
         for _ in 0..20 {
             let [x, y] = [0; 2].map(|_| noise.uniform(90.0));
             let z = 150.0 + noise.uniform(100.0);
-            let (sin, cos) = turned.sin_cos();
-            let at = [x0 + cos * x - sin * y, y0 + sin * x + cos * y, z];
-            let pose = Pose { translation_mm: at, ..Pose::identity() };
+            let pose = Pose { translation_mm: [x, y, z], ..Pose::identity() };
             let ours = &robot.kinematics().unwrap().all_joints(&values, &pose)[0];
-            for i in 0..3 {
-                let (sin, cos) = directions[i].to_radians().sin_cos();
-                let level = (x - radius * cos).powi(2) + (y - radius * sin).powi(2);
-                let carriage = z + (rods[i].powi(2) - level).sqrt();
-                let zero = heights[i] + (rods[i].powi(2) - radius.powi(2)).sqrt();
-                assert!((carriage - zero - ours[i]).abs() < 2e-5, "{format} {i}: {} {}", carriage - zero, ours[i]);
+            for (found, q) in towers.joints([x, y, z]).iter().zip(ours) {
+                assert!((found - q).abs() < 2e-5, "{format}: {found} {q}");
             }
         }
         // lean has no place there
@@ -108,23 +71,14 @@ fn firmwares_move_the_carriages_of_the_identified_delta() {
     }
 }
 
-/// Knees of joints 0, 1 and 2 in directions 270, 150 and 30 deg, as the direct kinematics of `rotarydeltakins-common.h` have them, are a
-/// shin from the tool: of our first leg, and the others clockwise.
+/// Joint values by the inverse kinematics of `rotarydeltakins-common.h`.
 #[test]
 fn linuxcnc_has_the_legs_of_a_delta() {
     let (robot, values, text) = exported("delta", "linuxcnc-delta", |r| r.nominal());
-    let pin = |name: &str| after(&text, &format!("setp rotarydeltakins.{name} "));
-    let legs = [(270.0, 0), (150.0, 2), (30.0, 1)];
     for q in [[0.1, 0.5, -0.2], [0.9, 0.3, 0.6]] {
-        let [x, y, z] = robot.kinematics().unwrap().tool_pose(&values, &q).unwrap().translation_mm;
-        // our first leg is in direction x
-        let tool = [y, -x, z];
-        for (direction, leg) in legs {
-            let (sin, cos) = f64::to_radians(direction).sin_cos();
-            let out = pin("platformradius") - pin("footradius") + pin("thighlength") * q[leg].cos();
-            let knee = [out * cos, out * sin, -pin("thighlength") * q[leg].sin()];
-            let shin = (0..3).map(|i| (tool[i] - knee[i]).powi(2)).sum::<f64>().sqrt();
-            assert!((shin - pin("shinlength")).abs() < 1e-9, "{direction} {shin}");
+        let at = robot.kinematics().unwrap().tool_pose(&values, &q).unwrap().translation_mm;
+        for (found, q) in rotarydeltakins(&text, at).iter().zip(q) {
+            assert!((found - q).abs() < 1e-9, "{found} {q}");
         }
     }
     let (_, _, text) = exported("delta_linear", "linuxcnc-delta", |r| disturbed(r, &[]));
@@ -141,21 +95,8 @@ fn m669_has_the_links_of_the_identified_five_bar() {
         values[r.index("phi").unwrap()] = 0.1;
         values
     });
-    let of = |l: char| letter(&text, "M669", l);
-    let (x, y, p, d, home) = (of('X'), of('Y'), of('P'), of('D'), of('B'));
     let q = [1.6, 1.4f64];
-    let elbow = |i: usize| {
-        let (sin, cos) = (q[i] + home[i].to_radians()).sin_cos();
-        [x[i] + p[i] * cos, y[i] + p[i] * sin]
-    };
-    // where the distal links of these lengths meet, above the line of the elbows
-    let (a, b) = (elbow(0), elbow(1));
-    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let square = dx * dx + dy * dy;
-    let along = (d[0] * d[0] - d[1] * d[1] + square) / (2.0 * square);
-    let across = (d[0] * d[0] / square - along * along).sqrt();
-    let meet = [a[0] + along * dx - across * dy, a[1] + along * dy + across * dx];
-    let tool = [0, 1].map(|i| b[i] + (meet[i] - b[i]) * (d[1] + d[3]) / d[1]);
+    let tool = five_bar(&text, &q, 1.0);
     let ours = robot.position(&values, &[q[0], q[1], 1.0], 0);
     assert!((0..2).all(|i| (tool[i] - ours[i]).abs() < 1e-4), "{tool:?} {ours:?} {text}");
     let (_, _, text) = exported("five_bar", "reprap-five-bar", |r| disturbed(r, &[]));

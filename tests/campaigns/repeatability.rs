@@ -139,13 +139,13 @@ fn what_does_not_fit_is_told_by_check_and_by_run() {
             "exports/visits.txt",
             "P1-7 ",
             "P1-8 ",
-            "pose 1 was measured 8 times in cycle 8, the trajectory passes it 4 times",
+            "error[visit-count-differs]: pose 1 was measured 8 times in cycle 8, the trajectory passes it 4 times",
         ),
-        ("exports/visits.txt", "P3-7 ", "P7-7 ", "pose 7 (cycle 7) is not in the trajectory"),
-        ("campaign.toml", "coplanar = [2, 3, 4, 5]", "coplanar = [2, 3, 4, 4]", "does not name four poses"),
+        ("exports/visits.txt", "P3-7 ", "P7-7 ", "error[pose-not-in-trajectory]: pose 7 (cycle 7)"),
+        ("campaign.toml", "coplanar = [2, 3, 4, 5]", "coplanar = [2, 3, 4, 4]", "error[coplanar-not-four]"),
         ("campaign.toml", "label = \"P{pose}", "label = \"Q{pose}", "no point has a label of the form"),
         ("campaign.toml", "\"home-{cycle}\"", "\"house-{cycle}\"", "no point has a label of the form"),
-        ("campaign.toml", "trajectory = [1, 2, 1, 3, 1, 4, 1, 5]", "trajectory = []", "the trajectory has no pose"),
+        ("campaign.toml", "trajectory = [1, 2, 1, 3, 1, 4, 1, 5]", "trajectory = []", "error[trajectory-empty]"),
         ("campaign.toml", "repeatability_max_mm = 0.040", "position_max_mm = 0.040", "needs [identify]"),
     ] {
         let scratch = copy_sample(SAMPLE);
@@ -171,7 +171,14 @@ fn a_pose_that_one_cycle_left_out_is_a_warning() {
     std::fs::write(path, left).unwrap();
     let document = test(&scratch);
     assert_eq!((pose(&document, 4).cycles, pose(&document, 1).cycles), (29, 120));
-    assert!(document.messages.iter().any(|m| m.what == "not measured: pose 4 of cycle 11"), "{:?}", document.messages);
+    assert!(
+        document
+            .messages
+            .iter()
+            .any(|m| m.is("visits-missing", &[("count", &1)]) && m.what.contains("pose 4 of cycle 11")),
+        "{:?}",
+        document.messages
+    );
 }
 
 #[test]

@@ -40,10 +40,10 @@ fn points_of_a_frame_without_redundancy_are_listed_and_nominal_places_control_th
         [cells[0], cells[2], cells[1], cells[3]].join(" ")
     };
     std::fs::write(&world, text.lines().map(exchanged).collect::<Vec<_>>().join("\n")).unwrap();
-    ends(&scratch, "check", 2, &["a mirror image of their nominal places"]);
+    ends(&scratch, "check", 2, &["error[frame-points-mirrored]"]);
     std::fs::write(&world, text).unwrap();
     for (from, to, what) in [
-        ("R_home = [312", "R_hom = [312", "`nominal_mm` names `R_hom`, which was not measured"),
+        ("R_home = [312", "R_hom = [312", "error[nominal-point-unmeasured]: `nominal_mm` names `R_hom`"),
         ("tolerance_mm = 0.2\n", "", "belong together"),
     ] {
         let before = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
@@ -65,14 +65,14 @@ fn three_points_that_are_off_are_named_by_their_distance() {
     scratch.replace("campaign.toml", "[frame.world]\n", &format!("[frame.world]\n{nominal}"));
     ends(&scratch, "check", 0, &[]);
     scratch.replace("campaign.toml", "floor_2 = [1622.4", "floor_2 = [1642.4");
-    ends(&scratch, "check", 2, &["`floor_2`", "mm measured, and", "by their nominal places"]);
+    ends(&scratch, "check", 2, &["`floor_2`", "error[frame-points-off]"]);
 }
 
 #[test]
 fn one_rounded_column_of_few_points_is_seen() {
     let scratch = copy_sample("column-arm");
     let said = ends(&scratch, "check", 0, &[]);
-    assert!(!said.contains("multiples of a step"), "{said}");
+    assert!(!said.contains("[coordinates-rounded]"), "{said}");
     let world = scratch.path().join("exports/world.txt");
     let rounded = |line: &str| {
         let cells: Vec<&str> = line.split(',').collect();
@@ -80,14 +80,14 @@ fn one_rounded_column_of_few_points_is_seen() {
     };
     let text = std::fs::read_to_string(&world).unwrap();
     std::fs::write(&world, text.lines().map(rounded).collect::<Vec<_>>().join("\n")).unwrap();
-    ends(&scratch, "check", 0, &["multiples of a step that is coarser than the instrument is uncertain: z of 0.001 m"]);
+    ends(&scratch, "check", 0, &["[coordinates-rounded]", "(z to 0.001 m)"]);
 }
 
 #[test]
 fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
     let nominal =
         "\n[nominal]\nbase_x = 0.0\nbase_y = 0.0\nbase_z = 0.0\nbase_rx = 0.0\nbase_ry = 0.0\nbase_rz = 0.0\n";
-    for (order, what) in [([0, 1, 2], None), ([1, 2, 0], Some("the axes of the world frame are exchanged"))] {
+    for (order, what) in [([0, 1, 2], None), ([1, 2, 0], Some("[world-axes-exchanged]"))] {
         let scratch = copy_sample("draw-wire");
         let mut arm = Arm::new(&scratch, &["ball".to_owned()]);
         let mut table = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();

@@ -261,8 +261,8 @@ fn leads_and_measured_errors_become_tables() {
 fn tables_that_would_mislead_a_control_are_refused() {
     let cross = Identified::new(CROSS, |_, nominal| nominal);
     for (arguments, why) in [
-        (&["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:50", "--to", "beckhoff-plane"][..], "state it by --sign"),
-        (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik-cec"], "state it by --sign"),
+        (&["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:50", "--to", "beckhoff-plane"][..], "--sign is missing"),
+        (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik-cec"], "--sign is missing"),
         (&["--axis", "q1_mm=0:100:50", "--to", "sinumerik", "--sign", "add"], "--sign is for tables"),
         (
             &["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:25", "--to", "beckhoff-plane", "--sign", "add"],
@@ -270,7 +270,7 @@ fn tables_that_would_mislead_a_control_are_refused() {
         ),
         (&["--axis", "q1_mm=0:100:30"], "not whole steps"),
         (&["--axis", "q1_mm=0:100:50", "--axis", "q1_mm=0:100:50"], "one base axis or two"),
-        (&["--axis", "q1_mm=0:100:50", "--corrected", "q2_mm", "--to", "linuxcnc"], "the one that it corrects"),
+        (&["--axis", "q1_mm=0:100:50", "--corrected", "q2_mm", "--to", "linuxcnc"], "which is the corrected axis"),
         (&["--axis", "q1_mm=0:100:50", "--corrected", "x"], "error[axes-mixed]"),
         (&["--axis", "q1_deg=0:100:50"], "joints q1_mm, q2_mm"),
         (&["--axis", "q1_mm=0:100:50", "--at", "q3_mm=1"], "error[axis-unknown]: the robot has no axis `q3_mm`"),
@@ -285,7 +285,7 @@ fn tables_that_would_mislead_a_control_are_refused() {
     assert_ne!(stale, found);
     std::fs::write(cross.scratch.path().join("found.json"), &stale).unwrap();
     let (out, code, said) = cross.table(&["--axis", "q1_mm=0:100:50"]);
-    assert!(code == Some(2) && out.is_empty() && said.contains("`gain_2` is nominally 1 1 in robot.toml"), "{said}");
+    assert!(code == Some(2) && out.is_empty() && said.contains("warning[nominal-value-changed]: `gain_2` "), "{said}");
     std::fs::write(cross.scratch.path().join("found.json"), &found).unwrap();
     cross.scratch.replace("found.json", "step_vanished", "lost_patience");
     let (out, code, said) = cross.table(&["--axis", "q1_mm=0:100:50"]);

@@ -96,10 +96,18 @@ const ISO_9283: &[Line] = &[
 
 /// The page of a sample with these statements in place of its own.
 fn page(sample: &str, stated: &str) -> (Scratch, String) {
+    page_of(sample, stated, true)
+}
+
+/// The same, of data that are called synthetic or measured.
+fn page_of(sample: &str, stated: &str, synthetic: bool) -> (Scratch, String) {
     let scratch = copy_sample(sample);
     let file = scratch.path().join("campaign.toml");
     let mut table: toml::Table = std::fs::read_to_string(&file).unwrap().parse().unwrap();
     table.remove("conditions");
+    if !synthetic {
+        table.remove("synthetic");
+    }
     table.extend(stated.parse::<toml::Table>().unwrap());
     std::fs::write(&file, table.to_string()).unwrap();
     let run = etalon(scratch.root(), &["run", "campaign"]);
@@ -134,6 +142,23 @@ fn every_line_of_the_lists_is_at_its_place() {
             );
         }
         assert!(pages[pages.len() - 1].contains("End of report 2026-017"), "{}", pages[pages.len() - 1]);
+    }
+}
+
+/// The checklist names what is missing with its key, and a certificate is a draft until nothing is.
+#[test]
+fn a_certificate_of_complete_measured_data_is_no_draft() {
+    let rule = "\n[limits]\nposition_max_mm = 0.044\ndecision_rule = \"guarded\"\n";
+    let whole = format!("{STATED}{rule}");
+    for (stated, missing) in [(whole.clone(), None), (whole.replace("issued =", "# issued ="), Some("report.issued"))] {
+        let (scratch, html) = page_of("prexyt-cmm", &stated, false);
+        assert_eq!(section(&html, "checklist").is_empty(), missing.is_none(), "{}", section(&html, "checklist"));
+        let written = etalon(scratch.root(), &["report", "campaign/out", "--certificate"]);
+        assert!(written.status.success(), "{}", text_of(&written));
+        let certificate = std::fs::read_to_string(scratch.path().join("out/certificate.html")).unwrap();
+        assert_eq!(certificate.contains("data-draft"), missing.is_some());
+        assert_eq!(certificate.contains("<h1><bdi>Calibration certificate</bdi></h1>"), missing.is_none());
+        assert!(section(&certificate, "checklist").contains(missing.unwrap_or_default()));
     }
 }
 

@@ -98,15 +98,15 @@ fn a_touched_point_that_nobody_measured_is_told_with_its_line() {
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "label = \"ball\", ", "");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
-    assert!(said.contains("a join by label needs the label of the point"), "{said}");
+    assert!(said.contains("[join-label-missing]"), "{said}");
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "by = \"label\"", "by = [\"pose\", \"cycle\"]");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
-    assert!(said.contains("`label` means nothing for this join"), "{said}");
+    assert!(said.contains("[key-of-other-join]: `label`"), "{said}");
     let sample = crate::support::scratch::copy_sample("dextar");
     sample.replace("campaign.toml", "repeatability_um = 15.0", "repeatability_um = 0.0");
     let said = text_of(&etalon(&sample.path(), &["check", "."]));
-    assert!(said.contains("`repeatability_um` must be positive"), "{said}");
+    assert!(said.contains("[key-not-positive]: `repeatability_um`"), "{said}");
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
     let other = run("dextar");
     let foreign = other.path().join("out/parameters.json").display().to_string();
     let refused = etalon(&arm.path(), &["validate", ".", "--parameters", &foreign]);
-    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("are not those of this robot"));
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("error[parameters-of-other-robot]"));
     // a swapped sign of the actuators leaves more than nominal ones do
     let text_of = std::fs::read_to_string(&parameters).unwrap();
     let mut wrong: Value = serde_json::from_str(&text_of).unwrap();
@@ -85,7 +85,7 @@ fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
     }
     std::fs::write(arm.path().join("wrong.json"), wrong.to_string()).unwrap();
     let warned = etalon(&arm.path(), &["validate", ".", "--parameters", "wrong.json"]);
-    assert!(text(&warned.stderr).contains("leave larger errors than the nominal ones"), "{}", text(&warned.stderr));
+    assert!(text(&warned.stderr).contains("warning[given-parameters-worse]"), "{}", text(&warned.stderr));
 }
 
 /// Each answer is written as a page, a workbook and, where there is one, a PDF, in every language.
@@ -147,7 +147,7 @@ fn base_and_targets_with_a_prior_are_between_given_and_refitted_ones() {
     assert!(refit < prior && prior < given, "{refit} {prior} {given}");
     assert!(judged("prior", 1.0)["given"]["p_value"].is_number());
     let nominal = etalon(&arm.path(), &["validate", ".", "--frames", "prior"]);
-    assert!(code(&nominal) == Some(2) && text(&nominal.stderr).contains("nominal parameters have no uncertainty"));
+    assert!(code(&nominal) == Some(2) && text(&nominal.stderr).contains("error[prior-of-nominal]"));
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn poses_are_chosen_that_detect_smaller_changes() {
     }
     let few = [&["verify", "--candidates", "candidates.csv", "--positions", "0"][..], &given].concat();
     let refused = etalon(&folder.path(), &few);
-    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("cannot be chosen"));
+    assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("error[candidate-poses-too-few]"));
 }
 
 /// Some rows of the observations of a run, changed.
@@ -379,7 +379,8 @@ fn keys_that_given_parameters_need_are_required_of_robot_toml() {
             let refused = etalon(&folder.path(), command);
             let said = text_of(&refused);
             assert_eq!(code(&refused), Some(2), "{said}");
-            let parts = [&["robot.toml does not describe `", "to robot.toml"][..], lines].concat();
+            let parts =
+                [&["error[parameters-undescribed]: the parameters hold `", "to robot.toml"][..], lines].concat();
             assert!(parts.iter().all(|part| said.contains(part)), "{command:?}: {said}");
         }
     }
@@ -484,7 +485,7 @@ fn proven_effects_are_identified_and_others_are_named() {
     assert_eq!(accepted, effects.iter().map(|e| &e["effect"]).collect::<Vec<_>>());
     // what the campaign leaves out, and the data prove
     let without =
-        accuracy("effects = [\"zeros\", \"gains\"]", &["geometry", "would prove itself", "left out falls from"]);
+        accuracy("effects = [\"zeros\", \"gains\"]", &["geometry", "[effect-would-prove]", "left out falls from"]);
     let geometry = without["effects"].as_array().unwrap().iter().find(|e| e["effect"] == "geometry").unwrap();
     assert!(geometry["is_identified"] == false, "{geometry}");
     assert!(geometry["with_mm"].as_f64().unwrap() < 0.5 * geometry["without_mm"].as_f64().unwrap(), "{geometry}");

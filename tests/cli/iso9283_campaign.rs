@@ -170,11 +170,16 @@ fn what_is_wrong_with_the_tables_is_told_by_check_and_run_with_its_line() {
         ("poses.csv", "\n2,1,1,", "\n2,1,1.5,", &[]),
         ("poses.csv", "\n2,1,1,", "\n2,,1,", &["poses.csv", "cycle"]),
         ("reference.csv", "1,N4,", "1,N5,", &["reference.csv", "error[reference-targets-differ]"]),
-        ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "not a force"]),
-        ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "not a direction"]),
+        ("loads.csv", "+x,1,3,", "+x,1,-3,", &["loads.csv:3", "error[force-not-a-number]"]),
+        ("loads.csv", "+x,1,0,", "+w,1,0,", &["loads.csv:2", "error[load-direction-unknown]"]),
         ("campaign.toml", "\"loads.csv\"", "\"no.csv\"", &["no.csv", "campaign.toml:"]),
         ("campaign.toml", "\"poses.csv\"", "\"../poses.csv\"", &["leaves the folder", "campaign.toml:"]),
-        ("campaign.toml", "drift_set = 5 ", "drift_set = 1 ", &["`drift_set` must be at least 2", "campaign.toml:"]),
+        (
+            "campaign.toml",
+            "drift_set = 5 ",
+            "drift_set = 1 ",
+            &["error[drift-set-too-small]: `drift_set`", "campaign.toml:"],
+        ),
         ("campaign.toml", "drift_set = 5 ", "drift_set = 40 ", &["drift: 0 sets", "campaign.toml:"]),
         ("campaign.toml", "drift_set", "drift_sett", &["unknown key `drift_sett`", "drift_set"]),
         ("campaign.toml", "accuracy_max_mm = 0.400", "position_max_mm = 1", &["needs [identify]"]),
@@ -200,8 +205,8 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     for (from, to, parts) in [
         ("3,20,", "3,twenty,", &["positions.csv:4", "twenty"][..]),
         ("3,20,", "2,20,", &["positions.csv:4", "error[pose-commanded-twice]: pose 2"]),
-        ("3,20,229,42\n", "", &["positions.csv", "no position is commanded for pose 3"]),
-        ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "labels bring positions alone"]),
+        ("3,20,229,42\n", "", &["positions.csv", "error[commanded-pose-missing]: no position is commanded for pose 3"]),
+        ("pose,x_mm,y_mm,z_mm", "pose,x_mm,y_mm,a_deg", &["positions.csv", "error[commanded-angle-unmeasured]"]),
         (good, "", &["positions.csv", "error[data-rows-missing]"]),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
@@ -216,9 +221,9 @@ fn what_is_wrong_with_commanded_poses_of_labels_is_told_with_its_line() {
     }
     // what needs commanded poses says so
     for (from, to, part) in [
-        ("homing = ", "drift_set = 10\nhoming = ", "`drift_set` needs commanded poses"),
+        ("homing = ", "drift_set = 10\nhoming = ", "error[drift-without-commanded]"),
         ("repeatability_max_mm", "accuracy_max_mm", "needs [repeatability] with `commanded`, or [poses]"),
-        ("[limits]", "[poses]\nattained = \"a.csv\"\ncommanded = \"b.csv\"\n[limits]", "both state attained poses"),
+        ("[limits]", "[poses]\nattained = \"a.csv\"\ncommanded = \"b.csv\"\n[limits]", "error[attained-poses-twice]"),
     ] {
         let scratch = copy_sample("prexyt-repeatability");
         scratch.replace("campaign.toml", from, to);
@@ -278,7 +283,12 @@ fn a_limit_that_a_pose_cannot_be_judged_by_is_an_error() {
     std::fs::write(scratch.path().join("c.csv"), "pose,x_mm,y_mm\n1,0,0\n").unwrap();
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(done.status.code(), Some(2), "{}", text_of(&done));
-    assert!(text_of(&done).contains("the limit `repeatability_max_mm` cannot be judged: pose 1"), "{}", text_of(&done));
+    assert!(
+        text_of(&done)
+            .contains("error[limit-without-value]: the limit `repeatability_max_mm` cannot be judged: pose 1"),
+        "{}",
+        text_of(&done)
+    );
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn identified_parameters_are_used_and_those_of_another_robot_refused() {
     let arm = root().join("samples/abb-irb120/robot.toml");
     let joints = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,1,2,3,4,5,6\n";
     let (_, code, said) = kinematics("direct", &arm, joints, &["--parameters", &parameters]);
-    assert!(code == Some(2) && said.contains("are not those of this robot"), "{said}");
+    assert!(code == Some(2) && said.contains("error[parameters-of-other-robot]"), "{said}");
 }
 
 #[test]

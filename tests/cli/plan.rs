@@ -44,12 +44,12 @@ fn positions_of_a_five_bar_are_planned_twice_to_the_same_bytes_and_read_again() 
     assert_eq!(etalon(folder.path(), &few).status.code(), Some(0));
     let few = etalon(folder.path(), &[&few[..], &["--prior", "none"]].concat());
     assert_eq!(few.status.code(), Some(2));
-    assert!(text_of(&few).contains("do not suffice to identify 12 parameters"), "{}", text_of(&few));
+    assert!(text_of(&few).contains("[too-few-poses-planned]"), "{}", text_of(&few));
     let unknown = text_of(&etalon(
         folder.path(),
         &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "6", "--start", "77777"],
     ));
-    assert!(unknown.contains("no candidate pose 77777"), "{unknown}");
+    assert!(unknown.contains("[start-pose-unknown]: pose 77777"), "{unknown}");
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn one_working_mode_says_what_it_cannot_tell() {
     .unwrap();
     let refused =
         etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "7"]);
-    assert!(text(&refused.stderr).contains("does not state its assembly mode"), "{}", text_of(&refused));
+    assert!(text(&refused.stderr).contains("error[assembly-mode-missing]"), "{}", text_of(&refused));
 }
 
 #[test]
@@ -196,6 +196,8 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
             .unwrap();
     }
     let wanted = ["--truth", "actual.toml", "--workspace", "plate.csv", "--report", "plan.html", "--targets", "t.json"];
+    // every kind of report
+    let wanted = [&wanted[..], &["--report", "plan.xlsx", "--report", "plan.pdf"]].concat();
     let fixed = ["--prior", "none", "--positions", "7", "--nodes", "0", "--standard-uncertainty-um", "10"];
     let found = plan(folder.path(), &[&fixed[..], &wanted].concat());
     let knee = found.greedy.knee_configurations.unwrap();
@@ -221,6 +223,9 @@ fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
         assert!(page.contains(name), "{name}");
     }
     assert!(page.contains(&format!("knee: {knee}")) && !page.contains("NaN"));
+    for (file, start) in [("plan.xlsx", &b"PK"[..]), ("plan.pdf", b"%PDF")] {
+        assert!(std::fs::read(folder.path().join(file)).unwrap().starts_with(start), "{file}");
+    }
 
     // every configuration is a target, with the numbers of the plan
     let json: serde_json::Value =

@@ -41,7 +41,7 @@ fn coordinates_that_the_nominal_robot_computes_are_no_measurements() {
         std::fs::write(at.join("c/campaign.toml"), campaign).unwrap();
         program(at, &["run", "c"])
     };
-    let part = "they were commanded, not measured";
+    let part = "[coordinates-commanded]";
     for digits in [1, 3, 6] {
         let (code, said) = run(digits, 0.0, "");
         assert!(code == Some(1) && said.contains(part) && said.contains("`tcp`"), "{digits}: {code:?} {said}");

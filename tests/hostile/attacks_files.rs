@@ -131,7 +131,7 @@ fn report_and_export_beside_a_run_leave_the_folder_of_one_run() {
                 Some(0) => {}
                 code => {
                     refused += 1;
-                    let known = said.contains("was replaced by another process") || said.contains("there is no file");
+                    let known = said.contains("[folder-replaced]") || said.contains("[not-an-output-folder]");
                     assert!(code == Some(2) && known, "round {round}: {said}");
                 }
             }
@@ -359,12 +359,7 @@ fn an_output_folder_of_others_loses_nothing() {
         let _ = std::fs::remove_dir_all(&out);
         std::fs::create_dir(&out).unwrap();
         std::fs::write(out.join(name), "{\"mine\": 1}").unwrap();
-        ends(
-            &scratch,
-            "run",
-            2,
-            &[&format!("campaign/out/{name}` would be written over, and no run lists it"), "hint: move it"],
-        );
+        ends(&scratch, "run", 2, &[&format!("[foreign-file]: `campaign/out/{name}`"), "hint: move it"]);
         assert_eq!(files(&out).into_iter().collect::<Vec<_>>(), [(name.to_owned(), b"{\"mine\": 1}".to_vec())]);
         assert_eq!(litter(&scratch.path()), Vec::<String>::new());
     }

@@ -50,7 +50,7 @@ fn one_pose_names_the_parameters_that_it_does_not_tell() {
     assert!(output.status.code() == Some(2) && parts.iter().all(|part| said.contains(part)), "{said}");
     // beside nominal values they have an answer, which nothing checks
     scratch.replace("campaign.toml", "prior = \"none\"", "prior = \"tolerances\"");
-    run(&scratch, 1, &["4 coordinates of the calibration poses determine", "none is left to check them"]);
+    run(&scratch, 1, &["[no-coordinates-to-check]: 4 coordinates of the calibration poses determine"]);
 }
 
 #[test]
@@ -62,8 +62,8 @@ fn a_wrong_unit_is_told_by_the_spread_of_the_points() {
         let scratch = copy_sample("prexyt-cmm");
         let before = "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = ";
         scratch.replace("campaign.toml", &format!("{before}\"mm\""), &format!("{before}\"{unit}\""));
-        let spread = format!("measured points spread over {} mm, the model's over 478 mm", spread);
-        run(&scratch, 2, &["no parameter is left to identify: ", &spread, named, "`unit` of the export"]);
+        let spread = format!("measured points extend over {} mm, those of the model over 478 mm", spread);
+        run(&scratch, 2, &["[nothing-to-identify]", &spread, named, "`unit` of the export"]);
     }
 }
 
@@ -75,7 +75,10 @@ fn degrees_that_are_read_as_radians_reach_no_pose() {
     run(
         &scratch,
         2,
-        &["joint `theta1` = 3114.7848 deg is out of range", "all values are in range in degrees instead of radians"],
+        &[
+            "error[joint-out-of-range]: pose 1: joint `theta1` = 3114.7848 deg",
+            "all values are in range in degrees instead of radians",
+        ],
     );
 }
 
@@ -94,10 +97,9 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
         &scratch,
         2,
         &[
-            "where the assembly mode puts it in pose 5",
-            "stated in mode -1",
-            "where the model is 152.0 mm from",
-            "in mode +1 6.4 mm",
+            "contradicts the assembly mode in pose 5",
+            "mode -1 is stated, which leaves 152.0 mm",
+            "mode +1 leaves 6.4 mm",
             "`assembly`",
         ],
     );
@@ -107,7 +109,7 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
 fn targets_exchanged_everywhere_are_said_to_be() {
     let scratch = copy_sample("prexyt-cmm");
     rewrite(&scratch, "exports/poses.txt", exchanged);
-    let said = run(&scratch, 1, &["K and L are exchanged", "is -146.02"]);
+    let said = run(&scratch, 1, &["error[ball-names-exchanged]", "is -146.02"]);
     assert!(!said.contains("check units, order"), "{said}");
 }
 
@@ -116,7 +118,7 @@ fn targets_exchanged_at_one_pose_are_found_there() {
     let scratch = copy_sample("prexyt-cmm");
     let at_pose_3 = |line: &str| if line[1..].starts_with("_3_") { exchanged(line) } else { line.to_owned() };
     rewrite(&scratch, "exports/poses.txt", at_pose_3);
-    let said = run(&scratch, 1, &["the model does not describe these measurements", "of 80 readings are outliers"]);
+    let said = run(&scratch, 1, &["error[measurements-undescribed]", "of 80 readings are outliers"]);
     // about l_kl at both balls of pose 3, in all five cycles
     let most = said.split("robust fit: ").nth(1).unwrap().lines().next().unwrap();
     let first: Vec<&str> = most.split("), ").take(10).collect();
@@ -136,8 +138,7 @@ fn a_blunder_of_one_ball_is_found_with_its_size() {
         }
         None => line.to_owned(),
     });
-    let said =
-        run(&scratch, 1, &["times what the instrument's uncertainty explains", "1 of 80 readings is an outlier"]);
+    let said = run(&scratch, 1, &["[residuals-exceed-uncertainty]", "1 of 80 readings is an outlier"]);
     let most = said.split("robust fit: ").nth(1).unwrap();
     assert!(most.starts_with("1.00") && most.contains(" mm (K, pose 5, cycle 3)"), "{most}");
 }
@@ -145,8 +146,8 @@ fn a_blunder_of_one_ball_is_found_with_its_size() {
 #[test]
 fn an_uncertainty_stated_ten_times_too_large_is_remarked() {
     let scratch = copy_sample("prexyt-cmm");
-    assert!(!run(&scratch, 0, &[]).contains("the stated uncertainty is larger"));
+    assert!(!run(&scratch, 0, &[]).contains("[instrument-uncertainty-too-large]"));
     scratch.replace("campaign.toml", "expanded_uncertainty_um = 2.7", "expanded_uncertainty_um = 27");
     // and it leaves open whether the limits are met
-    run(&scratch, 1, &["residuals are 0.10 times", "the stated uncertainty is larger than the residuals show"]);
+    run(&scratch, 1, &["residuals are 0.10 times", "[instrument-uncertainty-too-large]"]);
 }

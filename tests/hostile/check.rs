@@ -18,7 +18,7 @@ fn unreadable_rows_hide_nothing() {
         "[not-a-number]: `one`",
         "encoders.csv:2:5",
         "no point has the label `rail3_b`",
-        "`calibration` selects no pose that was measured",
+        "error[selection-without-pose]: `calibration`",
         "the limit `position_max_mm` must be positive",
         "`bending` means nothing for this model",
     ];
@@ -27,9 +27,14 @@ fn unreadable_rows_hide_nothing() {
 
 #[test]
 fn what_only_a_run_used_to_find_is_found_by_check() {
-    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["poses in both calibration and validation: 9, 10, 11, 12"]);
+    broken(
+        "campaign.toml",
+        "\"1-8\"",
+        "\"1-12\"",
+        &["error[sets-overlap]: poses in both calibration and validation: 9, 10, 11, 12"],
+    );
     let axis = "y_axis = [\"R_home\", \"R_end\"]";
-    broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["the axis of the world frame has no direction"]);
+    broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["error[world-axis-without-direction]"]);
     let rails = "plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]";
     broken("campaign.toml", rails, "plane = [\"R_home\"]", &["feature `rails`", "campaign.toml:3"]);
     broken(
@@ -49,7 +54,7 @@ fn tables_without_poses_are_found_by_check() {
         assert_eq!(code, Some(2), "{said}");
         parts.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said:\n{said}"));
     };
-    let none = "the table `Orientation 10 deg (table 2.3)` has no pose that was measured";
+    let none = "error[table-selection-empty]: the table `Orientation 10 deg (table 2.3)`";
     table("60-70", &[none, "poses = \"60-70\""]);
     table("x", &["poses = \"x\""]);
 }
@@ -73,17 +78,13 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
         &["`coverage_factor` must be positive", "campaign.toml:8:19"],
     );
     campaign("position_max_mm = 0.044", "position_max_mm = inf", &["`inf` is not a measured value", "campaign.toml:"]);
-    campaign("towards = \"rail3_a\"", "towards = \"rail3_a\"\neach = \"pose\"", &["`each` means nothing"]);
+    campaign("towards = \"rail3_a\"", "towards = \"rail3_a\"\neach = \"pose\"", &["[key-of-other-frame]: `each`"]);
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\", \"M\"]",
-        &["`M` is not a target of this robot", "campaign.toml:"],
+        &["error[not-of-this-robot]: `M`", "campaign.toml:"],
     );
-    campaign(
-        "robot = \"robot.toml\"",
-        "robot = \"robot.toml\"\noutput = \"exports\"",
-        &["the output folder holds the input"],
-    );
+    campaign("robot = \"robot.toml\"", "robot = \"robot.toml\"\noutput = \"exports\"", &["[input-in-output-folder]"]);
     campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["error[log-column-twice]: `rho3_mm`"]);
     let arm = |from: &str, to: &str, parts: &[&str]| {
         if crate::reference_data("robots/irb120_faro_ets").is_none() {
@@ -142,9 +143,9 @@ fn conditions_that_no_test_has_are_refused() {
     let stated = |line: &str, parts: &[&str]| {
         broken("campaign.toml", "[instrument]", &format!("[conditions]\n{line}\n\n[instrument]"), parts);
     };
-    stated("load_kg = -1", &["`load_kg` must not be negative", "load_kg = -1"]);
+    stated("load_kg = -1", &["[key-negative]: `load_kg`", "load_kg = -1"]);
     stated("velocities_percent = [100, 0]", &["`velocities_percent` must be positive"]);
-    stated("humidity_percent = 101", &["`humidity_percent` must be at most 100"]);
+    stated("humidity_percent = 101", &["[key-above-maximum]: `humidity_percent`"]);
     stated("mass_kg = 1.0", &["unknown key `mass_kg`"]);
     stated("load_centre_mm = [0.0, 1.0]", &["load_centre_mm"]);
 }
@@ -157,32 +158,32 @@ fn a_report_that_cannot_be_dressed_is_refused() {
     dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
     dressed("country = \"UK\"", &["`UK` is not a country code of ISO 3166-1", "country = \"UK\""]);
     dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
-    dressed("logo = \"robot.toml\"", &["is not a picture that a report can hold", "an SVG or PNG picture"]);
+    dressed("logo = \"robot.toml\"", &["[logo-unusable]", "an SVG or PNG picture"]);
     dressed("logo = \"../logo.svg\"", &["leaves the folder of the campaign"]);
-    dressed("templates = \"exports\"", &["there is no template in `", "--write-templates"]);
-    dressed("templates = \"none\"", &["cannot read the folder `", "templates = \"none\""]);
+    dressed("templates = \"exports\"", &["[no-templates]", "--write-templates"]);
+    dressed("templates = \"none\"", &["[cannot-read-folder]", "templates = \"none\""]);
 }
 
 #[test]
 fn values_that_mean_nothing_are_refused() {
     let log = "file = \"encoders.csv\"";
-    broken("campaign.toml", log, "file = \"\"", &["the name of a file is empty", "campaign.toml:"]);
+    broken("campaign.toml", log, "file = \"\"", &["[file-name-empty]", "campaign.toml:"]);
     let first = "name = \"PreXYT, CMM (synthetic)\"";
-    let date = "`date` does not begin with a date of the calendar";
+    let date = "[date-invalid]";
     for (stated, part) in [
         ("date = \"31.02.2026\"", date),
         ("date = \"2026-02-29\"", date),
         ("date = \"2026-13-01\"", date),
         ("date = \"yesterday\"", date),
-        ("temperature_c = -500.0", "is not a temperature at which robots are measured"),
-        ("temperature_c = 293.15", "is not a temperature at which robots are measured"),
+        ("temperature_c = -500.0", "[temperature-implausible]"),
+        ("temperature_c = 293.15", "[temperature-implausible]"),
     ] {
         broken("campaign.toml", first, &format!("{first}\n{stated}"), &[part, "campaign.toml:2:"]);
     }
     let scratch = copy_sample("prexyt-geometric");
     scratch.replace("campaign.toml", "lead_mm = 5.080", "lead_mm = 0.0");
     scratch.replace("campaign.toml", "\nlength_mm = ", "\nlength_mm = -");
-    ends(&scratch, "check", 2, &["`lead_mm` = 0.0 must be positive", "`length_mm` = -"]);
+    ends(&scratch, "check", 2, &["[key-not-positive]: `lead_mm`", "[key-not-positive]: `length_mm`"]);
     for good in ["2024-02-29", "2026-03-02 to 2026-03-04"] {
         let scratch = copy_sample("prexyt-cmm");
         scratch.replace("campaign.toml", first, &format!("{first}\ndate = \"{good}\""));

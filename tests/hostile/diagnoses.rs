@@ -127,7 +127,7 @@ fn joints_that_do_not_move_are_stated_and_no_slip_is() {
     let one = measured(3, [0.2, 0.3, -0.4, 0.5, 0.6, 0.7], [1.5, 1.5, 1.5, 1.5, 0.0, 1.5]);
     let [check, run] = no_cause(&positions(&one));
     assert!(check.0 == Some(0) && run.0 == Some(0), "{} {}", check.1, run.1);
-    assert!(check.1.contains("`q5` does not move: the data leave "), "{}", check.1);
+    assert!(check.1.contains("[joint-does-not-move]: `q5` "), "{}", check.1);
 }
 
 /// Points that no robot explains, at joints that hardly move: everything would shrink with the unit of the points.

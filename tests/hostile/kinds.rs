@@ -37,24 +37,27 @@ fn slips_are_refused_with_their_line() {
     let good = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for (row, parts) in [
         ("contcat,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,", &["`contcat` is not a kind", "did you mean `contact`"][..]),
-        ("contact,1,1,ball,1,2,3,,,,,,,,,,,,,,0.02,", &["column `socket` is empty"]),
-        ("contact,1,1,ball,1,2,3,,,,,,,,,,ball,,,,0.02,", &["`ball` is a target on the robot, not a fixed point"]),
-        ("contact,1,1,ball,1,,3,,,,,,,,,,A,,,,0.02,", &["a joint value is missing"]),
-        ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,-0.02,", &["`u_mm` = -0.02 is not a standard uncertainty"]),
-        ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,,", &["no standard uncertainty", "--standard-uncertainty-um"]),
-        ("distance,1,1,ball,1,2,3,,,,,,,,-300,E,,,,,0.02,", &["`distance_mm` is missing or not a length"]),
-        ("distance,1,1,ball,1,2,3,,,,,,,,300,,,,,,0.02,", &["column `other` is empty"]),
+        ("contact,1,1,ball,1,2,3,,,,,,,,,,,,,,0.02,", &["error[column-empty]: the column `socket`"]),
+        ("contact,1,1,ball,1,2,3,,,,,,,,,,ball,,,,0.02,", &["error[fixed-point-on-robot]: `ball`"]),
+        ("contact,1,1,ball,1,,3,,,,,,,,,,A,,,,0.02,", &["error[joint-value-missing]"]),
+        ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,-0.02,", &["error[uncertainty-not-positive]: `u_mm` = -0.02"]),
+        ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,,", &["error[uncertainty-missing]", "--standard-uncertainty-um"]),
+        ("distance,1,1,ball,1,2,3,,,,,,,,-300,E,,,,,0.02,", &["error[distance-not-positive]"]),
+        ("distance,1,1,ball,1,2,3,,,,,,,,300,,,,,,0.02,", &["error[column-empty]: the column `other`"]),
         (
             "pose,1,1,ball,1,2,3,1,2,3,0.9,0,0,0.9,,,,,,,0.02,0.01",
-            &["the quaternion has the length 1.27", "scalar first"],
+            &["error[table-quaternion-length]: the quaternion has the length 1.27", "scalar first"],
         ),
-        ("pose,1,1,ball,1,2,3,1,2,3,1,0,,0,,,,,,,0.02,0.01", &["the orientation is missing"]),
-        ("pose,1,1,ball,1,2,3,1,2,3,1,0,0,0,,,,,,,0.02,", &["no standard uncertainty", "--rotation-uncertainty-deg"]),
-        ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["the plane `table` needs the axis"]),
-        ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["`offset_mm` is missing"]),
-        ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["a row of kind `contact` has no pose"]),
-        ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["a distance from `A` to itself"]),
-        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["the place of `A` is missing"]),
+        ("pose,1,1,ball,1,2,3,1,2,3,1,0,,0,,,,,,,0.02,0.01", &["error[orientation-missing]"]),
+        (
+            "pose,1,1,ball,1,2,3,1,2,3,1,0,0,0,,,,,,,0.02,",
+            &["error[uncertainty-missing]", "--rotation-uncertainty-deg"],
+        ),
+        ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["error[surface-axis-missing]: the plane `table`"]),
+        ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["error[number-missing]: `offset_mm`"]),
+        ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]: a row of kind `contact`"]),
+        ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself]: the distance is from `A`"]),
+        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]: the place of `A`"]),
     ] {
         let error = error(HEADER, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
@@ -67,13 +70,22 @@ fn slips_are_refused_with_their_line() {
 fn what_a_further_station_cannot_state_is_refused_with_its_line() {
     let header = "kind,station,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,u_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cxy_mm2,cxz_mm2,cyy_mm2,cyz_mm2,czz_mm2,urot_deg";
     for (row, what) in [
-        ("pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01", "a row of kind `pose` states the station `T2`"),
-        ("point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,", "station `T2` measured states a covariance"),
+        (
+            "pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01",
+            "error[station-row-unsupported]: a row of kind `pose` states the station `T2`",
+        ),
+        (
+            "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,",
+            "error[station-row-unsupported]: a point measured by station `T2` states a covariance",
+        ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
-            "station `T2` measured have uncertainties of their own",
+            "error[station-row-unsupported]: coordinates measured by station `T2` have uncertainties",
         ),
-        ("point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,", "a coordinate of what station `T2` measured is missing"),
+        (
+            "point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,",
+            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+        ),
     ] {
         let good = "point,T1,1,1,ball,1,2,3,1,2,3,,,,,0.02,,,,,,,,,,";
         let error = error(header, &format!("{good}\n{row}"), &[]);
@@ -124,17 +136,17 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
     let header = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,line_name,sphere,axis,joint,value_deg,distance_mm,offset_mm,u_mm,urot_deg";
     let good = "line,1,1,ball,1,2,3,,,,post,,z,,,,,0.02,";
     for (row, parts) in [
-        ("line,1,1,ball,1,2,3,,,,,,z,,,,,0.02,", &["column `line_name` is empty"][..]),
-        ("line,1,1,ball,1,2,3,,,,post,,,,,,,0.02,", &["the line `post` needs the axis"]),
-        ("line,1,1,ball,1,2,3,,,,post,,z,,,,2,0.02,", &["`offset_mm` is of planes and spheres"]),
-        ("sphere,1,1,ball,1,2,3,,,,,,,,,,0,0.02,", &["column `sphere` is empty"]),
+        ("line,1,1,ball,1,2,3,,,,,,z,,,,,0.02,", &["error[column-empty]: the column `line_name`"][..]),
+        ("line,1,1,ball,1,2,3,,,,post,,,,,,,0.02,", &["error[surface-axis-missing]: the line `post`"]),
+        ("line,1,1,ball,1,2,3,,,,post,,z,,,,2,0.02,", &["error[offset-of-line]"]),
+        ("sphere,1,1,ball,1,2,3,,,,,,,,,,0,0.02,", &["error[column-empty]: the column `sphere`"]),
         ("sphere,1,1,ball,1,2,3,,,,,ball,,,,,0,0.02,", &["`ball` is a target on the robot"]),
-        ("sphere,1,1,ball,1,2,3,,,,,dome,,,,,,0.02,", &["`offset_mm` is missing"]),
-        ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["`q4` is not a joint of this robot"]),
+        ("sphere,1,1,ball,1,2,3,,,,,dome,,,,,,0.02,", &["error[number-missing]: `offset_mm`"]),
+        ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["error[not-of-this-robot]: `q4`"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,,,,,0.01", &["`value_deg` is missing"]),
-        ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["no standard uncertainty", "--rotation-uncertainty-deg"]),
-        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["the place of `a` is missing"]),
-        ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["`distance_mm` is missing or not a length"]),
+        ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
+        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]: the place of `a`"]),
+        ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["error[distance-not-positive]"]),
     ] {
         let error = error(header, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
@@ -147,7 +159,7 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
 fn an_orientation_lacks_no_component() {
     let error =
         error("pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qx,qy,qz", "1,1,ball,1,2,3,1,2,3,0,0,0", &[]);
-    assert!(error.contains("an orientation lacks qw"), "{error}");
+    assert!(error.contains("error[orientation-columns-missing]: the orientation lacks qw"), "{error}");
 }
 
 #[test]
@@ -163,7 +175,7 @@ fn planar_robots_have_positions_only() {
     let args = ["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"];
     let output = Command::new(crate::support::program()).current_dir(folder.path()).args(args).output().unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
-    assert!(error.contains("are for arms in space, not for `five_bar`"), "{error}");
+    assert!(error.contains("error[kind-of-arms]"), "{error}");
 }
 
 #[test]
@@ -171,7 +183,10 @@ fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
     let contact = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for name in ["A", "ball"] {
         let error = error(HEADER, &format!("{contact}\nplane,2,1,ball,1,2,3,,,,,,,,,,,{name},z,0,0.02,"), &[]);
-        assert!(error.contains(&format!("`{name}_z` would be the name of two parameters")), "{error}");
+        assert!(
+            error.contains(&format!("error[parameter-name-doubled]: two parameters would be called `{name}_z`")),
+            "{error}"
+        );
     }
 }
 
@@ -256,7 +271,7 @@ fn orientations_in_any_form_are_the_same() {
         let Some(order) = order else { continue };
         let (code, _, error) = run(columns, numbers, &[]);
         assert_eq!(code, Some(2), "{error}");
-        let named = ["the order of the angles is not stated", "o.csv:1", &format!("`{order}` leaves 0.0")];
+        let named = ["error[angle-order-missing]", "o.csv:1", &format!("`{order}` leaves 0.0")];
         named.iter().for_each(|part| assert!(error.contains(part), "{order} lacks {part:?}: {error}"));
         assert!(!error.contains("`yzx`") && !error.contains("`xyx`"), "{error}");
     }
@@ -278,5 +293,5 @@ fn a_row_without_its_station_is_named() {
     assert!(lines[200].contains(",north,"), "{}", lines[200]);
     lines[200] = lines[200].replace(",north,", ",,");
     std::fs::write(&file, lines.join("\n") + "\n").unwrap();
-    ends(&scratch, "check", 2, &["the column `station` is empty here", "observations.csv:201"]);
+    ends(&scratch, "check", 2, &["error[station-missing]", "observations.csv:201"]);
 }

@@ -31,9 +31,9 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\"");
     let parts = [
         "no point has the label `R_no`",
-        "no point or feature is called `rail9_a`",
+        "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
         "feature `rails`: ",
-        "the axis of the world frame has no direction",
+        "error[world-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
     ];
     let said = said(&scratch, &parts);
@@ -50,7 +50,12 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("campaign.toml", "[log]", rigid);
     said(
         &scratch,
-        &["[not-a-number]: `x`", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"],
+        &[
+            "[not-a-number]: `x`",
+            "tolerance_mm = -0.1",
+            "error[limit-not-positive]: `tolerance_mm`",
+            "error[rigid-targets]",
+        ],
     );
 }
 
@@ -65,7 +70,7 @@ fn every_log_is_joined_and_its_problems_said() {
     let (body, tail) = rest.split_once("[join]").unwrap();
     let logs = format!("{head}[[log]]\nname = \"one\"{body}[[log]]\nname = \"two\"{body}[join]{tail}");
     std::fs::write(scratch.path().join("campaign.toml"), logs).unwrap();
-    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 in lines 4, 297"]);
+    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 (lines 4, 297)"]);
 }
 
 #[test]
@@ -90,14 +95,18 @@ fn statements_that_count_for_nothing_are_refused() {
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\"]",
-        &["`targets` leaves out `L`", "campaign.toml:", "all its targets count"],
+        &["[targets-incomplete]: `targets` omits `L`", "campaign.toml:"],
     );
-    campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["`tolerance_s` means nothing", "campaign.toml:"]);
-    campaign("\"cycle\"]", "\"cycle\"]\nclock_offset_s = 1.0", &["`clock_offset_s` means nothing", "campaign.toml:"]);
+    campaign("\"cycle\"]", "\"cycle\"]\ntolerance_s = 1.0", &["[key-of-other-join]: `tolerance_s`", "campaign.toml:"]);
+    campaign(
+        "\"cycle\"]",
+        "\"cycle\"]\nclock_offset_s = 1.0",
+        &["[key-of-other-join]: `clock_offset_s`", "campaign.toml:"],
+    );
     campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
     campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["both calibration and validation: 13", ":43:14"]);
     campaign("by = [\"pose\", \"cycle\"]", "by = \"time\"", &["a join by time needs", "campaign.toml:28:6"]);
-    campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["exactly one element", ".toml:3"]);
+    campaign("plane = [\"rail2_a\"", "line = [\"rail2_b\"]\nplane = [\"rail2_a\"", &["[feature-element]", ".toml:3"]);
     let delimited = "format = { delimiter = \"blank\", columns = [\"pose\", \"target\", \"x\", \"y\", \"z\"] }\ntarget = \"K\"\npose = \"row\"";
     campaign(
         "format = \"polyworks\"",
@@ -110,7 +119,7 @@ fn statements_that_count_for_nothing_are_refused() {
 fn a_target_that_nobody_measured_points_at_the_campaign() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/poses.txt", "L_", "M_");
-    said(&scratch, &["no export brings the target `L`", "--> campaign/campaign.toml"]);
+    said(&scratch, &["[target-not-exported]: no export contains the target `L`", "--> campaign/campaign.toml"]);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 #![allow(dead_code)] // each suite uses a part
 
 pub mod arms;
+pub mod controller_files;
 pub mod five_bar;
 pub mod linearised;
 pub mod scratch;

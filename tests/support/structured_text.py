@@ -3,6 +3,7 @@
 A small interpreter that shares nothing with the exporter: assignments, IF, FOR, RETURN, calls, LREAL and INT. A line of input holds the
 inputs of the block one after the other; a line of output its first output, or nothing where `valid` is FALSE.
 """
+import functools
 import math
 import re
 import sys
@@ -62,8 +63,13 @@ class Unit:
     """A function or function block: lists of declarations and statements."""
 
     def __init__(self, name, lists, body):
-        names = [variable for declared in lists.values() for variable, _ in declared]
-        self.name, self.lists, self.body = name, lists, python(body, names + [name])
+        self.name, self.lists, self.text = name, lists, body
+
+    @functools.cached_property
+    def body(self):
+        """The statements, translated when they are first run: most files have units that a test does not call."""
+        names = [variable for declared in self.lists.values() for variable, _ in declared]
+        return python(self.text, names + [self.name])
 
     def instance(self, all_units):
         values = {}

@@ -1,24 +1,39 @@
-"""Direct kinematics of a URDF by its specification: joint values (rad, m) by name as JSON, one object a line; prints the tool in the base, mm."""
+"""Direct kinematics of a URDF by its specification: python3 urdf_direct.py FILE BASE TOOL < joint values.
+
+A line of input holds joint values (rad, m) by name as JSON; a line of output the tool in the base: x y z (mm), then its rotation row by row.
+"""
 
 import json
+import math
 import sys
 import xml.etree.ElementTree as ElementTree
 
-import numpy as np
-
 file, base, tool = sys.argv[1:4]
 joints = {joint.find("child").get("link"): joint for joint in ElementTree.parse(file).getroot().iter("joint") if joint.find("child") is not None}
+AXES = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0])
 
 
 def numbers(element, key, default):
     text = default if element is None else element.get(key, default)
-    return np.array([float(v) for v in text.split()])
+    return [float(v) for v in text.split()]
+
+
+def times(a, b):
+    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+
+
+def applied(a, v):
+    return [sum(a[i][k] * v[k] for k in range(3)) for i in range(3)]
 
 
 def turned(axis, angle):
-    x, y, z = axis / np.linalg.norm(axis)
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    """Rodrigues' formula."""
+    length = math.hypot(*axis)
+    x, y, z = (v / length for v in axis)
+    s, c = math.sin(angle), 1 - math.cos(angle)
+    cross = [[0, -z, y], [z, 0, -x], [-y, x, 0]]
+    square = times(cross, cross)
+    return [[(i == j) + s * cross[i][j] + c * square[i][j] for j in range(3)] for i in range(3)]
 
 
 def value(joint, values):
@@ -29,16 +44,19 @@ def value(joint, values):
 
 
 for line in sys.stdin:
-    values, point, link = json.loads(line), np.zeros(3), tool
+    values, point, rotation, link = json.loads(line), [0.0] * 3, turned(AXES[0], 0.0), tool
     while link != base:
         joint = joints[link]
         kind, axis = joint.get("type"), numbers(joint.find("axis"), "xyz", "1 0 0")
         if kind == "prismatic":
-            point = point + value(joint, values) * axis / np.linalg.norm(axis)
+            length = math.hypot(*axis)
+            point = [p + value(joint, values) * a / length for p, a in zip(point, axis)]
         elif kind != "fixed":
-            point = turned(axis, value(joint, values)) @ point
+            turn = turned(axis, value(joint, values))
+            point, rotation = applied(turn, point), times(turn, rotation)
         roll, pitch, yaw = numbers(joint.find("origin"), "rpy", "0 0 0")
-        x, y, z = np.eye(3)
-        point = turned(z, yaw) @ turned(y, pitch) @ turned(x, roll) @ point + numbers(joint.find("origin"), "xyz", "0 0 0")
+        origin = times(times(turned(AXES[2], yaw), turned(AXES[1], pitch)), turned(AXES[0], roll))
+        place = numbers(joint.find("origin"), "xyz", "0 0 0")
+        point, rotation = [p + o for p, o in zip(applied(origin, point), place)], times(origin, rotation)
         link = joint.find("parent").get("link")
-    print(*(repr(float(1000 * v)) for v in point))
+    print(*(repr(1000 * v) for v in point), *(repr(v) for row in rotation for v in row))

@@ -397,7 +397,7 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<String> {
         "AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter".to_owned(),
         match settings.expanded_uncertainty_mm {
             Some(u) => format!(
-                "intervals contain the sampling and the instrument's expanded uncertainty of a coordinate, {} um (k = 2)",
+                "intervals contain the sampling and the instrument's expanded uncertainty of a coordinate, {} µm (k = 2)",
                 (u * 1e9).round() / 1e6
             ),
             None => "intervals contain the sampling alone: no uncertainty of the instrument is stated".to_owned(),

@@ -1,4 +1,5 @@
-//! Columns: of an export what they contain, from the left or by their names in the header; of a log which one brings a joint.
+//! Statements about columns: the role of each column of an export, and the column of each joint of
+//! a log.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
@@ -6,12 +7,12 @@ use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
 
-/// What a column holds.
+/// Role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(transform = super::accept_aliases)]
 pub enum ColumnRole {
-    /// Label of the point; the parts of several are joined by `::`.
+    /// Label of the point; several columns are joined by `::`.
     Label,
     /// Name of the target.
     Target,
@@ -29,7 +30,7 @@ pub enum ColumnRole {
     Radius,
     /// Angle about the z axis from x, counter-clockwise seen from +z.
     Azimuth,
-    /// The same, clockwise.
+    /// Angle about the z axis from x, clockwise seen from +z.
     AzimuthClockwise,
     /// Angle from the z axis.
     Zenith,
@@ -37,90 +38,90 @@ pub enum ColumnRole {
     Elevation,
     /// Distance from the origin.
     Distance,
-    /// Coordinate that is what `types` states for the row's `type`.
+    /// First coordinate of the type that the column `type` of the row states.
     C1,
-    /// The same.
+    /// Second coordinate of that type.
     C2,
-    /// The same.
+    /// Third coordinate of that type.
     C3,
-    /// Says which of `types` the row has.
+    /// Coordinate type of the row: a key of `types`.
     Type,
-    /// Standard uncertainty of the row's first coordinate from the left, in its unit.
+    /// Standard uncertainty of the first coordinate from the left, in its unit.
     U1,
-    /// Of the second.
+    /// Standard uncertainty of the second coordinate.
     U2,
-    /// Of the third.
+    /// Standard uncertainty of the third coordinate.
     U3,
-    /// Direction of the surface or probe.
+    /// Direction of the surface or probe: x.
     I,
-    /// The same.
+    /// Direction of the surface or probe: y.
     J,
-    /// The same.
+    /// Direction of the surface or probe: z.
     K,
-    /// Expanded uncertainty of x, in the unit of the file; `coverage_factor` of the format makes it a standard one.
+    /// Expanded uncertainty of x in the unit of the file, with `coverage_factor` of the format.
     U95x,
-    /// Of y.
+    /// Expanded uncertainty of y.
     U95y,
-    /// Of z.
+    /// Expanded uncertainty of z.
     U95z,
-    /// Quaternion of the measured body, in the frame of the file: scalar.
+    /// Quaternion of the measured body in the frame of the file: scalar.
     Qw,
-    /// The same: x.
+    /// Quaternion: x.
     Qx,
-    /// The same: y.
+    /// Quaternion: y.
     Qy,
-    /// The same: z.
+    /// Quaternion: z.
     Qz,
-    /// Rotation vector of the body, or the first of three angles where `rotation` states their order (deg).
+    /// Rotation vector of the body (deg), or first of three angles in the order of `rotation`.
     RxDeg,
-    /// The second.
+    /// Second number of the rotation (deg).
     RyDeg,
-    /// The third.
+    /// Third number of the rotation (deg).
     RzDeg,
-    /// The same in rad.
+    /// Rotation vector of the body (rad), or first of three angles in the order of `rotation`.
     RxRad,
-    /// The second.
+    /// Second number of the rotation (rad).
     RyRad,
-    /// The third.
+    /// Third number of the rotation (rad).
     RzRad,
-    /// Rotation matrix of the body, row by row.
+    /// Rotation matrix of the body: row 1, column 1.
     R11,
-    /// The same.
+    /// Rotation matrix: row 1, column 2.
     R12,
-    /// The same.
+    /// Rotation matrix: row 1, column 3.
     R13,
-    /// The same.
+    /// Rotation matrix: row 2, column 1.
     R21,
-    /// The same.
+    /// Rotation matrix: row 2, column 2.
     R22,
-    /// The same.
+    /// Rotation matrix: row 2, column 3.
     R23,
-    /// The same.
+    /// Rotation matrix: row 3, column 1.
     R31,
-    /// The same.
+    /// Rotation matrix: row 3, column 2.
     R32,
-    /// The same.
+    /// Rotation matrix: row 3, column 3.
     R33,
     /// Temperature during the measurement (°C).
     TemperatureC,
-    /// Rows with `1`, `true`, `yes` or `x` are left out.
+    /// Mark of deleted rows: rows with `1`, `true`, `yes` or `x` are left out.
     Deleted,
-    /// Date and time of day: `11.10.2022 15:06:48.043`, `2022-10-11T15:06:48`.
+    /// Date and time of day, such as `11.10.2022 15:06:48.043` or `2022-10-11T15:06:48`.
     Timestamp,
-    /// Date, where the time of day is in another column.
+    /// Date, if the time of day is in another column.
     Date,
     /// Time in milliseconds.
     TimeMs,
     /// Time in seconds.
     TimeS,
-    /// Not read.
+    /// Column that is not read.
     #[serde(rename = "-", alias = "skip")]
     #[schemars(extend("aliases" = ["skip"]))]
     Skip,
 }
 
 impl ColumnRole {
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Label => "label",
@@ -178,17 +179,17 @@ impl ColumnRole {
         }
     }
 
-    /// A coordinate whose kind the column states.
+    /// `true` for a coordinate of a fixed kind.
     pub fn is_coordinate(self) -> bool {
         matches!(self, Self::X | Self::Y | Self::Z | Self::Radius | Self::Distance) || self.is_angle()
     }
 
-    /// A coordinate that is an angle.
+    /// `true` for a coordinate that is an angle.
     pub fn is_angle(self) -> bool {
         matches!(self, Self::Azimuth | Self::AzimuthClockwise | Self::Zenith | Self::Elevation)
     }
 
-    /// Columns of an orientation, form by form.
+    /// Columns of each form of an orientation.
     pub const ORIENTATIONS: [&'static [Self]; 4] = [
         &[Self::Qw, Self::Qx, Self::Qy, Self::Qz],
         &[Self::RxDeg, Self::RyDeg, Self::RzDeg],
@@ -196,33 +197,33 @@ impl ColumnRole {
         &[Self::R11, Self::R12, Self::R13, Self::R21, Self::R22, Self::R23, Self::R31, Self::R32, Self::R33],
     ];
 
-    /// A number of an orientation.
+    /// `true` for a number of an orientation.
     pub fn is_orientation(self) -> bool {
         Self::ORIENTATIONS.iter().any(|form| form.contains(&self))
     }
 
-    /// An expanded uncertainty.
+    /// `true` for an expanded uncertainty.
     pub fn is_expanded(self) -> bool {
         matches!(self, Self::U95x | Self::U95y | Self::U95z)
     }
 
-    /// A coordinate of a kind that the row states.
+    /// `true` for a coordinate whose kind each row states.
     pub fn is_typed(self) -> bool {
         matches!(self, Self::C1 | Self::C2 | Self::C3)
     }
 
-    /// A standard uncertainty.
+    /// `true` for a standard uncertainty.
     pub fn is_uncertainty(self) -> bool {
         matches!(self, Self::U1 | Self::U2 | Self::U3)
     }
 }
 
-/// What the columns of a text hold.
+/// Roles of the columns of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Columns {
-    /// From the left; more columns than stated are refused.
+    /// Roles from the left; a row with more columns is rejected.
     InOrder(Vec<ColumnRole>),
-    /// By name in the header, or by number; others are not read.
+    /// Columns by heading or number; other columns are not read.
     Named(Vec<(ColumnRole, ColumnAt)>),
 }
 
@@ -239,7 +240,7 @@ impl From<Vec<ColumnRole>> for Columns {
 }
 
 impl Columns {
-    /// All roles that are stated, from the left or in the order of their statement.
+    /// Returns all stated roles, from the left or in the order of their statement.
     pub fn roles(&self) -> Vec<ColumnRole> {
         match self {
             Self::InOrder(roles) => roles.clone(),
@@ -247,7 +248,7 @@ impl Columns {
         }
     }
 
-    /// Whether a column holds this.
+    /// `true` if a column has this role.
     pub fn contains(&self, role: ColumnRole) -> bool {
         self.roles().contains(&role)
     }
@@ -300,7 +301,7 @@ impl<'de> Deserialize<'de> for Columns {
     }
 }
 
-/// A column, or several that make one label.
+/// One column, or several columns that form one label.
 struct OneOrMore(Vec<ColumnAt>);
 
 impl<'de> Deserialize<'de> for OneOrMore {
@@ -327,23 +328,23 @@ impl<'de> Deserialize<'de> for OneOrMore {
     }
 }
 
-/// A column of a log: `"name in the header"`, a number from 1, or a table with more about it.
+/// Column of a log: a heading, a number from 1, or a table with more keys.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Which column.
+    /// Heading or number.
     pub at: ColumnAt,
-    /// Which of several columns of that name, from 1.
+    /// Number among several columns with this heading, from 1.
     pub occurrence: Option<usize>,
-    /// What one count of an encoder is worth, in the unit of the key.
+    /// Joint value of one encoder count, in the unit of the key.
     pub per_count: Option<f64>,
-    /// The count at which the joint is at zero.
+    /// Encoder count at which the joint is at zero.
     pub zero_count: Option<f64>,
 }
 
-/// The name of a column in the header, or its number from 1.
+/// Heading of a column, or its number from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnAt {
-    /// Name in the header.
+    /// Heading.
     Name(String),
     /// Number from 1.
     Number(usize),
@@ -355,7 +356,7 @@ impl From<ColumnAt> for Column {
     }
 }
 
-/// A column of a log: exactly one of `name` and `number`.
+/// Column of a log: exactly one of `name` and `number`.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "ColumnTable")]
@@ -364,7 +365,7 @@ struct Stated {
     name: Option<String>,
     /// Number of the column, from 1.
     number: Option<usize>,
-    /// Which of several columns of this name, from 1.
+    /// Number among several columns of this name, from 1.
     occurrence: Option<usize>,
     /// Joint value of one encoder count, in the unit of the joint.
     per_count: Option<f64>,
@@ -420,15 +421,15 @@ impl<'de> Deserialize<'de> for Column {
     }
 }
 
-/// A number that is that of its row, counted from 1 over the data rows of the file, refused ones included: `row`; or so many more:
-/// `row + 100`.
+/// Pose number that follows from the number of the data row: `row`, or `row + 100` with an offset.
+/// Data rows count from 1; rejected rows count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FromRow {
     added: i64,
 }
 
 impl FromRow {
-    /// The number of this row.
+    /// Returns the pose number of a row.
     pub fn number(self, row: i64) -> i64 {
         row.saturating_add(self.added)
     }

@@ -1,30 +1,30 @@
-//! Columns that are computed from others of their row: `x_t - x_dif`, `(low + high) / 2`, `25.4 * $3`.
+//! Columns computed from other columns of the row: `x_t - x_dif`, `(low + high) / 2`, `25.4 * $3`.
 
 use etalon_base::error;
 use etalon_base::message::Message;
 use std::borrow::Cow;
 
-/// Longest text of an expression.
+/// Maximum length of an expression (bytes).
 const LONGEST: usize = 1000;
 /// Characters of an expression that is too long to be shown whole.
 const SHOWN: usize = 40;
-/// Deepest nesting of an expression.
+/// Maximum nesting depth of an expression.
 const DEEPEST: usize = 40;
 
-/// An expression of numbers and columns of a row.
+/// Expression of numbers and columns of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Expression {
-    /// A number.
+    /// Number.
     Number(f64),
-    /// The column of this index.
+    /// Column of this index.
     Column(usize),
-    /// Minus.
+    /// Negated expression.
     Negative(Box<Expression>),
     /// Two expressions and `+`, `-`, `*` or `/` between them.
     Pair(Box<Expression>, char, Box<Expression>),
 }
 
-/// What is left of a text that is parsed.
+/// State of the parser.
 struct Parser<'a> {
     whole: &'a str,
     rest: &'a str,
@@ -33,10 +33,11 @@ struct Parser<'a> {
 }
 
 impl Expression {
-    /// Reads an expression. A name is the longest heading that begins there, `$3` the third column.
+    /// Parses an expression. A name is the longest heading that begins at its place; `$3` is the
+    /// third column.
     ///
     /// # Errors
-    /// A name that is no heading, or a text that is no expression.
+    /// If a name is not a heading, or the text is malformed.
     pub fn parse(text: &str, header: &[Cow<str>]) -> Result<Self, Message> {
         if text.len() > LONGEST {
             let start: String = text.chars().take(SHOWN).collect();
@@ -51,10 +52,10 @@ impl Expression {
         }
     }
 
-    /// Its value in a row; `None` if a cell was not measured.
+    /// Returns the value in a row; `None` if a cell was not measured.
     ///
     /// # Errors
-    /// The index of the cell that does not read.
+    /// If a cell is not a number: its index and the message.
     pub fn value(&self, cell: &dyn Fn(usize) -> Result<Option<f64>, Message>) -> Result<Option<f64>, (usize, Message)> {
         Ok(match self {
             Self::Number(number) => Some(*number),
@@ -72,7 +73,7 @@ impl Expression {
         })
     }
 
-    /// Whether a text can be an expression, and is not only a name.
+    /// `true` if a text looks like an expression and not like a heading alone.
     pub fn is_likely(text: &str) -> bool {
         text.starts_with('$') || text.contains(['+', '-', '*', '/', '\u{d7}', '\u{f7}', '\u{2212}', '(', ')'])
     }
@@ -145,7 +146,7 @@ impl Parser<'_> {
         self.number()
     }
 
-    /// The longest heading that begins here.
+    /// Takes the longest heading that begins here.
     fn heading(&mut self) -> Option<usize> {
         self.rest = self.rest.trim_start();
         let ends = |name: &str| !self.rest[name.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_');
@@ -219,12 +220,27 @@ mod tests {
     #[test]
     fn what_is_no_expression_is_refused() {
         let header: Vec<Cow<str>> = ["x_t", "x_dif"].map(Cow::from).to_vec();
-        let said = |text: &str| Expression::parse(text, &header).unwrap_err().to_string();
-        assert!(said("x_t - x_dff").contains("did you mean `x_dif`"));
-        for wrong in ["", "x_t -", "(x_t", "x_t x_dif", "$0", "$", "x_t ^ 2", "1..2", "x_t)"] {
-            assert!(Expression::parse(wrong, &header).is_err(), "{wrong}");
+        let refused = |text: &str| Expression::parse(text, &header).unwrap_err();
+        let unknown = refused("x_t - x_dff");
+        assert!(unknown.is("column-unknown", &[("column", &"x_dff")]), "{unknown}");
+        assert!(unknown.hint.is_some_and(|hint| hint.contains("`x_dif`")));
+        let (brackets, signs, long) = ("(".repeat(900), "-".repeat(900), "x".repeat(1001));
+        for (wrong, fault, rest) in [
+            ("", "incomplete", ""),
+            ("x_t -", "incomplete", ""),
+            ("(x_t", "bracket-open", ""),
+            ("x_t x_dif", "left-over", "x_dif"),
+            ("$0", "column-number", ""),
+            ("$", "column-number", ""),
+            ("x_t ^ 2", "left-over", "^ 2"),
+            ("x_t)", "left-over", ")"),
+            (&brackets, "brackets-too-deep", ""),
+            (&signs, "too-many-signs", ""),
+            (&long, "too-long", ""),
+        ] {
+            let message = refused(wrong);
+            assert!(message.is("expression-malformed", &[("fault", &fault), ("rest", &rest)]), "{message}");
         }
-        assert!(Expression::parse(&"(".repeat(900), &header).is_err());
-        assert!(Expression::parse(&"-".repeat(900), &header).is_err());
+        assert!(refused("1..2").is("column-unknown", &[]));
     }
 }

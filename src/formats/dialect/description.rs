@@ -1,4 +1,4 @@
-//! How a delimited text is to be read: stated by the campaign, never guessed in silence.
+//! Dialect of delimited text. The campaign states it; it is never guessed in silence.
 
 use super::columns::{ColumnAt, ColumnRole, Columns};
 use super::source::Cells;
@@ -11,13 +11,14 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A table of text, or a sheet of a workbook. Exactly one of `delimiter`, `widths` and `sheet` states what separates the columns.
+/// Format of a table of text or of a sheet of a workbook, with exactly one of `delimiter`, `widths`
+/// and `sheet`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Dialect {
-    /// What separates columns.
+    /// Delimiter of the columns.
     pub delimiter: Option<Delimiter>,
-    /// Width of each column in characters, where nothing separates the columns.
+    /// Width of each column (characters), for columns without a delimiter.
     pub widths: Vec<usize>,
     /// Name of the sheet of an Excel workbook.
     pub sheet: Option<String>,
@@ -25,17 +26,20 @@ pub struct Dialect {
     pub decimal: Decimal,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// What each column contains: from the left, or by the names of the header.
+    /// Role of each column: from the left, or by the names of the header.
     pub columns: Columns,
-    /// For files of several coordinate types: what `c1`, `c2`, `c3` are, by the content of the column `type`.
+    /// Meaning of `c1`, `c2`, `c3` for each content of the column `type`, in files of several
+    /// coordinate types.
     pub types: BTreeMap<String, Vec<ColumnRole>>,
     /// Unit of azimuth, zenith and elevation; required with them.
     pub angle_unit: Option<AngleUnit>,
-    /// Confirms the coordinate type of `columns` where the values look like another one.
+    /// Coordinate type of `columns`, stated as a confirmation if the values look like another type.
     pub coordinates: Option<CoordinateType>,
-    /// Coverage factor of `u95x`, `u95y` and `u95z`, and of `u1`, `u2` and `u3` where these are expanded.
+    /// Coverage factor of `u95x`, `u95y` and `u95z`, and of `u1`, `u2` and `u3` if these are
+    /// expanded uncertainties.
     pub coverage_factor: Option<f64>,
-    /// Order in which three angles `rx_deg`, `ry_deg`, `rz_deg` turn the body, as `orientation` of tables; without it they are a rotation vector.
+    /// Order of the rotations of three angles `rx_deg`, `ry_deg`, `rz_deg`, like `orientation` of
+    /// tables; without it they are a rotation vector.
     pub rotation: Option<String>,
     /// Number of rows before the data, or words of the row before the data.
     pub header: Header,
@@ -43,15 +47,16 @@ pub struct Dialect {
     pub comment: Option<String>,
     /// Cells that mean "not measured".
     pub missing: Missing,
-    /// Row that ends the data.
+    /// First cell of the row that ends the data.
     pub end: Option<String>,
-    /// Rows that are read: those with one of these cells in each of these columns (a heading, or `$3`); others are listed as left out.
+    /// Filter of the rows: only rows with one of these cells in each of these columns (a heading,
+    /// or `$3`) are read. Other rows are listed as left out.
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     pub without: BTreeMap<String, Cells>,
 }
 
-/// What separates columns.
+/// Delimiter of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Delimiter {
@@ -78,7 +83,7 @@ pub enum Delimiter {
 }
 
 impl Delimiter {
-    /// The byte, for delimiters that are one.
+    /// Returns the byte of the delimiter; `None` for blanks.
     pub fn byte(self) -> Option<u8> {
         match self {
             Self::Blank => None,
@@ -89,7 +94,7 @@ impl Delimiter {
         }
     }
 
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Blank => "blank",
@@ -105,19 +110,19 @@ impl Delimiter {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Decimal {
-    /// `1.5`
+    /// Point: `1.5`.
     #[default]
     #[serde(rename = ".", alias = "point")]
     #[schemars(extend("aliases" = ["point"]))]
     Point,
-    /// `1,5`
+    /// Comma: `1,5`.
     #[serde(rename = ",", alias = "comma")]
     #[schemars(extend("aliases" = ["comma"]))]
     Comma,
 }
 
 impl Decimal {
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         if self == Self::Point { "." } else { "," }
     }
@@ -143,7 +148,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Millimetres in one of the unit.
+    /// Length of the unit (mm).
     pub fn in_mm(self) -> f64 {
         match self {
             Self::Millimetre => 1.0,
@@ -153,12 +158,12 @@ impl Unit {
         }
     }
 
-    /// The unit of this name.
+    /// Returns the unit with this name.
     pub fn named(name: &str) -> Option<Self> {
         [Self::Millimetre, Self::Metre, Self::Micrometre, Self::Inch].into_iter().find(|unit| unit.name() == name)
     }
 
-    /// As the campaign states it.
+    /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Millimetre => "mm",
@@ -168,8 +173,9 @@ impl Unit {
         }
     }
 
-    /// The unit of a heading, in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`. A bare `_m` may mean "measured" and
-    /// is none.
+    /// Returns the unit of a heading, in brackets or behind the name: `X [mm]`, `y (in)`, `z_um`.
+    ///
+    /// A bare `_m` is not taken as a unit, because it may mean "measured".
     pub fn of_heading(name: &str) -> Option<Self> {
         let bracketed = name.split_once(['[', '(']).and_then(|(_, rest)| rest.split([']', ')']).next());
         let behind = || name.rsplit_once(['_', ' ']).and_then(|(_, last)| unit(last)).filter(|u| *u != Self::Metre);
@@ -192,7 +198,7 @@ fn unit(word: &str) -> Option<Unit> {
 }
 
 impl Dialect {
-    /// Everything that is wrong with the dialect itself, whatever the file holds.
+    /// Returns all errors of the dialect itself, independent of the file.
     pub fn check(&self) -> Vec<Message> {
         let mut wrong = self.separation();
         wrong.extend(self.marks());
@@ -202,7 +208,7 @@ impl Dialect {
         wrong
     }
 
-    /// What is wrong with the columns of an orientation and of uncertainties.
+    /// Returns the errors of the columns of orientations and uncertainties.
     fn orientation(&self) -> Vec<Message> {
         let roles = self.columns.roles();
         let mut wrong = Vec::new();
@@ -318,7 +324,7 @@ impl Dialect {
         wrong
     }
 
-    /// What is wrong with coordinates that are stated together.
+    /// Returns the errors of the coordinates of one point.
     fn coordinates_of(&self, key: &str, roles: &[ColumnRole]) -> Vec<Message> {
         let mut wrong = Vec::new();
         let kind = coordinate_type(roles);
@@ -349,12 +355,12 @@ impl Dialect {
     }
 }
 
-/// A comma that separates columns and marks decimals.
+/// Returns the error that a comma separates columns and marks decimals.
 pub fn two_commas() -> Message {
     error!("comma-ambiguous")
 }
 
-/// What coordinates of these kinds are, if they are those of a point.
+/// Returns the coordinate type of these columns, if they are the coordinates of a point.
 pub fn coordinate_type(roles: &[ColumnRole]) -> Option<CoordinateType> {
     let only = |allowed: &[ColumnRole], needed: &[ColumnRole]| {
         roles.iter().all(|r| allowed.contains(r)) && needed.iter().all(|r| roles.contains(r))
@@ -378,12 +384,12 @@ pub fn coordinate_type(roles: &[ColumnRole]) -> Option<CoordinateType> {
     }
 }
 
-/// Names in quotes between brackets.
+/// Returns quoted names as a TOML array.
 fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     format!("[{}]", names.map(quoted).collect::<Vec<_>>().join(", "))
 }
 
-/// Text as TOML reads it, and as a terminal may show it.
+/// Returns a text as a TOML string with printable characters only.
 pub(crate) fn quoted(text: &str) -> String {
     if printable(text) == text {
         return toml::Value::from(text).to_string();
@@ -423,8 +429,8 @@ fn columns(columns: &Columns) -> String {
     }
 }
 
-/// As TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x", "y", "z"] }`. What has its default is left out,
-/// but for the decimal mark.
+/// Writes the dialect as TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x"] }`.
+/// Keys with their default are left out, except the decimal mark.
 impl fmt::Display for Dialect {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let mut keys: Vec<(&str, String)> = Vec::new();
@@ -512,6 +518,49 @@ mod tests {
         assert_eq!(read(text).to_string(), text);
         let text = "{ widths = [8, 10], decimal = \".\", columns = [\"azimuth\", \"elevation\", \"distance\"], angle_unit = \"gon\" }";
         assert_eq!(read(text).to_string(), text);
+    }
+
+    #[test]
+    fn each_contradiction_of_a_dialect_has_its_message() {
+        for (stated, id) in [
+            (
+                "delimiter = ';', columns = ['x', 'y', 'qw', 'qx', 'qy', 'qz', 'rx_deg', 'ry_deg', 'rz_deg']",
+                "columns-in-two-forms",
+            ),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j']", "column-group-incomplete"),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'qw', 'qx', 'qy']", "column-group-incomplete"),
+            ("delimiter = ';', columns = ['x', 'y'], rotation = 'zyx'", "key-needs-columns"),
+            ("delimiter = ';', columns = ['x', 'y'], types = { 1 = ['x', 'y', 'z'] }", "key-needs-columns"),
+            ("delimiter = ';', columns = ['x', 'y', 'u95x', 'u95y']", "coverage-factor-missing"),
+            ("delimiter = ';', columns = ['x', 'y', 'u95x'], coverage_factor = 2.0", "uncertainty-column-count"),
+            ("delimiter = ';', columns = ['x', 'y', 'z', 'u1', 'u2']", "uncertainty-column-count"),
+            ("delimiter = ';', columns = ['x', 'y'], coverage_factor = 0.0", "key-not-positive"),
+            ("columns = ['x', 'y']", "column-separation-unclear"),
+            ("delimiter = ';', sheet = 'A', columns = ['x', 'y']", "column-separation-unclear"),
+            ("widths = [8, 0], columns = ['x', 'y']", "column-width-zero"),
+            ("widths = [8], columns = ['x', 'y']", "more-columns-than-widths"),
+            ("delimiter = ',', decimal = ',', columns = ['x', 'y']", "comma-ambiguous"),
+            ("delimiter = ';', thousands = '.', columns = ['x', 'y']", "thousands-mark-ambiguous"),
+            ("delimiter = ' ', thousands = ' ', columns = ['x', 'y']", "thousands-mark-ambiguous"),
+            ("delimiter = ';', columns = ['x', 'y', 'y']", "column-role-twice"),
+            ("delimiter = ';', columns = ['x', 'y', 'c1']", "coordinates-of-two-kinds"),
+            ("delimiter = ';', columns = ['c1', 'c2', 'c3']", "row-types-missing"),
+            (
+                "delimiter = ';', columns = ['type', 'c1', 'c2', 'c3'], types = { 1 = ['x', 'y'] }",
+                "row-type-incomplete",
+            ),
+            ("delimiter = ';', columns = ['x', 'z']", "not-coordinates"),
+            ("delimiter = ';', columns = ['label']", "not-coordinates"),
+            ("delimiter = ';', columns = ['azimuth', 'zenith', 'distance']", "angle-unit-missing"),
+            ("delimiter = ';', columns = ['x', 'y'], coordinates = 'spherical'", "coordinate-type-differs"),
+            ("delimiter = ';', columns = { x = 'X', y = 'Y' }", "header-not-stated"),
+        ] {
+            let ids: Vec<_> = read(&format!("{{ {stated} }}")).check().into_iter().map(|message| message.id).collect();
+            assert_eq!(ids, [id], "{stated}");
+        }
+        let sound =
+            "{ delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j', 'k', 'u1', 'u2', 'u3', 'qw', 'qx', 'qy', 'qz'] }";
+        assert_eq!(read(sound).check(), []);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! How a file is to be read, as a campaign states it.
+//! Dialects: statements of a campaign about the form of its files.
 
 mod columns;
 mod computed;
@@ -16,7 +16,7 @@ pub use text::{AngleUnit, CoordinateType, Encoding, Header, Missing, NOT_MEASURE
 use schemars::Schema;
 use serde_json::Value;
 
-/// Makes the schema of a choice accept the other spellings that its values state as `aliases`.
+/// Makes the schema of a choice accept the spellings that its values list as `aliases`.
 fn accept_aliases(schema: &mut Schema) {
     let choices = schema.get_mut("oneOf").and_then(Value::as_array_mut);
     for choice in choices.into_iter().flatten().filter_map(Value::as_object_mut) {

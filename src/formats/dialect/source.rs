@@ -1,4 +1,4 @@
-//! What a table states of its columns and rows, whatever kind of table it is.
+//! Sources of columns and filters of rows, for tables of every kind.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
@@ -6,10 +6,11 @@ use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Where a column comes from: a heading, a number from 1, or an expression of columns of the row, `x_t - x_dif`.
+/// Source of a column: a heading, a number from 1, or an expression of columns of the row, such as
+/// `x_t - x_dif`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnSource {
-    /// A heading of the file; what is none is an expression.
+    /// Heading of the file, or an expression if the file has no such heading.
     Heading(String),
     /// Number of the column, from 1.
     Number(usize),
@@ -52,7 +53,7 @@ impl<'de> Deserialize<'de> for ColumnSource {
     }
 }
 
-/// The same value in every row: a text or a number.
+/// Value of a column that is equal in all rows: a text or a number.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Constant {
@@ -63,7 +64,7 @@ pub enum Constant {
 }
 
 impl Constant {
-    /// The cell that a table would have, with a decimal point.
+    /// Returns the text of the cell, with a decimal point.
     pub fn cell(&self) -> String {
         match self {
             Self::Text(text) => text.clone(),
@@ -72,17 +73,17 @@ impl Constant {
     }
 }
 
-/// Cells by which rows are chosen: one, or several of which one has to be there.
+/// Cells that select rows: one, or several of which one has to match.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Cells {
     /// One cell.
     One(Constant),
-    /// Any of them.
+    /// Any of these cells.
     Any(Vec<Constant>),
 }
 
-/// As TOML.
+/// Writes the cells as TOML.
 impl fmt::Display for Cells {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let one = |constant: &Constant| match constant {
@@ -97,7 +98,7 @@ impl fmt::Display for Cells {
 }
 
 impl Cells {
-    /// Whether a cell is one of them: as a text, or as a number where both are numbers.
+    /// `true` if a cell is one of these cells, as a text or as an equal number.
     pub fn contain(&self, cell: &str) -> bool {
         let cell = cell.trim();
         let number = |text: &str| text.replace(',', ".").parse::<f64>().ok();

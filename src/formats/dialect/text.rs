@@ -1,4 +1,4 @@
-//! What a delimited text is made of beside its delimiter: encoding, marks, header, angles, what is not measured.
+//! Parts of a dialect beside the delimiter: encoding, marks, header, angles, missing values.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, SeqAccess, Visitor};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
-/// How bytes become characters. Without a statement a text is UTF-8, or what its byte-order mark states.
+/// Character encoding. Default: the encoding of the byte-order mark, otherwise UTF-8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Encoding {
@@ -27,7 +27,7 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// As the campaign states it.
+    /// Spelling in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Utf8 => "utf-8",
@@ -38,30 +38,30 @@ impl Encoding {
     }
 }
 
-/// What is between groups of three digits.
+/// Mark between groups of three digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(transform = super::accept_aliases)]
 pub enum Thousands {
-    /// `1,234.5`
+    /// Comma: `1,234.5`.
     #[serde(rename = ",", alias = "comma")]
     #[schemars(extend("aliases" = ["comma"]))]
     Comma,
-    /// `1.234,5`
+    /// Point: `1.234,5`.
     #[serde(rename = ".", alias = "point")]
     #[schemars(extend("aliases" = ["point"]))]
     Point,
-    /// `1'234.5`
+    /// Apostrophe: `1'234.5`.
     #[serde(rename = "'", alias = "apostrophe")]
     #[schemars(extend("aliases" = ["apostrophe"]))]
     Apostrophe,
-    /// `1 234.5`, also with a no-break, narrow or thin blank.
+    /// Blank: `1 234.5`, also with a no-break, narrow or thin blank.
     #[serde(rename = " ", alias = "blank")]
     #[schemars(extend("aliases" = ["blank"]))]
     Blank,
 }
 
 impl Thousands {
-    /// As the campaign states it.
+    /// Spelling in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Comma => ",",
@@ -71,7 +71,7 @@ impl Thousands {
         }
     }
 
-    /// Whether the character is this mark.
+    /// `true` if the character is this mark.
     pub fn is(self, c: char) -> bool {
         match self {
             Self::Comma => c == ',',
@@ -95,7 +95,7 @@ pub enum AngleUnit {
 }
 
 impl AngleUnit {
-    /// Radians in one of the unit.
+    /// Size of the unit (rad).
     pub fn in_rad(self) -> f64 {
         match self {
             Self::Deg => std::f64::consts::PI / 180.0,
@@ -104,7 +104,7 @@ impl AngleUnit {
         }
     }
 
-    /// As the campaign states it.
+    /// Spelling in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Deg => "deg",
@@ -114,20 +114,20 @@ impl AngleUnit {
     }
 }
 
-/// What three coordinates are.
+/// Type of three coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CoordinateType {
-    /// x, y, z.
+    /// Cartesian: x, y, z.
     Cartesian,
-    /// Radius, azimuth, z.
+    /// Cylindrical: radius, azimuth, z.
     Cylindrical,
-    /// Azimuth, zenith or elevation, distance.
+    /// Spherical: azimuth, zenith or elevation, distance.
     Spherical,
 }
 
 impl CoordinateType {
-    /// As the campaign states it.
+    /// Spelling in campaign.toml.
     pub fn name(self) -> &'static str {
         match self {
             Self::Cartesian => "cartesian",
@@ -137,13 +137,13 @@ impl CoordinateType {
     }
 }
 
-/// Where the data begin.
+/// Header of a table, after which the data begin.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 pub enum Header {
-    /// After so many rows; empty lines and comments are not rows.
+    /// Number of rows before the data; empty lines and comments do not count.
     Rows(usize),
-    /// After the first line that holds all these words.
+    /// Words of the last line before the data.
     Words(Vec<String>),
 }
 
@@ -204,7 +204,7 @@ impl<'de> Deserialize<'de> for Header {
     }
 }
 
-/// Cells that mean "not measured", where the campaign states none itself; a row of stars is an overflow.
+/// Default cells that mean "not measured"; a cell of stars is an overflow.
 pub const NOT_MEASURED: [&str; 12] =
     ["", "-", "--", "---", "N/A", "n/a", "#N/A", "nan", "1.#QNAN", "-1.#IND", "*", "0 0 0"];
 
@@ -220,18 +220,18 @@ impl Default for Missing {
 }
 
 impl Missing {
-    /// Whether a cell is one of them.
+    /// `true` if a cell means "not measured".
     pub fn says(&self, cell: &str) -> bool {
         let stars = !cell.is_empty() && cell.bytes().all(|b| b == b'*');
         self.0.iter().any(|marker| cell.eq_ignore_ascii_case(marker) || marker == "*" && stars)
     }
 
-    /// Whether coordinates that are all zero mean it.
+    /// `true` if coordinates that are all zero mean "not measured".
     pub fn origin(&self) -> bool {
         self.0.iter().any(|marker| marker == "0 0 0")
     }
 
-    /// As the campaign states it.
+    /// Spelling in campaign.toml.
     pub fn markers(&self) -> &[String] {
         &self.0
     }

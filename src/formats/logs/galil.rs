@@ -1,7 +1,8 @@
-//! Galil array upload as CSV: the names of the arrays in alphabetical order, then one row for each index.
+//! Galil array upload as CSV: names of the arrays in alphabetical order, then one row per index.
 //!
-//! Values are encoder counts; the shorter of several arrays leaves empty places at its end. There is no clock: the period
-//! is that of the controller's `RC` command. Source: galil.com, "Comma-Separated Values (CSV Files)".
+//! Values are encoder counts; shorter arrays leave empty cells at their ends. There is no clock:
+//! the command `RC` of the controller sets the period. Source: galil.com, "Comma-Separated Values
+//! (CSV Files)".
 
 use super::sheet::Sheet;
 use super::{About, LogFormat, Wanted};
@@ -22,7 +23,8 @@ impl LogFormat for Galil {
         }
     }
 
-    /// Whole numbers under names in alphabetical order, which is weak: points in whole mm look the same.
+    /// Recognises whole numbers under names in alphabetical order. The evidence is weak: points in
+    /// whole mm look alike.
     fn recognise(&self, header: &[&str], text: &str) -> Option<Recognised> {
         let whole = |cell: &str| cell.trim().is_empty() || cell.trim().parse::<i64>().is_ok();
         let words = header.iter().all(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
@@ -53,13 +55,13 @@ impl LogFormat for Galil {
     }
 }
 
-/// An error where a column is read as if it held mm or deg.
+/// Returns the error that a joint has no value of an encoder count.
 fn states_counts(wanted: &Wanted) -> Option<Message> {
     let missing = wanted.is_joint() && wanted.column.per_count.is_none();
     missing.then(|| error!("count-value-missing", key = wanted.key.get_ref()))
 }
 
-/// Takes away the rows at the end where arrays that are wanted have ended; an empty place before the end is an error.
+/// Removes the rows after the end of a wanted array; an empty cell before the end is an error.
 fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) -> Vec<Refused> {
     let filled = |at: usize| sheet.rows.iter().rposition(|row| row.fields.get(at).is_some_and(|f| !f.is_empty()));
     let ends: Vec<usize> = wanted.iter().map(|(at, _)| filled(*at).map_or(0, |last| last + 1)).collect();
@@ -86,7 +88,8 @@ fn cut(sheet: &mut Sheet, wanted: &[(usize, &Wanted)], problems: &mut Problems) 
     refused
 }
 
-/// Counts are whole numbers of 32 bits; a step by more than half their range is a wrap, which no scale can undo.
+/// Checks that counts are whole numbers of 32 bits and do not wrap (jump by more than half the
+/// range).
 fn check_counts(sheet: &Sheet, at: usize, counts: &[f64], problems: &mut Problems) {
     const RANGE: f64 = 4_294_967_296.0;
     for (row, count) in sheet.rows.iter().zip(counts) {

@@ -1,4 +1,4 @@
-//! Joint values as the stages use them, and what the columns of a log become in them.
+//! Joint values of a log, and the meaning of the columns of a log.
 
 use crate::table::{ASSEMBLY, LABEL, frame, pose_column};
 use etalon_base::message::Result;
@@ -6,13 +6,13 @@ use etalon_base::pose_name::PoseName;
 use etalon_robots::{Joint, Quantity};
 use polars::prelude::{Column, DataFrame};
 
-/// Keys of `columns` that bring the time, and seconds in one of their unit.
+/// Keys of `columns` for the time, with their units (s).
 const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
 
-/// End of the columns of the directions from which joints came.
+/// Suffix of columns of the directions from which joints came.
 pub const DIRECTION: &str = "_direction";
 
-/// Factor from a unit to mm or deg.
+/// Returns the factor from a unit to mm or deg.
 fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
     match (quantity, unit) {
         (Quantity::Length, "mm") | (Quantity::Angle, "deg") => Some(1.0),
@@ -23,17 +23,17 @@ fn factor(unit: &str, quantity: Quantity) -> Option<f64> {
     }
 }
 
-/// Whether a key of `columns` states this joint, in whatever unit: `q1_deg`, `q1_rad`.
+/// `true` if a key of `columns` is this joint with a unit, such as `q1_deg` or `q1_rad`.
 pub fn is_joint_column(key: &str, joint: &Joint) -> bool {
     key.rsplit_once('_').is_some_and(|(name, unit)| name == joint.name && factor(unit, joint.quantity).is_some())
 }
 
-/// Whether a key of `columns` is one that the log of any robot can have.
+/// `true` if the log of any robot can have this key of `columns`.
 pub fn is_common_column(key: &str) -> bool {
     ["pose", "cycle", LABEL, ASSEMBLY].contains(&key) || TIMES.iter().any(|(name, _)| *name == key)
 }
 
-/// What a key of `columns` becomes: the name of the column in the table, and the factor of its values.
+/// Returns the column of the table for a key of `columns`, and the factor of its values.
 pub fn meaning(key: &str) -> Option<(String, f64)> {
     if let Some((_, seconds)) = TIMES.iter().find(|(name, _)| *name == key) {
         return Some(("time_s".to_owned(), *seconds));
@@ -49,34 +49,34 @@ pub fn meaning(key: &str) -> Option<(String, f64)> {
 /// Joint values of a log, row by row.
 #[derive(Clone, Debug, Default)]
 pub struct JointLog {
-    /// As the campaign calls the log.
+    /// Name of the log in the campaign.
     pub name: String,
-    /// Its file, as the campaign names it.
+    /// File as named in the campaign.
     pub file: String,
-    /// Files of the exports whose joints these are, where there are several; the number of a row's file counts them from 1.
+    /// Files of the exports with these joints, if there are several.
     pub files: Vec<String>,
-    /// Columns of its table, in their order: `row line pose cycle time_s label` where stated, and the joints.
+    /// Columns of the table in order: `row line pose cycle time_s label` if stated, and the joints.
     pub columns: Vec<String>,
-    /// The columns among them that are joints, in mm or deg, or directions of joints.
+    /// Columns of joints (mm or deg) and of directions of joints.
     pub joints: Vec<String>,
-    /// In the order of the file.
+    /// Rows in the order of the file.
     pub rows: Vec<LogRow>,
 }
 
-/// A row of a log, or a standstill of the robot.
+/// Row of a log, or a standstill of the robot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LogRow {
-    /// Number among the data rows, from 1.
+    /// Number of the data row, from 1.
     pub row: i64,
     /// Line of the file, from 1.
     pub line: usize,
-    /// Number of the file among several whose exports carry joints, from 1.
+    /// Number of the file in [`JointLog::files`], from 1.
     pub file: Option<i64>,
     /// Name of the pose.
     pub pose: Option<PoseName>,
     /// Number of the repeat.
     pub cycle: Option<i64>,
-    /// Time; of a standstill its middle.
+    /// Time; the middle of a standstill.
     pub time_s: Option<f64>,
     /// Beginning and end of a standstill.
     pub standing_s: Option<[f64; 2]>,
@@ -84,17 +84,17 @@ pub struct LogRow {
     pub label: Option<String>,
     /// Assembly mode, +1 or -1.
     pub assembly: Option<f64>,
-    /// Joint values, in the order of the log's joints.
+    /// Joint values in the order of [`JointLog::joints`].
     pub joints: Vec<f64>,
 }
 
 impl JointLog {
-    /// Whether the log has this column.
+    /// `true` if the log has this column.
     pub fn has(&self, column: &str) -> bool {
         self.columns.iter().any(|c| c == column)
     }
 
-    /// The log as a table.
+    /// Returns the log as a table.
     pub fn table(&self) -> Result<DataFrame> {
         let column = |name: &String| -> Column {
             let whole = |f: fn(&LogRow) -> Option<i64>| -> Column {

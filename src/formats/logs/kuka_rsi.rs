@@ -1,6 +1,7 @@
-//! KUKA RSI recordings: mm and deg (A, B, C turn about Z, Y, X), and two clocks, of which `IPOC` is the one to use: a
-//! counter in ms that the controller advances by its interpolation cycle. `Timestamp` is the wall clock of the computer
-//! that recorded, in whole seconds.
+//! KUKA RSI recordings: mm and deg (A, B, C turn about Z, Y, X), and two clocks.
+//!
+//! The clock of the log is `IPOC`, a counter in ms that the controller advances by its
+//! interpolation cycle. `Timestamp` is the wall clock of the recording computer in whole seconds.
 
 use super::{About, Columns, LogFormat, Values};
 use crate::exports::Recognised;
@@ -34,7 +35,7 @@ impl LogFormat for KukaRsi {
     }
 }
 
-/// The unit of a column.
+/// Returns the unit of a column.
 fn unit_of(column: &str) -> Option<&'static str> {
     let axis = column.trim_start_matches("AIPos_").trim_start_matches("ASPos_").trim_start_matches("AIPos.");
     let axis = axis.trim_start_matches("ASPos.");
@@ -48,7 +49,7 @@ fn unit_of(column: &str) -> Option<&'static str> {
     }
 }
 
-/// Says where the counter leaves cycles out; a step is the one that occurs most.
+/// Returns a warning if the counter skips cycles. The cycle is the most frequent step.
 fn gaps(file: &str, columns: &Columns) -> Option<Message> {
     let times = columns.columns.iter().find(|(name, _)| name == "time_s");
     let Some((_, Values::Real(times_s))) = times else { return None };

@@ -1,5 +1,5 @@
-//! Logs: `[log]` of a campaign, and what is read of it; their formats, one file each: what is known of columns, units and
-//! clocks.
+//! Logs of controllers: the section `[log]` of a campaign, the reader, and the formats (one file
+//! each).
 
 mod galil;
 mod joint_log;
@@ -37,41 +37,44 @@ use toml::Spanned;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Log {
-    /// Name of the log, where there are several.
+    /// Name of the log, if there are several.
     #[serde(default = "default_log")]
     pub name: String,
     /// Name of the file.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
-    /// Encoding of its characters, where no byte-order mark states it.
+    /// Character encoding, if no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Controller that wrote the log.
     #[serde(default)]
     pub format: LogKind,
-    /// What separates the columns.
+    /// Delimiter of the columns.
     #[schemars(extend("default" = ","))]
     pub delimiter: Option<Delimiter>,
     /// Decimal mark.
     #[serde(default)]
     pub decimal: Decimal,
-    /// Sheet of a workbook that holds the log: its cells need neither delimiter nor encoding.
+    /// Sheet of a workbook with the log; `delimiter` and `encoding` do not apply.
     pub sheet: Option<String>,
-    /// Rows before the data, the last of which names the columns: `true` (one), `false` (none), a number, or words of the row.
+    /// Header rows before the data; the last one names the columns: a number, `true` (one), `false`
+    /// (none), or words of the last one.
     #[serde(default = "one_row")]
     #[schemars(extend("default" = true))]
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// The columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point touched), the joints with their units,
-    /// and directions from which joints came (`q1_direction`: +1 from below, -1 from above).
+    /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point
+    /// touched), the joints with their units, and the directions from which joints came
+    /// (`q1_direction`: +1 from below, -1 from above).
     #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
-    /// `row`: the number of the data row is the number of the pose; `row + 100`: so many more, for a second file of the same targets.
+    /// Pose number from the number of the data row: `row`, or `row + 100` with an offset for a
+    /// second file of the same targets.
     pub pose: Option<FromRow>,
-    /// Time from one row to the next, of a log without a clock; its first row is at 0.
+    /// Time from one row to the next (s) for a log without a clock; the first row is at 0.
     pub period_s: Option<f64>,
-    /// Whether channels with a scale contain raw or scaled values (TwinCAT).
+    /// Kind of values in channels with a scale: raw or scaled (TwinCAT).
     pub values: Option<ChannelValues>,
     /// Reduces a log recorded during motion to one row of mean joint values for each standstill.
     pub standstill: Option<StandstillCriterion>,
@@ -81,18 +84,18 @@ pub struct Log {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StandstillCriterion {
-    /// Least duration of a standstill.
+    /// Minimum duration of a standstill (s).
     pub at_least_s: f64,
-    /// Largest difference of two values of a revolute joint in a standstill.
+    /// Largest difference of two values of a revolute joint in a standstill (deg).
     pub within_deg: Option<f64>,
-    /// Largest difference of two values of a prismatic joint in a standstill.
+    /// Largest difference of two values of a prismatic joint in a standstill (mm).
     pub within_mm: Option<f64>,
 }
 
 impl Log {
-    /// What separates the columns of a delimited log.
+    /// Returns the delimiter of the columns.
     pub fn delimiter(&self) -> Delimiter {
-        // cells of a sheet are read as a text with tabs
+        // the cells of a sheet become a text with tabs
         let other = if self.sheet.is_some() { Delimiter::Tab } else { Delimiter::Comma };
         self.delimiter.unwrap_or(other)
     }
@@ -102,10 +105,10 @@ impl Log {
         self.header != Header::Rows(0)
     }
 
-    /// The text of the log's file.
+    /// Reads the text of the file, and its bytes.
     ///
     /// # Errors
-    /// A file that cannot be read, or that is no text of this encoding or has no such sheet.
+    /// If the file cannot be read, is not text of this encoding, or lacks the sheet.
     pub fn text(&self, path: &Path) -> Result<(String, Vec<u8>)> {
         let bytes = bytes_of(path)?;
         let format = Format::from(Dialect { sheet: self.sheet.clone(), ..Dialect::default() });
@@ -113,13 +116,13 @@ impl Log {
     }
 }
 
-/// What the channels of a TwinCAT Scope export hold: an option of the export that the file does not state.
+/// Values in the channels of a TwinCAT Scope export: an option of the export that the file lacks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ChannelValues {
-    /// As they were recorded: factor and offset of the header are still to be applied.
+    /// Recorded values: factor and offset of the header are not yet applied.
     Raw,
-    /// Factor and offset are applied.
+    /// Scaled values: factor and offset are applied.
     Scaled,
 }
 
@@ -131,11 +134,11 @@ fn one_row() -> Header {
     Header::Rows(1)
 }
 
-/// Every format. To add one: its file, and its line here.
+/// All formats. A new format needs its file and a line here.
 const FORMATS: [&dyn LogFormat; 6] =
     [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
 
-/// A log as a campaign states it, and the text of its file.
+/// Log of a campaign, and the text of its file.
 #[derive(Clone, Copy)]
 pub(crate) struct LogText<'a> {
     pub log: &'a Log,
@@ -144,28 +147,28 @@ pub(crate) struct LogText<'a> {
     pub text: &'a str,
 }
 
-/// What a format of logs is called.
+/// Names of a format.
 #[derive(Clone, Copy)]
 pub(crate) struct About {
-    /// As `format` of a campaign states it.
+    /// Value of `format` in campaign.toml.
     pub name: &'static str,
-    /// In words; none of delimited text of which nothing is known.
+    /// Title; empty for plain delimited text.
     pub title: &'static str,
-    /// What it is, in a sentence.
+    /// Description in one sentence.
     pub description: &'static str,
 }
 
-/// A format of logs: delimited text of which more is known than the campaign states.
+/// Format of logs: delimited text with known columns, units or clocks.
 pub(crate) trait LogFormat: Sync {
-    /// What it is called.
+    /// Returns the names of the format.
     fn about(&self) -> About;
 
-    /// What of a text shows that it is in this format; `header` are the names in its first row.
+    /// Returns the evidence that a text has this format; `header` has the names in its first row.
     fn recognise(&self, _header: &[&str], _text: &str) -> Option<Recognised> {
         None
     }
 
-    /// The unit in which it writes the column of this name, where that is known.
+    /// Returns the unit of the column with this name, if the format fixes it.
     fn unit_of(&self, _column: &str) -> Option<&'static str> {
         None
     }
@@ -175,28 +178,28 @@ pub(crate) trait LogFormat: Sync {
         true
     }
 
-    /// What is wrong with a statement on a column of this format.
+    /// Returns the error of a statement about a column of this format.
     fn statement(&self, _wanted: &Wanted) -> Option<Message> {
         None
     }
 
-    /// Names columns that the header does not name.
+    /// Names columns that the header leaves unnamed.
     fn name_columns(&self, _sheet: &mut Sheet, _problems: &mut Problems) {}
 
-    /// Takes away rows that are none, once it is known where the wanted columns are.
+    /// Removes rows without data; `wanted` has the indices of the wanted columns.
     fn cut(&self, _sheet: &mut Sheet, _wanted: &[(usize, &Wanted)], _problems: &mut Problems) -> Vec<Refused> {
         Vec::new()
     }
 
-    /// Checks the values of a joint as they are in the file.
+    /// Checks the values of a joint in the unit of the file.
     fn check_joint(&self, _sheet: &Sheet, _at: usize, _read: &[f64], _problems: &mut Problems) {}
 
-    /// A warning about all that was read.
+    /// Returns a warning about the columns that were read.
     fn remark(&self, _file: &str, _columns: &Columns) -> Option<Message> {
         None
     }
 
-    /// Whether a file has channels that it names and scales itself: `values` then has a meaning, `header` none.
+    /// `true` if a file names and scales its channels: `values` applies, `header` does not.
     fn has_channels(&self) -> bool {
         false
     }
@@ -206,18 +209,18 @@ pub(crate) trait LogFormat: Sync {
         sheet::read(log, wanted, source)
     }
 
-    /// Whether its columns are in the order of their names.
+    /// `true` if columns are sorted by name.
     fn is_sorted(&self) -> bool {
         false
     }
 }
 
-/// Format of a log, as a campaign states it.
+/// Format of a log.
 #[derive(Clone, Copy)]
 pub struct LogKind(&'static dyn LogFormat);
 
 impl LogKind {
-    /// The format that a text is most surely in, and what shows it.
+    /// Returns the most likely format of a text, and its evidence.
     pub(crate) fn recognise(text: &str) -> Option<(Self, Recognised)> {
         let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
         let header: Vec<&str> = first.split([',', ';', '\t']).map(|name| name.trim().trim_matches('"')).collect();
@@ -229,12 +232,12 @@ impl LogKind {
         self.0.about()
     }
 
-    /// The unit in which the column of this name is, where that is known.
+    /// Returns the unit of the column with this name, if the format fixes it.
     pub(crate) fn unit_of(self, column: &str) -> Option<&'static str> {
         self.0.unit_of(column)
     }
 
-    /// Whether a file has channels that it names and scales itself.
+    /// `true` if a file names and scales its channels.
     pub fn has_channels(self) -> bool {
         self.0.has_channels()
     }
@@ -281,16 +284,16 @@ impl<'de> Deserialize<'de> for LogKind {
     }
 }
 
-/// Rows of a log, column by column.
+/// Columns of a log.
 #[derive(Debug, Default)]
 pub(crate) struct Columns {
-    /// Number of each data row in its file, from 1.
+    /// Number of each data row, from 1.
     pub rows: Vec<i64>,
     /// Line of each row, from 1.
     pub lines: Vec<i64>,
-    /// Columns by their names in the table, in mm, deg and s.
+    /// Columns with their names in the table (mm, deg, s).
     pub columns: Vec<(String, Values)>,
-    /// Remarks on it.
+    /// Warnings.
     pub said: Vec<Message>,
 }
 
@@ -301,28 +304,28 @@ pub(crate) enum Values {
     Text(Vec<String>),
     /// Names of poses.
     Poses(Vec<PoseName>),
-    /// Numbers, all finite.
+    /// Finite numbers.
     Real(Vec<f64>),
 }
 
-/// A column that the campaign wants.
+/// Column to read.
 pub(crate) struct Wanted<'a> {
     key: &'a Spanned<String>,
     column: &'a Column,
     /// Name in the table.
     name: String,
-    /// From the key's unit to that of the table.
+    /// Factor from the unit of the key to the unit of the table.
     factor: f64,
 }
 
 impl Wanted<'_> {
-    /// A value of the file in the unit of the table.
+    /// Returns a value of the file in the unit of the table.
     fn value(&self, read: f64) -> f64 {
         let Some(per_count) = self.column.per_count else { return read * self.factor };
         (read - self.column.zero_count.unwrap_or(0.0)) * per_count * self.factor
     }
 
-    /// The unit that the key states: `rad` of `q1_rad`, `ms` of `time_ms`; none of `pose`.
+    /// Returns the unit in the key: `rad` of `q1_rad`, `ms` of `time_ms`; `None` of `pose`.
     fn unit(&self) -> Option<&str> {
         let key = self.key.get_ref();
         let unitless = self.name == *key
@@ -330,14 +333,13 @@ impl Wanted<'_> {
         key.rsplit_once('_').map(|(_, unit)| unit).filter(|_| !unitless)
     }
 
-    /// Whether it is a joint: all that is neither time, pose, cycle, label, direction nor assembly mode.
+    /// `true` for a joint: not a time, pose, cycle, label, direction or assembly mode.
     fn is_joint(&self) -> bool {
         !is_common_column(self.key.get_ref()) && !self.name.ends_with(DIRECTION)
     }
 }
 
-/// Reads a log, and gives the remarks on it. Where the campaign states when the robot stands, each standstill is one
-/// row.
+/// Reads a log, with its warnings. If the campaign states `standstill`, each standstill is one row.
 pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
     let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;
     let mut read = JointLog { name: log.name.clone(), file: log.file.get_ref().clone(), ..JointLog::default() };
@@ -386,7 +388,7 @@ pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> R
     })
 }
 
-/// Reads the columns that the campaign wants of a log.
+/// Reads the columns of a log that the campaign names.
 pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
@@ -399,7 +401,7 @@ pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut So
     }
 }
 
-/// What each key of `columns` becomes.
+/// Returns the column to read for each key of `columns`.
 fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<Wanted<'a>> {
     let mut wanted: Vec<Wanted> = Vec::new();
     let clock = log.period_s.is_some().then_some("time_s");
@@ -439,13 +441,13 @@ fn inapplicable(key: &str) -> Message {
     error!("log-key-inapplicable", key, column = "none")
 }
 
-/// An error where the key states another unit than the column has in files of this format.
+/// Checks that the key states the unit that the column has in files of this format.
 fn unit_agrees(format: LogKind, wanted: &Wanted, column: &str) -> std::result::Result<(), Message> {
     let (Some(stated), Some(known)) = (wanted.unit(), format.0.unit_of(column)) else { return Ok(()) };
     other_unit(wanted, column, stated, known).map_or(Ok(()), Err)
 }
 
-/// The error about a column that is in another unit than its key states, if it is.
+/// Returns the error that a column has another unit than its key states, if it has.
 fn other_unit(wanted: &Wanted, column: &str, stated: &str, known: &str) -> Option<Message> {
     if stated == known {
         return None;

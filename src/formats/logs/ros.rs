@@ -1,5 +1,8 @@
-//! ROS messages as CSV. The order of joints in a JointState is arbitrary: they are found by name, in the header
-//! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p` (`field.name0,...,field.position0,...`).
+//! ROS messages as CSV.
+//!
+//! The order of joints in a JointState is arbitrary. Joints are found by name, in the header
+//! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p`
+//! (`field.name0,...,field.position0,...`).
 
 use super::sheet::Sheet;
 use super::{About, LogFormat};
@@ -37,8 +40,8 @@ impl LogFormat for Ros {
     }
 }
 
-/// Units of ROS (REP 103): rad and m, times of `rostopic echo` in ns. A position may be either: the campaign's word counts,
-/// as long as it is one of the two.
+/// Returns the unit of a column (REP 103: rad and m; times of `rostopic echo` in ns). Positions may
+/// be in rad or m: the campaign states which.
 fn unit_of(column: &str) -> Option<&'static str> {
     match column {
         "%time" | "field.header.stamp" => Some("ns"),
@@ -48,7 +51,7 @@ fn unit_of(column: &str) -> Option<&'static str> {
     }
 }
 
-/// Names the columns `field.positionN` after the joints that `field.nameN` names in every row.
+/// Names each column `field.positionN` after the joint in the column `field.nameN`.
 fn name_joints(sheet: &mut Sheet, problems: &mut Problems) {
     let Some(header) = &sheet.header else { return };
     let mut named = header.fields.clone();

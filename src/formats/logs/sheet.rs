@@ -1,4 +1,4 @@
-//! Logs that are one table: a header of names, a row for each time.
+//! Logs that are one table: a header row with names, and a row for each time.
 
 use super::{About, Columns, Log, LogFormat, LogText, Values, Wanted, unit_agrees};
 use crate::dialect::{ColumnAt, Decimal, Delimiter, Dialect, Header, two_commas};
@@ -10,7 +10,7 @@ use etalon_base::{error, phrase};
 use etalon_documents::Source;
 use std::borrow::Cow;
 
-/// Delimited text of which nothing is known but what the campaign states.
+/// Plain delimited text: the campaign states everything.
 pub(super) struct Delimited;
 
 impl LogFormat for Delimited {
@@ -23,7 +23,7 @@ impl LogFormat for Delimited {
     }
 }
 
-/// The rows of a log.
+/// Rows of a log.
 pub(crate) struct Sheet<'a> {
     pub file: &'a str,
     pub header: Option<Row<'a>>,
@@ -31,17 +31,17 @@ pub(crate) struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// Its first row.
+    /// Returns the place of the first row.
     pub fn place(&self) -> Place {
         self.header.as_ref().or(self.rows.first()).map_or_else(|| Place::file(self.file), |row| row.place(self.file))
     }
 
-    /// The place of a cell.
+    /// Returns the place of a cell.
     pub fn cell(&self, row: &Row, index: usize) -> Place {
         row.cell(self.file, index)
     }
 
-    /// Number of columns.
+    /// Returns the number of columns.
     fn width(&self) -> usize {
         self.header.as_ref().or(self.rows.first()).map_or(0, |row| row.fields.len())
     }
@@ -103,7 +103,7 @@ fn split<'a>(stated: SourceText, log: &'a Log, text: &'a str, problems: &mut Pro
     };
     let header = all.drain(..before.min(all.len())).next_back();
     if log.sheet.is_some() {
-        // cells behind the last one of a row are empty, and not written
+        // a sheet omits trailing empty cells
         let width = header.iter().chain(&all).map(|row| row.fields.len()).max().unwrap_or(0);
         all.iter_mut().for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
     }
@@ -131,14 +131,14 @@ pub(crate) fn words_missing(header: &Header) -> Message {
     error!("header-words-missing", words)
 }
 
-/// Returns the error that a row has another number of fields than the header or the first row.
+/// Returns the error that a row has another number of fields than the header or first row.
 pub(crate) fn row_width(file: &str, row: &Row, width: usize, like: &str) -> Message {
     let expected = phrase!("fields-like", width, like);
     error!("row-field-count", fields = row.fields.len(), expected).at(row.place(file))
 }
 
-/// Returns the error that the delimiter leaves each row in one column, with the delimiter and decimal mark that
-/// split the rows, if any.
+/// Returns the error that the delimiter leaves each row in one column. The hint states the
+/// delimiter and the decimal mark that split the rows, if any.
 pub(crate) fn one_column(delimiter: Delimiter, guess: Option<&Dialect>) -> Message {
     let message = error!("delimiter-does-not-split", delimiter = delimiter.name());
     match guess.and_then(|dialect| Some((dialect.delimiter?, dialect.decimal))) {
@@ -149,7 +149,7 @@ pub(crate) fn one_column(delimiter: Delimiter, guess: Option<&Dialect>) -> Messa
     }
 }
 
-/// Index of a column, by its number or by its name in the header.
+/// Returns the index of a column given by number or heading.
 fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
     log.format.0.statement(wanted).map_or(Ok(()), Err)?;
     let index = match (&wanted.column.at, &sheet.header) {
@@ -168,7 +168,7 @@ fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<us
     Ok(index)
 }
 
-/// Index of the column with this name; of several the stated one.
+/// Returns the index of the column with this heading; of several, the stated one.
 fn named(name: &str, occurrence: Option<usize>, header: &[Cow<str>]) -> std::result::Result<usize, Message> {
     let places: Vec<usize> = (0..header.len()).filter(|&i| header[i] == *name).collect();
     match occurrence_of(name, &places, occurrence)? {
@@ -177,7 +177,7 @@ fn named(name: &str, occurrence: Option<usize>, header: &[Cow<str>]) -> std::res
     }
 }
 
-/// Returns the stated one of several columns with a name; `None` if there is no column with this name.
+/// Returns the stated one of several columns with a name; `None` if there is no such column.
 pub(super) fn occurrence_of<T: Copy>(
     name: &str,
     columns: &[T],
@@ -191,12 +191,12 @@ pub(super) fn occurrence_of<T: Copy>(
     }
 }
 
-/// Whether a field is a number, in this decimal mark or with more digits than a number can keep.
+/// `true` if a field is a number with this decimal mark.
 fn is_number(field: &str, decimal: Decimal) -> bool {
     parsed(field, decimal, None).is_some()
 }
 
-/// The values of one column, in mm, deg and s; those that do not read are reported.
+/// Returns the values of one column (mm, deg, s), and reports cells that cannot be read.
 fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Problems) -> Values {
     if wanted.name == LABEL {
         return Values::Text(sheet.rows.iter().map(|row| row.field(at).to_owned()).collect());
@@ -243,8 +243,8 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
     Values::Real(read.into_iter().map(value).collect())
 }
 
-/// Seconds of whole nanoseconds. Nineteen digits are more than a number of 64 bits keeps, so that seconds are split off
-/// first.
+/// Returns seconds of whole nanoseconds. Whole seconds are split off first, because an `f64` does
+/// not hold nineteen digits.
 fn seconds(cell: &str) -> std::result::Result<f64, Message> {
     let ns: i64 = cell.parse().map_err(|_| error!("not-whole-number", value = cell, column = "time_ns"))?;
     Ok(ns.div_euclid(1_000_000_000) as f64 + ns.rem_euclid(1_000_000_000) as f64 * 1e-9)

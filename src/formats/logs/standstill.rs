@@ -1,8 +1,8 @@
-//! Where a robot stands, in a log that was recorded while it moved.
+//! Standstills in a log that was recorded during motion.
 //!
-//! A sample stands if it lies in some stretch of at least the stated time within which no joint moves by more than is
-//! stated for its kind. The rule is the same read backwards, and has no filter. What stands together is one interval:
-//! stretches that share a sample are.
+//! A sample belongs to a standstill if it lies in a stretch of at least the stated duration within
+//! which no joint moves by more than the limit of its kind. The rule is symmetric in time and uses
+//! no filter. Stretches with a common sample form one standstill.
 
 use super::joint_log::{DIRECTION, JointLog, LogRow};
 use super::{Log, StandstillCriterion};
@@ -13,16 +13,16 @@ use etalon_documents::{Source, StandingInterval, StandingJoint};
 use etalon_standards::iso9283::statistics::sample::{self, SampleSpread};
 use std::collections::VecDeque;
 
-/// A joint: its values, and how far they may lie apart where it stands, in the same unit.
+/// Joint with its values and its limit at a standstill, in one unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Watched<'a> {
-    /// Values, one for each sample.
+    /// Value at each sample.
     pub values: &'a [f64],
-    /// Largest difference of two values where the joint stands.
+    /// Largest difference of two values at a standstill.
     pub within: f64,
 }
 
-/// First and last sample of each interval in which all joints stand, in order; times in seconds, increasing.
+/// Returns the first and last sample of each standstill of all joints. Times increase (s).
 pub fn standing(times_s: &[f64], joints: &[Watched], at_least_s: f64) -> Vec<(usize, usize)> {
     let mut found: Vec<(usize, usize)> = Vec::new();
     for (first, last) in stretches(times_s.len(), joints) {
@@ -37,7 +37,7 @@ pub fn standing(times_s: &[f64], joints: &[Watched], at_least_s: f64) -> Vec<(us
     found
 }
 
-/// From each sample on, the longest stretch within which no joint leaves its range.
+/// Returns for each sample the longest stretch from it within which no joint exceeds its limit.
 fn stretches(count: usize, joints: &[Watched]) -> Vec<(usize, usize)> {
     let mut ranges: Vec<Range> = joints.iter().map(|_| Range::default()).collect();
     let mut all = Vec::with_capacity(count);
@@ -56,8 +56,8 @@ fn stretches(count: usize, joints: &[Watched]) -> Vec<(usize, usize)> {
     all
 }
 
-/// Range of a stretch that grows at its end and shrinks at its start: indices of the values that are the largest
-/// (smallest) from there to the end.
+/// Range of a stretch that grows at its end and shrinks at its start: indices of the values that
+/// are the largest (smallest) from their place to the end.
 #[derive(Default)]
 struct Range {
     largest: VecDeque<usize>,
@@ -65,7 +65,7 @@ struct Range {
 }
 
 impl Range {
-    /// The range with one more value.
+    /// Returns the range with one more value.
     fn with(&self, values: &[f64], next: usize) -> f64 {
         let high = self.largest.front().map_or(values[next], |&i| values[i].max(values[next]));
         let low = self.smallest.front().map_or(values[next], |&i| values[i].min(values[next]));
@@ -83,7 +83,7 @@ impl Range {
         self.smallest.push_back(next);
     }
 
-    /// Takes the first value out.
+    /// Removes the first value.
     fn forget(&mut self, first: usize) {
         for queue in [&mut self.largest, &mut self.smallest] {
             if queue.front() == Some(&first) {
@@ -93,9 +93,9 @@ impl Range {
     }
 }
 
-/// The log with one row for each interval in which the robot stands: mean joint values.
+/// Returns the log with one row of mean joint values for each standstill.
 ///
-/// Pose, cycle, label and assembly mode must not change within an interval.
+/// Pose, cycle, label and assembly mode must not change within a standstill.
 pub(super) fn reduce(
     stated: SourceText,
     log: &Log,
@@ -141,7 +141,7 @@ pub(super) fn reduce(
     Ok(JointLog { columns, rows, ..read })
 }
 
-/// Times of the rows, and how far each joint may move while it stands; or what is wrong with the statement.
+/// Returns the times of the rows and the limit of each joint, or the error of the statement.
 fn limits(
     log: &Log,
     still: &StandstillCriterion,
@@ -172,7 +172,7 @@ fn limits(
     Ok((times_s, read.joints.iter().map(within).collect::<std::result::Result<_, _>>()?))
 }
 
-/// An error if what a standing robot is at changes.
+/// Checks that pose, cycle, label and assembly mode do not change within a standstill.
 fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     type Value<'a> = dyn Fn(&LogRow) -> String + 'a;
     let of: [(&str, &Value); 4] = [
@@ -192,7 +192,7 @@ fn unchanged(log: &Log, rows: &[LogRow]) -> Result<()> {
     Ok(())
 }
 
-/// Mean, standard deviation (n - 1) and range of a joint while it stands.
+/// Returns mean, standard deviation (n - 1) and range of a joint within a standstill.
 fn spread(name: &str, values: &[f64]) -> StandingJoint {
     let SampleSpread { mean, deviation } = sample::spread(values);
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));

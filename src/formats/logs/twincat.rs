@@ -1,7 +1,9 @@
-//! Beckhoff TwinCAT 3 Scope exports: every channel has a time base of its own, in ms since the start of the export.
+//! Beckhoff TwinCAT 3 Scope exports: each channel has its own times (ms since the start of the
+//! export).
 //!
-//! Unsorted exports bring a column of times for each channel, sorted ones for each group of channels with the same times.
-//! A row of the log is a time at which all wanted channels have a value; nothing is interpolated.
+//! Unsorted exports have a column of times for each channel, sorted exports for each group of
+//! channels with equal times. A row of the log is a time at which all wanted channels have a value;
+//! nothing is interpolated.
 
 use super::sheet::{occurrence_of, row_width};
 use super::{About, ChannelValues, Columns, Log, LogFormat, LogText, Values, Wanted, inapplicable, other_unit};
@@ -39,13 +41,13 @@ impl LogFormat for TwinCat {
     }
 }
 
-/// The samples of a channel.
+/// Samples of a channel.
 #[derive(Default)]
 struct Samples {
     times_ms: Vec<f64>,
     values: Vec<f64>,
     lines: Vec<i64>,
-    /// No more of it in the rows that follow.
+    /// `true` after the last sample.
     ended: bool,
 }
 
@@ -78,7 +80,7 @@ fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], source: &mut 
     together(file, &header, &chosen, log, &samples)
 }
 
-/// The channel that a key wants, in a unit and a scale that are clear.
+/// Returns the channel of a key, after checks of its unit and scale.
 fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::Result<&'a Channel, Message> {
     if wanted.name == "time_s" {
         return Err(inapplicable(wanted.key.get_ref()));
@@ -105,7 +107,7 @@ fn channel<'a>(header: &'a Header, log: &Log, wanted: &Wanted) -> std::result::R
     Ok(channel)
 }
 
-/// Factor and offset that are still to be applied.
+/// Returns the factor and offset that are not yet applied.
 fn scale(channel: &Channel, values: Option<ChannelValues>) -> std::result::Result<(f64, f64), Message> {
     const NONE: (f64, f64) = (1.0, 0.0);
     match (channel.scale, channel.unit_scale, values) {
@@ -118,7 +120,7 @@ fn scale(channel: &Channel, values: Option<ChannelValues>) -> std::result::Resul
     }
 }
 
-/// The samples of each channel.
+/// Reads the samples of each channel.
 fn samples(
     header: &Header,
     channels: &[&Channel],
@@ -172,7 +174,7 @@ fn samples(
     problems.check().map(|_| all)
 }
 
-/// One row for each time at which all channels have a value.
+/// Returns one row for each time at which all channels have a value.
 fn together(
     file: &str,
     header: &Header,
@@ -206,41 +208,41 @@ fn together(
     Ok(columns)
 }
 
-/// Seconds from 1601-01-01, where a FILETIME begins, to 1970-01-01.
+/// Seconds from 1601-01-01, the origin of FILETIME, to 1970-01-01.
 const FILETIME_TO_UNIX_S: i64 = 11_644_473_600;
 
-/// The head of an export.
+/// Head of an export.
 struct Header {
-    /// What separates fields.
+    /// Separator of fields.
     separator: char,
     /// Start of the export, FILETIME: 100 ns since 1601-01-01 UTC.
     start: Option<i64>,
-    /// Columns that bring values.
+    /// Columns of values.
     channels: Vec<Channel>,
-    /// Fields of a full row.
+    /// Number of fields of a full row.
     width: usize,
     /// Index of the first line with data.
     data: usize,
-    /// The line that names the channels, from 1.
+    /// Line that names the channels, from 1.
     names: usize,
 }
 
-/// A column of values.
+/// Column of values.
 struct Channel {
     name: String,
-    /// Its column.
+    /// Index of its column.
     at: usize,
-    /// The column of its times.
+    /// Index of the column of its times.
     time: usize,
     unit: String,
     /// Factor and offset of the channel: value = raw * factor + offset.
     scale: (f64, f64),
-    /// Factor and offset of its unit, likewise.
+    /// Factor and offset of the unit: value = raw * factor + offset.
     unit_scale: (f64, f64),
 }
 
 impl Header {
-    /// Reads the head; a file that could be read in two ways is refused.
+    /// Reads the head; an ambiguous file is rejected.
     fn read(file: &str, lines: &[&str], log: &Log) -> Result<Self> {
         let shown = |i: usize| Place::line(file, i + 1, lines.get(i).copied().unwrap_or(""));
         let separator = separator(lines, log).map_err(|m| m.at(shown(0)))?;
@@ -255,7 +257,7 @@ impl Header {
         };
         let head: Vec<Vec<&str>> = (first..end).map(split).collect();
         let width = head[0].len();
-        // comments that are empty end their row early
+        // empty comments end their row early
         let fits = |row: &Vec<&str>| row.len() == width || row.len() < width && row[0] == "SymbolComment";
         let ragged = head.iter().enumerate().filter(|(_, row)| !fits(row)).map(|(i, row)| {
             error!("twincat-head-ragged", row = row[0], fields = row.len(), width).at(shown(first + i))
@@ -274,7 +276,7 @@ impl Header {
             }
             let mut number = |key: &str, absent: f64| match field(key, at) {
                 "" => absent,
-                // the head keeps the decimal mark of the operating system, whatever the data have
+                // the head has the decimal mark of the operating system, the data may have another
                 text => text.replace(',', ".").parse().unwrap_or_else(|_| {
                     let message = error!("channel-scale-not-number", key, channel = name, value = text);
                     problems.0.push(message.at(shown(first)));
@@ -294,7 +296,7 @@ impl Header {
         Ok(Self { separator, start, channels, width, data: end + 1, names: first + 1 })
     }
 
-    /// The start of the export in UTC, to the millisecond.
+    /// Returns the start of the export in UTC, to the millisecond.
     fn start_utc(&self) -> Option<String> {
         let ms = self.start?.div_euclid(10_000) - FILETIME_TO_UNIX_S * 1000;
         let (days, in_day) = (ms.div_euclid(86_400_000), ms.rem_euclid(86_400_000));
@@ -305,7 +307,7 @@ impl Header {
     }
 }
 
-/// The separator, which the first line shows after its first word; one that reads two ways is refused.
+/// Returns the separator behind the first word of the first line; an ambiguous one is rejected.
 fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     let after = lines.first().and_then(|line| line.strip_prefix("Name")).and_then(|rest| rest.chars().next());
     let Some(separator) = after.filter(|c| ['\t', ' ', ':', ';', ','].contains(c)) else {
@@ -324,7 +326,7 @@ fn separator(lines: &[&str], log: &Log) -> std::result::Result<char, Message> {
     Ok(separator)
 }
 
-/// Year, month and day of a number of days since 1970-01-01 in the Gregorian calendar.
+/// Returns year, month and day of a number of days since 1970-01-01 (Gregorian calendar).
 ///
 /// H. Hinnant, "chrono-Compatible Low-Level Date Algorithms", civil_from_days.
 fn civil(days: i64) -> (i64, i64, i64) {

@@ -1,7 +1,9 @@
-//! Universal Robots RTDE recordings: a row for each cycle of the controller, columns named after RTDE's outputs.
+//! Universal Robots RTDE recordings: a row for each cycle of the controller, columns named after
+//! the outputs of RTDE.
 //!
-//! Units are those of the RTDE guide of Universal Robots: rad, m, s. A recording may name a column twice (a real one has
-//! `target_current_0` to `_5` before and after `target_q`); such a name is refused unless the campaign states which.
+//! Units (RTDE guide of Universal Robots): rad, m, s. A recording may name a column twice (a real
+//! one has `target_current_0` to `_5` before and after `target_q`). Such a name is rejected unless
+//! the campaign states its occurrence.
 
 use super::{About, LogFormat};
 use crate::exports::Recognised;
@@ -29,7 +31,7 @@ impl LogFormat for UrRtde {
     }
 }
 
-/// Beginnings of names and the unit of what they hold.
+/// Beginnings of names, and their units.
 const UNITS: [(&str, &str); 22] = [
     ("timestamp", "s"),
     ("target_q_", "rad"),
@@ -55,7 +57,7 @@ const UNITS: [(&str, &str); 22] = [
     ("actual_TCP_force_", "N"),
 ];
 
-/// The unit of a column.
+/// Returns the unit of a column.
 fn unit_of(column: &str) -> Option<&'static str> {
     UNITS.iter().find(|(start, _)| column.starts_with(start)).map(|(_, unit)| *unit)
 }

@@ -1,4 +1,4 @@
-//! Writes a log in the columns that a campaign states.
+//! Writer of logs with the columns of a campaign.
 
 use super::{JointLog, Log, LogRow, meaning};
 use crate::dialect::{Column, ColumnAt};
@@ -7,24 +7,25 @@ use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::error;
 use etalon_base::message::{Message, Result, SourceText};
 
-/// A campaign may number columns, but not without end.
+/// Maximum number of columns.
 const MOST_COLUMNS: usize = 1000;
 
-/// What is in a column.
+/// Content of a column.
 enum Content {
     Pose,
     Cycle,
-    /// So many in a second, with so many digits after the mark.
+    /// Number of its units in a second, digits behind the decimal mark.
     Time(f64, usize),
     Assembly,
     Label,
-    /// Index of the joint, factor from the column's unit to mm or deg, digits after the mark.
+    /// Index of the joint, factor from the unit of the column to mm or deg, digits.
     Joint(usize, f64, usize),
-    /// Index of the joint, factor from the column's unit to mm or deg, worth of a count, count at zero.
+    /// Index of the joint, factor from the unit of the column to mm or deg, value of a count,
+    /// count at zero.
     Counts(usize, f64, f64, f64),
 }
 
-/// The text of a log with these rows.
+/// Returns the text of a log with these rows.
 pub fn write(stated: SourceText, log: &Log, values: &JointLog) -> Result<String> {
     let places = places(log).map_err(|m| m.at(stated.place(&log.file)))?;
     let width = places.iter().map(|p| p.2 + 1).max().unwrap_or(0);
@@ -47,7 +48,8 @@ pub fn write(stated: SourceText, log: &Log, values: &JointLog) -> Result<String>
 
 type Placed<'a> = (&'a toml::Spanned<String>, &'a Column, usize, Option<&'a String>);
 
-/// Index and name of each column: numbered ones stand where they state, named ones fill the gaps in their order.
+/// Returns index and name of each column: numbered columns have their place, named columns fill the
+/// gaps in order.
 fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
     let number = |column: &Column| if let ColumnAt::Number(n) = column.at { Some(n - 1) } else { None };
     let taken: Vec<usize> = log.columns.values().filter_map(number).collect();
@@ -71,7 +73,7 @@ fn places(log: &Log) -> std::result::Result<Vec<Placed<'_>>, Message> {
     Ok(places)
 }
 
-/// What a key of `columns` brings.
+/// Returns the content of the column of a key.
 fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result<Content, Message> {
     let unknown = || error!("simulated-column-unknown", key);
     match key {
@@ -89,7 +91,7 @@ fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result
     if let Some(per_count) = column.per_count {
         return Ok(Content::Counts(joint, factor, per_count, column.zero_count.unwrap_or(0.0)));
     }
-    // as fine as 1e-6 mm or deg; radians, in which no round angle ends, finer than any position shows
+    // resolution 1e-6 mm or deg; finer for radians, where round angles have no end
     let digits = if key.ends_with("_rad") { 14 } else { (6.0 + factor.log10()).round().max(0.0) as usize };
     Ok(Content::Joint(joint, factor, digits))
 }

@@ -1,11 +1,11 @@
-//! Which columns are coordinates, of which points; and what columns without headings are taken for.
+//! Interpretation of columns as coordinates of points, and of columns without headings.
 
 use super::headings::{Word, stands_for};
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::table::{Column, Table};
 use etalon_base::message::count;
 
-/// What the words of a set of coordinates state that it is.
+/// Kind of a set of coordinates, by the words of its headings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Plain,
@@ -16,14 +16,14 @@ enum Kind {
     Other,
 }
 
-/// Three coordinates whose headings have the same words beside the axis.
+/// Set of coordinates whose headings differ only in the axis.
 #[derive(Clone, Debug)]
 struct Set {
     points: PointSet,
     kind: Kind,
 }
 
-/// The axis that a heading names, and its other words.
+/// Returns the axis that a heading names, and its other words.
 fn axis_of(column: &Column) -> Option<(usize, String)> {
     const BEFORE: [&str; 10] = ["", "p", "pos", "t", "tcp", "pt", "c", "coord", "trans", "loc"];
     let words = &column.heading.words;
@@ -44,7 +44,7 @@ fn axis_of(column: &Column) -> Option<(usize, String)> {
     Some((axis, rest.join(" ")))
 }
 
-/// What a set is, by the words of its headings.
+/// Returns the kind of a set by the words of its headings.
 fn kind_of(tag: &str) -> Kind {
     let has = |meaning: Word| tag.split(' ').any(|word| stands_for(word, meaning));
     let long = |meaning: Word| tag.split(' ').any(|word| word.len() > 1 && stands_for(word, meaning));
@@ -83,7 +83,7 @@ fn kind_of(tag: &str) -> Kind {
 }
 
 impl Interpretation {
-    /// Coordinates: sets of x, y and z with the same words beside them.
+    /// Finds coordinates: sets of x, y and z whose headings differ only in the axis.
     pub(super) fn coordinates(&mut self, table: &Table) {
         if !self.points.is_empty() {
             return;
@@ -103,13 +103,13 @@ impl Interpretation {
             }
         }
         let axes = |set: &Set| set.points.columns.iter().flatten().count();
-        // coordinates of one axis are a measurement of one coordinate only where nothing else is
+        // a coordinate of one axis counts only if there is no set of more axes
         let most = sets.iter().map(axes).max().unwrap_or(0);
         sets.retain(|set| {
             set.points.columns[0].is_some() && set.points.columns[1].is_some() || axes(set) == most && most < 2
         });
         if sets.iter().any(|set| set.kind == Kind::Difference) {
-            // `x_t` beside `x_dif` is the target
+            // `x_t` beside `x_dif` is the commanded value
             for set in sets.iter_mut().filter(|set| set.points.tag == "t" || set.points.tag == "target") {
                 set.kind = Kind::Commanded;
             }
@@ -165,7 +165,7 @@ impl Interpretation {
         }
     }
 
-    /// What is in doubt of the coordinates that were found.
+    /// Adds doubts and questions about the coordinates.
     fn judge(&mut self, sets: &[Set], table: &Table) {
         let one = |kind: Kind| sets.iter().find(|set| set.kind == kind).map(|set| set.points.clone());
         if self.points.is_empty()
@@ -199,8 +199,10 @@ impl Interpretation {
         }
     }
 
-    /// Columns without headings: texts in front are the label; a quaternion, a rotation matrix, a direction and a time are seen by
-    /// their values; the first other numbers are x, y and z.
+    /// Interprets columns without headings.
+    ///
+    /// Texts in front are the label. Values identify quaternions, rotation matrices, directions and
+    /// times. The first other numbers are x, y and z.
     pub(super) fn by_position(&mut self, table: &Table) {
         let set = |found: &mut Self, at: usize, meaning: Meaning, why: &str| {
             found.taken[at].meaning = meaning;
@@ -250,7 +252,7 @@ impl Interpretation {
         self.by_count(table, &rest);
     }
 
-    /// What so many numbers in a row are, by their values.
+    /// Interprets the numbers of a row by their count and values.
     fn by_count(&mut self, table: &Table, rest: &[usize]) {
         let set = |found: &mut Self, at: usize, meaning: Meaning, why: &str| {
             found.taken[at].meaning = meaning;
@@ -325,7 +327,7 @@ impl Interpretation {
         self.points.push(PointSet { tag: String::new(), columns });
     }
 
-    /// A 4×4 or 3×4 matrix row by row, or a point and a 3×3 matrix, at the end of the row.
+    /// Finds a 4×4 or 3×4 matrix (row by row), or a point and a 3×3 matrix, at the end of the row.
     fn matrices_by_position(&mut self, table: &Table, numeric: &[usize]) -> bool {
         let at = |from: usize, k: usize| numeric[from + k];
         for (length, step) in [(16, 4), (12, 4), (9, 3)] {

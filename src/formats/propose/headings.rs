@@ -1,18 +1,17 @@
-//! Headings of columns: the words of a name, and the unit that it states. Words are known in English, German, French, Italian
-//! and Spanish.
+//! Words and units in headings of columns, in English, German, French, Italian and Spanish.
 
-/// A heading taken apart.
+/// Heading split into words and unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Heading {
-    /// Its words in small letters without accents; letters and digits are words of their own.
+    /// Words in lower case without accents; letters and digits form separate words.
     pub words: Vec<String>,
-    /// The unit that it states, as keys of a campaign spell it.
+    /// Unit, spelled as in the keys of a campaign.
     pub unit: Option<&'static str>,
     /// `true` if the unit is a bare `_m`, which may mean "measured".
     pub bare_metre: bool,
 }
 
-/// What a word of a heading stands for.
+/// Meaning of a word in a heading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Word {
     Time,
@@ -37,7 +36,7 @@ pub(super) enum Word {
     Joint,
 }
 
-/// Words of headings, by what they stand for.
+/// Words of headings by meaning.
 const WORDS: [(Word, &str); 20] = [
     (Word::Time, "time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts"),
     (Word::Date, "date datum data fecha"),
@@ -99,13 +98,13 @@ const WORDS: [(Word, &str); 20] = [
     ),
 ];
 
-/// Whether a word can stand for this.
+/// `true` if a word can have this meaning.
 pub(super) fn stands_for(word: &str, meaning: Word) -> bool {
     WORDS.iter().any(|(of, words)| *of == meaning && words.split(' ').any(|known| known == word))
 }
 
 impl Heading {
-    /// Takes a heading apart.
+    /// Splits a heading.
     pub fn of(text: &str) -> Self {
         let text = text.trim().trim_start_matches(['%', '#']).trim();
         let mut heading = Self::default();
@@ -139,28 +138,28 @@ impl Heading {
         heading
     }
 
-    /// Whether a word of the heading stands for this.
+    /// `true` if a word of the heading has this meaning.
     pub fn has(&self, meaning: Word) -> bool {
         self.words.iter().any(|word| stands_for(word, meaning))
     }
 
-    /// Whether all words of the heading stand for one of these.
+    /// `true` if every word of the heading has one of these meanings.
     pub fn is_only(&self, meanings: &[Word]) -> bool {
         !self.words.is_empty() && self.words.iter().all(|word| meanings.iter().any(|of| stands_for(word, *of)))
     }
 
-    /// The words without the one at this place.
+    /// Returns the words except the one at this index.
     pub fn without(&self, at: usize) -> Vec<String> {
         self.words.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, word)| word.clone()).collect()
     }
 
-    /// The words, one behind the other.
+    /// Returns the words, separated by blanks.
     pub fn joined(&self) -> String {
         self.words.join(" ")
     }
 }
 
-/// The unit that a word is, as keys of a campaign spell it.
+/// Returns the unit that a word names, spelled as in the keys of a campaign.
 fn unit(word: &str) -> Option<&'static str> {
     let word = word.trim();
     if word == "M" {
@@ -184,8 +183,10 @@ fn unit(word: &str) -> Option<&'static str> {
     })
 }
 
-/// Words in small letters without accents: parted at what is no letter or digit, at a digit behind a letter and the other way
-/// round, and at a capital letter behind a small one.
+/// Splits a text into words in lower case without accents.
+///
+/// A word ends at a character that is neither letter nor digit, between letters and digits, and
+/// before an upper-case letter behind a lower-case one.
 fn words(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut last = ' ';
@@ -207,7 +208,7 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// A letter in small, without its accent.
+/// Returns a letter in lower case without accent.
 fn plain(c: char) -> impl Iterator<Item = char> {
     let c = c.to_lowercase().next().unwrap_or(c);
     [match c {

@@ -1,4 +1,4 @@
-//! The lines of a proposal: what a campaign states of a file, from what its columns are taken for.
+//! Lines of a proposal for campaign.toml, from the interpretation of the columns.
 
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::table::Table;
@@ -13,17 +13,17 @@ use etalon_base::message::count;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
 
-/// What is to be done with the columns of a proposed log.
+/// Remark to complete the columns of a proposed log.
 pub(super) const JOINTS: &str =
     "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
 
-/// Problems of a trial that are repeated as doubts.
+/// Maximum number of problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
 
-/// More columns than this are named, not listed from the left.
+/// Maximum number of columns that are listed from the left; more columns are named.
 const LISTED: usize = 14;
 
-/// What is proposed of a table.
+/// Proposal for a table.
 #[derive(Clone, Copy)]
 pub(super) struct Proposal<'a> {
     pub file: &'a str,
@@ -33,7 +33,7 @@ pub(super) struct Proposal<'a> {
     pub found: &'a Interpretation,
 }
 
-/// The line that states the unit.
+/// Returns the line of the unit.
 pub(super) fn unit_line(unit: Option<&str>) -> String {
     match unit {
         Some(unit) => format!("unit = {unit:?}                # the file states it\n"),
@@ -44,7 +44,7 @@ pub(super) fn unit_line(unit: Option<&str>) -> String {
     }
 }
 
-/// What each column holds for an export of the measured point of this number.
+/// Returns the role of each column in an export of the measured point with this number.
 pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
     const XYZ: [ColumnRole; 3] = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
     const IJK: [ColumnRole; 3] = [ColumnRole::I, ColumnRole::J, ColumnRole::K];
@@ -94,7 +94,7 @@ pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
 }
 
 impl Proposal<'_> {
-    /// The lines, and what is doubted and asked of them.
+    /// Returns the lines, and adds doubts and questions to the document.
     pub fn lines(&self, document: &mut FormatsDocument) -> String {
         let found = self.found;
         let joints = found.joint_columns();
@@ -117,7 +117,7 @@ impl Proposal<'_> {
         }
     }
 
-    /// The names of columns behind a sentence; without a header, what is seen instead.
+    /// Returns a sentence with the names of columns; without a header, the evidence in the values.
     fn named(&self, columns: &[usize], said: &str) -> String {
         match self.table.columns.iter().any(|column| column.name.is_some()) {
             true => {
@@ -131,7 +131,7 @@ impl Proposal<'_> {
         }
     }
 
-    /// The reference to a column: its heading where the campaign can name it, or its number.
+    /// Returns the reference to a column: its heading if it is unique, or its number.
     fn column(&self, at: usize) -> String {
         match self.heading(at) {
             Some(name) => quoted(name),
@@ -139,17 +139,17 @@ impl Proposal<'_> {
         }
     }
 
-    /// The heading of a column that a campaign can name it by.
+    /// Returns the heading of a column, if a campaign can name the column by it.
     fn heading(&self, at: usize) -> Option<&str> {
         let header = self.best.names.as_ref().filter(|_| !self.best.commented && names(self.best).is_some())?;
         let name = header.fields.get(at)?.as_ref();
         let once = header.fields.iter().filter(|field| *field == name).count() == 1;
-        // a heading that blanks part is not one field
+        // a heading that blanks split is not one field
         let whole = self.table.columns.get(at)?.name.as_deref() == Some(name.trim());
         (once && whole && !name.is_empty()).then_some(name)
     }
 
-    /// The unit that the headings of a point state.
+    /// Returns the unit in the headings of a point.
     fn unit(&self, set: &PointSet) -> Option<Unit> {
         let of = |at: &usize| {
             let heading = &self.table.columns[*at].heading;
@@ -166,7 +166,7 @@ impl Proposal<'_> {
         }
     }
 
-    /// The dialect of an export of one point.
+    /// Returns the dialect of an export of one point.
     fn dialect(&self, set: usize) -> Dialect {
         let roles = roles(self.found, set);
         let several = self.found.points.len() > 1;
@@ -195,7 +195,7 @@ impl Proposal<'_> {
         Dialect { columns, angle_unit, coverage_factor, ..self.best.dialect.clone() }
     }
 
-    /// Exports of points alone.
+    /// Returns the lines of exports of points.
     fn points(&self, document: &mut FormatsDocument) -> String {
         document.kind = "export".to_owned();
         let mut out = String::new();
@@ -210,7 +210,7 @@ impl Proposal<'_> {
         out
     }
 
-    /// One export.
+    /// Returns the lines of one export.
     fn export(&self, document: &mut FormatsDocument, set: usize) -> String {
         let roles = roles(self.found, set);
         let points = self.found.points.get(set);
@@ -256,14 +256,14 @@ impl Proposal<'_> {
                 _ => out.push_str("target = \"?\"               # which target the rows are of\n"),
             }
         }
-        // what a column or the label states is not stated twice
+        // a column or the label may state the pose
         if ![ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS].iter().any(|role| has(*role)) {
             out.push_str("pose = \"row\"               # if the number of the row is the number of the pose\n");
         }
         out
     }
 
-    /// How large the coordinates are, and which units that fits.
+    /// Returns the size of the coordinates, and the units that fit it.
     fn size(&self, points: Option<&PointSet>) -> String {
         let largest = points.map_or(0.0, |points| {
             points.columns.iter().flatten().map(|at| self.table.columns[*at].largest()).fold(0.0, f64::max)
@@ -276,7 +276,7 @@ impl Proposal<'_> {
         }
     }
 
-    /// Columns of numbers that nothing names and that are not read.
+    /// Returns a doubt about unnamed columns of numbers that are not read.
     fn not_read(&self) -> Vec<String> {
         let unread = |(i, taken): (usize, &super::meaning::Taken)| {
             let unread = matches!(taken.meaning, Meaning::Unknown | Meaning::Count);
@@ -290,7 +290,7 @@ impl Proposal<'_> {
         (!columns.is_empty()).then_some(what).into_iter().collect()
     }
 
-    /// What reading the whole file this way runs into.
+    /// Returns the problems of reading the whole file with this dialect, as doubts.
     fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<String> {
         let (points, problems) = point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
         let mut doubts: Vec<String> = problems
@@ -319,7 +319,7 @@ impl Proposal<'_> {
         doubts
     }
 
-    /// Joints and points in one file.
+    /// Returns the lines of a file with joints and points.
     fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
         document.reasons.push(self.named(joints, "the header names joints beside the points"));
         document.questions.push("which joint each column is, and its unit".to_owned());
@@ -341,12 +341,12 @@ impl Proposal<'_> {
         sets.map(|set| self.export(document, set) + &joints).collect::<String>() + JOINTS
     }
 
-    /// The unit of a joint's column, as keys end with it.
+    /// Returns the unit of the column of a joint, as the suffix of its key.
     fn joint_unit(&self, at: usize) -> &'static str {
         self.table.columns[at].heading.unit.filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or("UNIT")
     }
 
-    /// Columns of joints, positions and orientations by the names that observations have.
+    /// Returns the columns of pose, cycle, target and joints with their names in observations.
     fn observation_columns(&self, joints: &[usize]) -> Vec<String> {
         let mut columns: Vec<String> = Vec::new();
         let mut column = |name: String, at: usize| columns.push(format!("{name} = {}", self.column(at)));
@@ -361,7 +361,7 @@ impl Proposal<'_> {
         columns
     }
 
-    /// Lines of a table of observations: joint values, positions and orientations row by row.
+    /// Returns the lines of a table of observations with joints, positions and orientations.
     fn observations(&self, joints: &[usize], turned: &[usize]) -> String {
         let points = &self.found.points[0];
         let unit = self.unit(points).map_or("UNIT", Unit::name);
@@ -391,7 +391,7 @@ impl Proposal<'_> {
         out + &self.target_and_pose("probe", "the body that was measured")
     }
 
-    /// Head and dialect of a table.
+    /// Returns the section and the dialect of a table.
     fn table_lines(&self, head: &str) -> String {
         let dialect = &self.best.dialect;
         let mut out = format!("{head}\nfile = {}\n", quoted(self.file));
@@ -427,7 +427,7 @@ impl Proposal<'_> {
         out
     }
 
-    /// Joints and one length: a draw wire or a ball bar.
+    /// Returns the lines of joints and one length (draw wire or ball bar).
     fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> String {
         document.kind = "observations".to_owned();
         document.reasons.push(self.named(&[joints, &[distance]].concat(), "joints and one length in each row"));
@@ -440,7 +440,7 @@ impl Proposal<'_> {
             + &self.target_and_pose("ball", "the end of the wire on the robot")
     }
 
-    /// Joints, a commanded point and how far the measured one is from it.
+    /// Returns the lines of joints, a commanded point and its difference from the measured point.
     fn computed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
         let (Some(commanded), Some(difference)) = (&self.found.commanded, &self.found.difference) else {
             return String::new();
@@ -496,7 +496,7 @@ impl Proposal<'_> {
         out
     }
 
-    /// A table without joints and measured points.
+    /// Returns the remark on a table without joints and measured points.
     fn commanded(&self, document: &mut FormatsDocument) -> String {
         document.kind = "unknown".to_owned();
         if self.found.commanded.is_some() {
@@ -509,7 +509,7 @@ impl Proposal<'_> {
         )
     }
 
-    /// Lines of a log, in a format of which more is known or none.
+    /// Returns the lines of a log, in a known format or as delimited text.
     pub fn log(&self, kind: Option<LogKind>) -> String {
         let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
         let mut out = self.table_lines("[log]").replacen("delimiter", &format!("{format}delimiter"), 1);

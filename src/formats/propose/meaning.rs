@@ -1,9 +1,10 @@
-//! What each column of a table is taken for, and why: by headings, units in headings, values and relations between columns.
+//! Meaning of each column of a table with its reason: headings, their units, values, and relations
+//! between columns.
 
 use super::headings::{Heading, Word, stands_for};
 use super::table::{Column, Table};
 
-/// What a column is taken for.
+/// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
     Unknown,
@@ -20,14 +21,14 @@ pub(super) enum Meaning {
     TimeOfDay,
     /// Date alone.
     Day,
-    /// Coordinate of a measured point: which of several points, and its axis.
+    /// Coordinate of a measured point: number of the point, and axis.
     Point(usize, usize),
     Commanded(usize),
     Difference(usize),
     Direction(usize),
-    /// w, x, y, z.
+    /// Component of a quaternion: w, x, y, z.
     Quaternion(usize),
-    /// Rotation vector or angles.
+    /// Component of a rotation vector, or angle.
     Rotation(usize),
     Matrix(usize, usize),
     /// Last row of a 4×4 matrix.
@@ -46,7 +47,7 @@ pub(super) enum Meaning {
 }
 
 impl Meaning {
-    /// In words.
+    /// Returns the meaning in words.
     pub fn words(self) -> String {
         const AXES: [&str; 3] = ["x", "y", "z"];
         let axis = |at: usize| AXES.get(at).copied().unwrap_or("?");
@@ -86,31 +87,32 @@ impl Meaning {
     }
 }
 
-/// What a column is taken for, and why.
+/// Meaning of a column, and its reason.
 #[derive(Clone, Debug)]
 pub(super) struct Taken {
     pub meaning: Meaning,
     pub why: String,
 }
 
-/// A measured point of each row: its name in the headings, and its columns.
+/// Point in each row: its name in the headings, and its columns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PointSet {
     pub tag: String,
     pub columns: [Option<usize>; 3],
 }
 
-/// What the columns of a table are taken for.
+/// Interpretation of a table.
 #[derive(Debug, Default)]
 pub(super) struct Interpretation {
-    /// Column by column.
+    /// Meaning of each column.
     pub taken: Vec<Taken>,
     /// Measured points.
     pub points: Vec<PointSet>,
-    /// Columns of the commanded point and of the difference from it, where the measured point is computed from both.
+    /// Commanded point, from which the measured point is computed with the difference.
     pub commanded: Option<PointSet>,
+    /// Difference between commanded and measured point.
     pub difference: Option<PointSet>,
-    /// Unit of the column of times, as its heading states it.
+    /// Unit of the column of times, if its heading states one.
     pub time_unit: Option<&'static str>,
     pub doubts: Vec<String>,
     pub questions: Vec<String>,
@@ -137,7 +139,7 @@ impl Interpretation {
         found
     }
 
-    /// Columns with a meaning, by a function that numbers them.
+    /// Returns the columns for which `number` gives a number, in the order of the numbers.
     pub fn columns(&self, number: impl Fn(Meaning) -> Option<usize>) -> Vec<usize> {
         let mut all: Vec<(usize, usize)> =
             self.taken.iter().enumerate().filter_map(|(i, taken)| Some((number(taken.meaning)?, i))).collect();
@@ -145,27 +147,27 @@ impl Interpretation {
         all.into_iter().map(|(_, i)| i).collect()
     }
 
-    /// The first column with this meaning.
+    /// Returns the first column with this meaning.
     pub fn first(&self, meaning: Meaning) -> Option<usize> {
         self.taken.iter().position(|taken| taken.meaning == meaning)
     }
 
-    /// Columns of the joints, in their order.
+    /// Returns the columns of the joints in order.
     pub fn joint_columns(&self) -> Vec<usize> {
         self.columns(|meaning| if let Meaning::Joint(k) = meaning { Some(k) } else { None })
     }
 
-    /// Columns of the quaternion, w first.
+    /// Returns the columns of the quaternion, w first.
     pub fn quaternion_columns(&self) -> Vec<usize> {
         self.columns(|meaning| if let Meaning::Quaternion(k) = meaning { Some(k) } else { None })
     }
 
-    /// Columns of a rotation vector or of angles.
+    /// Returns the columns of a rotation vector or of angles.
     pub fn rotation_columns(&self) -> Vec<usize> {
         self.columns(|meaning| if let Meaning::Rotation(k) = meaning { Some(k) } else { None })
     }
 
-    /// Columns of a rotation matrix, row by row.
+    /// Returns the columns of a rotation matrix, row by row.
     pub fn matrix_columns(&self) -> Vec<usize> {
         self.columns(|meaning| if let Meaning::Matrix(i, j) = meaning { Some(3 * i + j) } else { None })
     }
@@ -178,12 +180,12 @@ impl Interpretation {
         self.taken[at].meaning == Meaning::Unknown
     }
 
-    /// Columns of numbers of which nothing is known yet.
+    /// Returns the columns of numbers without a meaning so far.
     fn free<'a>(&'a self, table: &'a Table) -> impl Iterator<Item = (usize, &'a Column)> + 'a {
         table.columns.iter().enumerate().filter(|(i, column)| self.is_free(*i) && column.is_numeric())
     }
 
-    /// A column of dates or times of day.
+    /// Interprets a column of dates or times of day.
     pub(super) fn clock(&mut self, at: usize, column: &Column) {
         let all = |mark: &str| column.texts.iter().all(|text| text.contains(mark));
         let dated = column.texts.iter().all(|text| text.matches(['.', '-', '/']).count() >= 2);
@@ -201,7 +203,7 @@ impl Interpretation {
         self.take(at, meaning, "every cell is a date or a time of day");
     }
 
-    /// Columns that hold texts.
+    /// Interprets columns of text.
     fn texts(&mut self, table: &Table) {
         for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
             let heading = &column.heading;
@@ -236,7 +238,7 @@ impl Interpretation {
         }
     }
 
-    /// The elements of a matrix: headings that end in two digits, `m_00` or `r11`.
+    /// Finds the elements of a matrix: headings that end in two digits, `m_00` or `r11`.
     fn matrix(&mut self, table: &Table) {
         let place = |column: &Column| -> Option<(String, usize, usize)> {
             let words = &column.heading.words;
@@ -287,7 +289,7 @@ impl Interpretation {
         }
     }
 
-    /// Four columns that are a unit quaternion.
+    /// Finds four columns of a unit quaternion.
     fn quaternion(&mut self, table: &Table) {
         const FORMS: [[&str; 4]; 4] = [
             ["qw", "qx", "qy", "qz"],
@@ -336,13 +338,13 @@ impl Interpretation {
     }
 }
 
-/// Words of joints that have names and no numbers.
+/// Words of joints with names instead of numbers.
 const NAMED_JOINTS: [&str; 13] = [
     "shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint",
     "gelenk",
 ];
 
-/// What a heading states of a joint: the words before its number, and its number.
+/// Returns the words and the number of a joint in a heading.
 fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     if heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w)) {
         return None;
@@ -356,13 +358,13 @@ fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     is_joint.then(|| (tag.join(" "), number))
 }
 
-/// Words of velocities, forces and currents that are longer than a letter.
+/// `true` for words of velocities, forces and currents that are longer than a letter.
 fn is_motion(word: &str) -> bool {
     word.len() > 1 && stands_for(word, Word::Motion)
 }
 
 impl Interpretation {
-    /// Columns of joints.
+    /// Finds columns of joints.
     fn joints(&mut self, table: &Table) {
         let mut joints: Vec<(usize, String, Option<usize>)> = self
             .free(table)
@@ -409,7 +411,8 @@ impl Interpretation {
         }
     }
 
-    /// Keeps one family of numbered joints, where several have the same numbers: the measured one, or the first.
+    /// Keeps one family of numbered joints if several have the same numbers: the measured family,
+    /// or the first.
     fn one_family(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
         let mut tags: Vec<String> = joints.iter().map(|(_, tag, _)| tag.clone()).collect();
         tags.dedup();
@@ -433,7 +436,7 @@ impl Interpretation {
         joints.retain(|(_, tag, _)| *tag == kept);
     }
 
-    /// A run of columns of one letter and a number each, of which nothing else is known: `C1`, `L2`, `T1`.
+    /// Finds a run of unknown columns of one letter and a number each: `C1`, `L2`, `T1`.
     fn unnamed_joints(&mut self, table: &Table) -> Vec<(usize, String, Option<usize>)> {
         let parts = |column: &Column| -> Option<(String, usize)> {
             match &column.heading.words[..] {
@@ -462,7 +465,7 @@ impl Interpretation {
         if one { found } else { Vec::new() }
     }
 
-    /// Three columns of a rotation that are no quaternion.
+    /// Finds three columns of a rotation vector or of angles.
     fn rotations(&mut self, table: &Table) {
         const FORMS: [[&str; 3]; 12] = [
             ["rx", "ry", "rz"],
@@ -495,7 +498,7 @@ impl Interpretation {
         }
     }
 
-    /// The columns of three headings, which a word for measured or commanded values may go with.
+    /// Returns the columns of three headings; a heading may have a word for measured or commanded.
     fn rotation_at(&self, table: &Table, form: [&str; 3], allowed: &dyn Fn(usize) -> bool) -> Option<[usize; 3]> {
         let state = |word: &str| stands_for(word, Word::Measured) || stands_for(word, Word::Commanded);
         let at = |name: &str| {
@@ -513,7 +516,7 @@ impl Interpretation {
         Some([a?, b?, c?])
     }
 
-    /// Columns that stand alone: names, times, angles of an instrument, temperatures.
+    /// Interprets single columns: names, times, angles of an instrument, temperatures.
     fn singles(&mut self, table: &Table) {
         let has = |found: &Self, meaning: Meaning| found.taken.iter().any(|taken| taken.meaning == meaning);
         let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
@@ -575,7 +578,7 @@ impl Interpretation {
         }
     }
 
-    /// Which coordinate an uncertainty is of.
+    /// Returns the meaning of a column of uncertainties: standard or expanded, and its coordinate.
     fn uncertainty(&self, heading: &Heading) -> Meaning {
         let axis = ["x", "y", "z"].iter().position(|axis| heading.words.iter().any(|word| word == axis));
         let number =
@@ -588,7 +591,7 @@ impl Interpretation {
         }
     }
 
-    /// Directions `i j k` and `nx ny nz`, of length 1.
+    /// Finds directions `i j k` and `nx ny nz` of length 1.
     fn directions(&mut self, table: &Table) {
         for form in [["i", "j", "k"], ["nx", "ny", "nz"], ["n x", "n y", "n z"], ["ni", "nj", "nk"]] {
             let at = |name: &str| {
@@ -613,7 +616,7 @@ impl Interpretation {
         }
     }
 
-    /// Columns of which the heading states nothing that is known.
+    /// Interprets the remaining columns by their values.
     fn rest(&mut self, table: &Table) {
         let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
         for i in free {

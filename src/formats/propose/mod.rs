@@ -1,4 +1,4 @@
-//! What a text could be: a proposal with its reasons, doubts and questions, to paste into a campaign.
+//! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
 mod coordinates;
 mod headings;
@@ -35,7 +35,7 @@ fn without_points(text: &str) -> Option<(&'static str, f64)> {
     }
 }
 
-/// Content of a text that states what it is.
+/// Content of a text with a known mark.
 enum Known {
     /// Points in the format of this name.
     Points(&'static str, Recognised),
@@ -43,7 +43,7 @@ enum Known {
     Other(&'static str),
 }
 
-/// Returns what a text states that it is.
+/// Recognises a text by its mark: a format of exports, or a document without points.
 fn known(text: &str) -> Option<Known> {
     match (recognise(text), without_points(text)) {
         (Some((_, found)), Some((kind, score))) if score > found.score => Some(Known::Other(kind)),
@@ -52,16 +52,16 @@ fn known(text: &str) -> Option<Known> {
     }
 }
 
-/// A log that is recognised as surely is proposed in its format; of another one it is asked.
+/// Score above which a log is proposed in its format; below it the format is a question.
 const SURE: f64 = 0.5;
 
-/// Columns that are explained in the comments of a proposal.
+/// Maximum number of columns that are explained in the comments of a proposal.
 const SHOWN_COLUMNS: usize = 60;
 
-/// Proposes readings of a file, the first also as lines for campaign.toml.
+/// Proposes readings of a file, and lines for campaign.toml for the first reading.
 ///
 /// # Errors
-/// If there is no such file, if it is empty or not a text, or if no reading gives rows of numbers.
+/// If the file is missing, empty or not text, or no reading gives rows of numbers.
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
@@ -96,7 +96,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     Ok(document)
 }
 
-/// The first sheet that holds rows of numbers.
+/// Proposes readings of the first sheet with rows of numbers.
 fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument, Message> {
     let names = workbook::sheets(bytes)?;
     for name in &names {
@@ -112,7 +112,7 @@ fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument,
     Err(error!("no-rows-of-numbers", file = "workbook"))
 }
 
-/// The text, and the encoding that the campaign must state for it.
+/// Returns the text, and the encoding that the campaign has to state.
 fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Message> {
     let first = match decode(bytes.clone(), None) {
         Ok(text) => return Ok((text, None)),
@@ -130,12 +130,13 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
     }
 }
 
-/// Proposes readings of a text, the first also as lines for campaign.toml. What the file cannot state is asked.
+/// Proposes readings of a text, and lines for campaign.toml for the first reading. Statements that
+/// the file lacks become questions.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None)
 }
 
-/// The proposal for a text that states its format.
+/// Returns the proposal for a text that states its format.
 fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<FormatsDocument> {
     let Known::Points(format, Recognised { what, unit, .. }) = known(text)? else { return None };
     let mut document = empty.clone();
@@ -161,7 +162,7 @@ fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<Fo
     Some(document)
 }
 
-/// The same of a file, or of a sheet whose cells are separated by tabs.
+/// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
 fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
@@ -214,7 +215,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     let lines = match own::recognise(&proposal, &found.joint_columns()) {
         Some(own) => {
             document.kind = own.kind.to_owned();
-            // rows about fixed points have few numbers
+            // rows of fixed points have few numbers
             document.doubts.retain(|doubt| own.kind != "observations" || !doubt.contains("not read this way"));
             document.reasons.push(format!("its columns are those of {}", own.what));
             document.questions.extend(own.question);
@@ -245,7 +246,7 @@ fn reading(guess: &Guess, found: &Interpretation) -> Reading {
     }
 }
 
-/// What each column is taken for.
+/// Returns the meaning of each column.
 fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
     let column = |(i, taken): (usize, &meaning::Taken)| FormatsColumn {
         number: i + 1,
@@ -257,7 +258,7 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
     found.taken.iter().enumerate().map(column).collect()
 }
 
-/// Why the first reading is the first.
+/// Returns the reasons for the first reading.
 fn reasons(best: &Guess, table: &Table) -> Vec<String> {
     let columns = match best.dialect.delimiter {
         Some(delimiter) => format!("have {} fields separated by `{}`", best.numeric.len(), delimiter.name()),
@@ -289,7 +290,7 @@ fn reasons(best: &Guess, table: &Table) -> Vec<String> {
     reasons
 }
 
-/// What speaks against the first reading.
+/// Returns the doubts about the first reading.
 fn doubts(guesses: &[Guess]) -> Vec<String> {
     let [best, others @ ..] = guesses else { return Vec::new() };
     let mut doubts: Vec<String> = others
@@ -319,7 +320,7 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
     doubts
 }
 
-/// The lines under comments with the reasons, what speaks against them, and what is asked.
+/// Returns the lines with comments above them: reasons, doubts and questions.
 fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
     let mut out = String::new();
     let mut remark = |text: String| out.push_str(&format!("# {}\n", printable(&text)));
@@ -365,7 +366,7 @@ mod tests {
             "pose;target;x_mm;y_mm;z_mm;J1_rad;J2_rad\n1;K;1,5;2,5;3,5;0,1;0,2\n2;K;1,6;2,6;3,6;0,3;0,4\n",
         )
         .toml;
-        // joints called otherwise than q1, q2 may be those of a URDF: a table of observations
+        // joints with other names than q1, q2 may be the joints of a URDF: a table of observations
         assert!(text.contains("[observations]") && text.contains("column 6 `J1_rad` is joint 1"), "{text}");
         assert!(!text.contains("[log]") && !text.contains("pose = \"row\""), "{text}");
         let text = propose("m.csv", "pose;x;y;z\n1;1,5;2,5;3,5\n2;1,6;2,6;3,6\n").toml;

@@ -1,10 +1,10 @@
-//! Tables that etalon writes or documents, by the names of their columns.
+//! Recognition of tables that etalon writes or documents, by the names of their columns.
 
 use super::lines::Proposal;
 use crate::dialect::{Decimal, Delimiter, quoted};
 use crate::logs::meaning;
 
-/// A table of etalon.
+/// Table of etalon.
 pub(super) struct Own {
     pub kind: &'static str,
     pub what: &'static str,
@@ -12,10 +12,10 @@ pub(super) struct Own {
     pub question: Option<String>,
 }
 
-/// Columns of positions and angles, as tests of poses name them.
+/// Columns of positions and angles in tests of poses.
 const POSITION: [&str; 6] = ["x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"];
 
-/// The table that has these columns.
+/// Returns the table with these columns.
 pub(super) fn recognise(proposal: &Proposal, joints: &[usize]) -> Option<Own> {
     let names: Vec<&str> = proposal.table.columns.iter().map(|c| c.name.as_deref()).collect::<Option<_>>()?;
     let has = |name: &str| names.contains(&name);

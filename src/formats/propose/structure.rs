@@ -1,4 +1,4 @@
-//! Texts with a structure that is no table: YAML, TOML, JSON.
+//! Recognition of structured texts: YAML, TOML, JSON.
 
 /// Returns `json`, `yaml` or `toml` if most lines of a text have the form of such a document.
 pub(super) fn structured(text: &str) -> Option<&'static str> {

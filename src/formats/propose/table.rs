@@ -1,43 +1,43 @@
-//! The table that a file is in one reading: its columns with all their values.
+//! Table of one reading of a file: its columns with all values.
 
 use super::headings::Heading;
 use crate::dialect::Header;
 use crate::guess::{Guess, is_time, names};
 use crate::lexer::{Row, each_row, marked};
 
-/// Rows whose values are looked at; of a longer file the proposal states that it saw these alone.
+/// Maximum number of rows that are read; the proposal states if the file has more.
 pub(super) const MOST_ROWS: usize = 200_000;
 
-/// A table.
+/// Table of one reading.
 #[derive(Debug, Default)]
 pub(super) struct Table {
     pub columns: Vec<Column>,
-    /// Rows that were looked at.
+    /// Number of rows that were read.
     pub rows: usize,
     /// `true` if there are more rows.
     pub sampled: bool,
 }
 
-/// A column.
+/// Column of a table.
 #[derive(Debug, Default)]
 pub(super) struct Column {
-    /// As the header has it.
+    /// Name in the header.
     pub name: Option<String>,
-    /// The name, taken apart.
+    /// Words and unit of the name.
     pub heading: Heading,
-    /// Values of a column of numbers, NaN where nothing was measured; empty for a column of texts.
+    /// Values of a column of numbers, NaN if not measured; empty for a column of texts.
     pub values: Vec<f64>,
-    /// Texts that differ, at most [`TEXTS`] of them.
+    /// Distinct texts, at most [`TEXTS`].
     pub texts: Vec<String>,
     /// `true` if every text is a date or a time of day.
     pub clock: bool,
 }
 
-/// Texts of a column that are kept.
+/// Maximum number of stored texts of a column.
 const TEXTS: usize = 64;
 
 impl Table {
-    /// The rows of a text that have as many fields as the reading states.
+    /// Reads the rows with the number of fields of the guess.
     pub fn of(text: &str, guess: &Guess) -> Self {
         let width = guess.numeric.len();
         let names = names(guess).unwrap_or_default();
@@ -67,7 +67,7 @@ impl Table {
         Self { columns, rows, sampled }
     }
 
-    /// The name of a column for a person: its heading, or its number.
+    /// Returns the heading of a column in backticks, or its number.
     pub fn called(&self, at: usize) -> String {
         match self.columns.get(at).and_then(|column| column.name.as_ref()) {
             Some(name) => format!("`{name}`"),
@@ -75,13 +75,13 @@ impl Table {
         }
     }
 
-    /// Rows of the values of these columns in which all are numbers.
+    /// Returns the values of these columns in rows where all of them are finite.
     pub fn rows_of<const N: usize>(&self, at: [usize; N]) -> impl Iterator<Item = [f64; N]> + '_ {
         let get = move |row: usize| at.map(|i| self.columns[i].values.get(row).copied().unwrap_or(f64::NAN));
         (0..self.rows).map(get).filter(|values| values.iter().all(|v| v.is_finite()))
     }
 
-    /// Whether these columns are unit vectors in all rows, which are not all the same trivial one.
+    /// `true` if these columns are unit vectors in all rows.
     pub fn are_unit<const N: usize>(&self, at: [usize; N]) -> bool {
         let mut any = false;
         self.rows_of(at).all(|values| {
@@ -90,7 +90,7 @@ impl Table {
         }) && any
     }
 
-    /// Whether these nine columns, row by row, are a rotation matrix in all rows.
+    /// `true` if these nine columns are a rotation matrix (row by row) in all rows.
     pub fn are_rotations(&self, at: [usize; 9]) -> bool {
         let mut any = false;
         self.rows_of(at).all(|m| {
@@ -102,7 +102,7 @@ impl Table {
     }
 }
 
-/// Largest difference from 1 of the length of a unit vector that was rounded to three digits.
+/// Largest deviation from 1 of the length of a unit vector that is rounded to three digits.
 const UNIT: f64 = 2e-3;
 
 impl Column {
@@ -117,44 +117,44 @@ impl Column {
         }
     }
 
-    /// Whether the column holds numbers.
+    /// `true` for a column of numbers.
     pub fn is_numeric(&self) -> bool {
         !self.values.is_empty()
     }
 
-    /// The finite values.
+    /// Returns the finite values.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         self.values.iter().copied().filter(|v| v.is_finite())
     }
 
-    /// The smallest and the largest value.
+    /// Returns the smallest and the largest value.
     pub fn range(&self) -> (f64, f64) {
         self.numbers().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
     }
 
-    /// The largest magnitude.
+    /// Returns the largest magnitude.
     pub fn largest(&self) -> f64 {
         self.numbers().fold(0.0, |most, v| most.max(v.abs()))
     }
 
-    /// Whether all values are whole numbers.
+    /// `true` if all values are whole numbers.
     pub fn is_whole(&self) -> bool {
         self.is_numeric() && self.numbers().all(|v| v.fract() == 0.0)
     }
 
-    /// Whether every value is larger than the one before.
+    /// `true` if every value is larger than the one before.
     pub fn is_increasing(&self) -> bool {
         let values: Vec<f64> = self.numbers().collect();
         values.len() > 1 && values.windows(2).all(|pair| pair[1] > pair[0])
     }
 
-    /// Whether no value is smaller than the one before, and the last is larger than the first.
+    /// `true` if no value is smaller than the one before, and the last exceeds the first.
     pub fn is_ordered(&self) -> bool {
         let values: Vec<f64> = self.numbers().collect();
         values.len() > 1 && values.windows(2).all(|pair| pair[1] >= pair[0]) && values[0] < values[values.len() - 1]
     }
 
-    /// Whether all values are the same.
+    /// `true` if all values are equal.
     pub fn is_constant(&self) -> bool {
         let (low, high) = self.range();
         self.is_numeric() && low == high

@@ -10,9 +10,9 @@ use polars::prelude::DataFrame;
 /// A table with the name of its file, for messages.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedTable<'a> {
-    /// The file, as the user named it.
+    /// File as named by the user.
     pub file: &'a str,
-    /// Its columns, and `line` with the line of each row.
+    /// Columns of the table, and `line` with the line of each row.
     pub frame: &'a DataFrame,
 }
 
@@ -21,26 +21,26 @@ pub struct NamedTable<'a> {
 pub struct Coordinates {
     /// Positions; z is zero for planar robots.
     pub positions_mm: Vec<Vector>,
-    /// One list of all rows for each angle that exists.
+    /// Values of all rows for each angle.
     pub angles_rad: Vec<Vec<f64>>,
-    /// Whether there is a z.
+    /// `true` if there is a z.
     pub spatial: bool,
-    /// Which angles there are: of 0, 1, 2 for a, b, c.
+    /// Indices of the angles: 0, 1, 2 for a, b, c.
     pub angles: Vec<usize>,
 }
 
-/// Which coordinates a file has.
+/// Kinds of coordinates in a file.
 #[derive(Clone, Copy, Debug)]
 pub struct CoordinatesOf<'a> {
-    /// The file.
+    /// File as named by the user.
     pub file: &'a str,
-    /// Whether there is a z.
+    /// `true` if there is a z.
     pub spatial: bool,
-    /// Which angles there are: of 0, 1, 2 for a, b, c.
+    /// Indices of the angles: 0, 1, 2 for a, b, c.
     pub angles: &'a [usize],
 }
 
-/// Refuses a table whose coordinates (z, angles) are others than those of a second one.
+/// Checks that two tables have the same coordinates (z, angles).
 pub fn like(here: CoordinatesOf, there: CoordinatesOf) -> Result<()> {
     if (here.spatial, here.angles) == (there.spatial, there.angles) {
         return Ok(());
@@ -49,12 +49,12 @@ pub fn like(here: CoordinatesOf, there: CoordinatesOf) -> Result<()> {
 }
 
 impl NamedTable<'_> {
-    /// Whether there is such a column.
+    /// `true` if there is a column of this name.
     pub fn has(&self, column: &str) -> bool {
         self.frame.column(column).is_ok()
     }
 
-    /// The names of poses, each in one spelling.
+    /// Returns the names of poses, each in one spelling.
     pub fn poses(&self) -> Result<Vec<PoseName>> {
         let poses = table::poses(self.frame).map_err(|p| self.place(p))?;
         match two_spellings(poses.iter().copied().map(Some)) {
@@ -63,23 +63,26 @@ impl NamedTable<'_> {
         }
     }
 
-    /// A column of whole numbers without gaps.
+    /// Returns a column of whole numbers without gaps.
     pub fn integers(&self, column: &str) -> Result<Vec<i64>> {
         table::integers(self.frame, column).map_err(|p| self.place(p))
     }
 
-    /// A column as text; empty where missing.
+    /// Returns a column as text; missing values are empty.
     pub fn texts(&self, column: &str) -> Result<Vec<String>> {
         table::texts(self.frame, column).map_err(|p| self.place(p))
     }
 
-    /// Whether there is a z that is not empty.
+    /// `true` if there is a z that is not empty.
     pub fn spatial(&self) -> Result<bool> {
         let z = table::XYZ[2];
         Ok(self.has(z) && table::numbers(self.frame, z)?.iter().any(|z| !z.is_nan()))
     }
 
-    /// Coordinates of all rows; a cell that is empty or not a finite number is an error at its line.
+    /// Returns the coordinates of all rows.
+    ///
+    /// # Errors
+    /// Cells that are empty or non-finite, at their lines.
     pub fn coordinates(&self) -> Result<Coordinates> {
         let read = || -> Result<Coordinates> {
             let angles: Vec<usize> = (0..3).filter(|&k| self.has(ANGLES[k])).collect();
@@ -93,7 +96,7 @@ impl NamedTable<'_> {
             })
         };
         let all = read().map_err(|p| self.place(p))?;
-        // squares of more overflow
+        // the square of a larger value overflows
         let usable = |v: &f64| v.abs() < 1e100;
         let sound = |i: usize| all.positions_mm[i].iter().all(usable) && all.angles_rad.iter().all(|a| usable(&a[i]));
         let bad = (0..all.positions_mm.len()).filter(|&i| !sound(i));
@@ -102,7 +105,7 @@ impl NamedTable<'_> {
         Ok(all)
     }
 
-    /// A warning about columns that nothing reads, except coordinates and those in `read`.
+    /// Returns a warning about columns other than coordinates and those in `read`.
     pub fn unread(&self, read: &[&str]) -> Option<Message> {
         let known: Vec<&str> = read.iter().chain(&table::XYZ).chain(&ANGLES).copied().collect();
         let names = self.frame.get_column_names().into_iter().map(|name| name.as_str());
@@ -113,12 +116,12 @@ impl NamedTable<'_> {
         Some(message.at(Place::file(self.file)).hint_names(first, known.iter().copied()))
     }
 
-    /// The same problems about this file, where they name no place.
+    /// Places problems without a place in this file.
     pub fn place(&self, problems: impl Into<Problems>) -> Problems {
         problems.into().at(&Place::file(self.file))
     }
 
-    /// The message at the line of a row.
+    /// Places a message at the line of a row.
     pub fn at_row(&self, message: Message, row: usize) -> Message {
         let line = table::integers(self.frame, "line").ok();
         let line = line.and_then(|lines| usize::try_from(*lines.get(row)?).ok());

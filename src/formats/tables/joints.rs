@@ -6,8 +6,11 @@ use etalon_base::{error, phrase};
 use etalon_robots::{Joint, Robot};
 use polars::prelude::DataFrame;
 
-/// Joint values of each row of a table, in mm or rad, and behind them the directions of the joints that came from one side. Columns that are
-/// `needed` beside them are missed with theirs.
+/// Returns the joint values of each row (mm or rad), followed by the directions of joints with
+/// backlash.
+///
+/// # Errors
+/// Missing columns of joints and columns in `needed`, all at once; values that are not directions.
 pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
@@ -25,7 +28,7 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
             return Err(error!("joint-direction-missing", joint = &joint.name, column).into());
         }
         for (i, (row, direction)) in rows.iter_mut().zip(table::numbers(table, &column)?).enumerate() {
-            // rows about fixed points alone have no joint values
+            // rows of fixed points have no joint values
             if let Some(message) = wrong_direction(joint, direction).filter(|_| row[k].is_finite()) {
                 let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
                 return Err(message.at(Place { line, ..Place::default() }).into());
@@ -36,14 +39,15 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
     Ok(rows)
 }
 
-/// An error where a value is not the direction from which a joint came.
+/// Returns the error that a value is not the direction from which a joint came.
 pub fn wrong_direction(joint: &Joint, direction: f64) -> Option<Message> {
     let value = if direction.is_nan() { "missing".to_owned() } else { direction.to_string() };
     let column = joint.direction_column();
     (direction.abs() != 1.0).then(|| error!("joint-direction-invalid", joint = &joint.name, column, value))
 }
 
-/// The column of a joint, in one of its units, and what takes its values to mm or rad; without one the column that is missing.
+/// Returns the column of a joint in one of its units, and the factor to mm or rad. If the table has
+/// no such column, returns the name that it should have.
 pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
     let names = table.get_column_names().into_iter().map(|name| name.to_string());
     let mut found = names.filter_map(|name| Some((joint.factor(&name)?, name)));
@@ -57,7 +61,7 @@ pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
     }
 }
 
-/// The assembly mode that each row of a table states; all `None` for robots without, or without the column.
+/// Returns the assembly mode of each row; `None` for robots without modes, and without the column.
 pub fn stated_modes(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Option<f64>>> {
     if !robot.has_assembly_modes() || table.column(ASSEMBLY).is_err() {
         return Ok(vec![None; table.height()]);
@@ -65,7 +69,7 @@ pub fn stated_modes(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Option<f
     table::numbers(table, ASSEMBLY)?.into_iter().enumerate().map(|(row, value)| stated_mode(row, value)).collect()
 }
 
-/// The assembly mode of a row, counted from 0; none where it is not a number.
+/// Returns the assembly mode of a row (counted from 0); `None` if the value is not a number.
 pub fn stated_mode(row: usize, value: f64) -> Result<Option<f64>> {
     match value {
         value if value.is_nan() => Ok(None),

@@ -1,4 +1,4 @@
-//! A table of observations as CSV: one row per pose, repeat and target, a column per joint with its unit.
+//! Tables of observations: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::dialect::{
     Cells, ColumnSource, Constant, Decimal, Delimiter, Dialect, Expression, FromRow, Header, Missing, Thousands,
@@ -16,36 +16,36 @@ use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// How a table is laid out, where it is not as this program writes one.
+/// Layout of a table that differs from the tables of this program.
 #[derive(Clone, Debug)]
 pub struct TableLayout {
-    /// What separates the columns.
+    /// Delimiter of the columns.
     pub delimiter: Delimiter,
     /// Decimal mark.
     pub decimal: Decimal,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// Rows before the data, the last of which names the columns.
+    /// Header rows before the data; the last one names the columns.
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
+    /// Cells that mean "not measured", in addition to empty cells.
     pub missing: Missing,
-    /// Where each column comes from that is called otherwise in the file, or is computed.
+    /// Sources of columns with other headings and of computed columns.
     pub columns: BTreeMap<String, ColumnSource>,
-    /// `true` if a column that the file does not have is left out, as in several tables of one statement.
+    /// `true` if columns that the file lacks are left out, for several tables with one layout.
     pub lenient: bool,
     /// Columns with the same cell in all rows.
     pub constants: BTreeMap<String, Constant>,
-    /// Rows that are read: those with one of these cells in each of these columns.
+    /// Filter: only rows with one of these cells in each of these columns are read.
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter: rows with one of these cells in one of these columns are left out.
     pub without: BTreeMap<String, Cells>,
-    /// Coverage factor of the columns of uncertainties, where they are expanded.
+    /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,
-    /// The target of all rows, of a table without such a column.
+    /// Target of all rows, for a table without the column.
     pub target: Option<String>,
-    /// The pose of each row, of a table without such a column.
+    /// Pose of each row, for a table without the column.
     pub pose: Option<FromRow>,
 }
 
@@ -70,20 +70,20 @@ impl Default for TableLayout {
     }
 }
 
-/// Whether this program knows a column of tables by this name.
+/// `true` if a column of observations has this name.
 fn is_known(name: &str) -> bool {
     meaning(name).is_some()
         || [&TEXTS[..], &QUATERNION, &MATRIX, &COVARIANCES].iter().any(|names| names.contains(&name))
 }
 
-/// A column to read: its name here, and where its cells come from.
+/// Column to read: its name in the program, and the source of its cells.
 struct ReadColumn<'t> {
     name: Cow<'t, str>,
     from: Expression,
 }
 
 impl TableLayout {
-    /// The columns to read of a table whose header has these fields.
+    /// Returns the columns to read of a table with this header.
     fn read_columns<'t>(&self, file: &str, header: Option<&Row<'t>>, width: usize) -> Result<Vec<ReadColumn<'t>>> {
         let mut problems = Problems::default();
         let headings: Vec<Cow<str>> =
@@ -136,7 +136,7 @@ impl TableLayout {
         }
         let named = !self.columns.is_empty();
         for (i, name) in names.iter().enumerate().filter(|(i, name)| names[..*i].contains(name)) {
-            // headings of columns that nothing reads may be alike
+            // headings of unread columns may be equal
             if !named || is_known(name) {
                 let message = error!("heading-twice", column = name.as_ref());
                 problems.0.push(header.map_or(message.clone(), |row| message.at(row.cell(file, i))));
@@ -149,13 +149,13 @@ impl TableLayout {
                 all.push(ReadColumn { name, from: Expression::Column(i) });
             }
         }
-        // a computed column takes the place of one with its name
+        // a computed column replaces a column with its name
         all.retain(|column| computed.iter().all(|other| other.name != column.name));
         all.extend(computed);
         Ok(all)
     }
 
-    /// Adds the columns that every observation needs, and those that are the same in all rows.
+    /// Adds the columns that every observation needs, and the constant columns.
     fn complete(&self, file: &str, mut table: DataFrame) -> Result<DataFrame> {
         let height = table.height();
         let mut constants: Vec<(&str, String)> =
@@ -185,20 +185,24 @@ impl TableLayout {
 /// Columns of texts in tables of poses and loads.
 const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
 
-/// Reads a table with commas, decimal points and a header: its columns, and `line` with the line of each row.
+/// Reads a table with commas, decimal points and a header. The column `line` has the line of each
+/// row.
 ///
-/// `pose` holds names of poses, `cycle` whole numbers, columns whose name ends in a unit numbers (empty cells are missing values),
-/// others text. Every row of another width and every cell that does not read is an error with its place.
+/// The column `pose` has names of poses, `cycle` whole numbers. Columns whose name ends in a unit
+/// have numbers (empty cells are missing values), other columns text.
+///
+/// # Errors
+/// Rows with another number of fields, and cells that cannot be read, with their places.
 pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
     read(file, text, &TableLayout::default())
 }
 
-/// [`observations`] in another layout: repeats are 1 where the table has no column `cycle`.
+/// Reads a table in another layout. Without a column `cycle`, all repeats are 1.
 pub fn observations_with(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     layout.complete(file, read(file, text, layout)?)
 }
 
-/// The header and the data rows of a table.
+/// Returns the header and the data rows of a table.
 fn data_rows<'t>(file: &str, text: &'t str, layout: &TableLayout) -> Result<(Option<Row<'t>>, Vec<Row<'t>>)> {
     if (layout.delimiter, layout.decimal) == (Delimiter::Comma, Decimal::Comma) {
         return Err(two_commas().at(Place::file(file)).into());
@@ -260,7 +264,7 @@ fn read(file: &str, text: &str, layout: &TableLayout) -> Result<DataFrame> {
     frame(all.len(), made)
 }
 
-/// Which rows are read, by the cells that `only` and `without` state.
+/// Applies the filters `only` and `without`: `true` for each row that is read.
 fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) -> Result<Vec<bool>> {
     let mut kept = vec![true; rows.len()];
     for (stated, read) in [(&layout.only, true), (&layout.without, false)] {
@@ -276,7 +280,7 @@ fn kept(file: &str, layout: &TableLayout, header: Option<&Row>, rows: &[Row]) ->
     Ok(kept)
 }
 
-/// The values of one column; cells that do not read are reported.
+/// Returns the values of one column, and reports cells that cannot be read.
 fn made_column(
     file: &str,
     rows: &[Row],
@@ -324,7 +328,7 @@ fn made_column(
     }
 }
 
-/// Errors about names that a spreadsheet would take for formulas: they are written to tables again.
+/// Reports names that would be formulas in a spreadsheet, because names are written to tables.
 fn refuse_formulas(file: &str, columns: &[ReadColumn], rows: &[Row], problems: &mut Problems) {
     let named = |column: &&ReadColumn| TEXTS.contains(&column.name.as_ref());
     for (column, row) in columns.iter().filter(named).flat_map(|column| rows.iter().map(move |row| (column, row))) {
@@ -336,8 +340,8 @@ fn refuse_formulas(file: &str, columns: &[ReadColumn], rows: &[Row], problems: &
     }
 }
 
-/// Gives a column of coordinates or of their uncertainties its name in millimetres (`x_m` is `x_mm`), and what takes its values there:
-/// from expanded uncertainties to standard ones too.
+/// Renames a column of coordinates or of their uncertainties to mm (`x_m` becomes `x_mm`), and
+/// returns the factor of its values. The factor also converts expanded to standard uncertainties.
 fn in_mm(name: &mut Cow<str>, coverage_factor: Option<f64>) -> f64 {
     let uncertain = |name: &str| UNCERTAINTIES.contains(&name) || ["u_mm", "urot_deg"].contains(&name);
     let lengths = ["u_mm", "distance_mm", "offset_mm"];
@@ -354,7 +358,7 @@ fn in_mm(name: &mut Cow<str>, coverage_factor: Option<f64>) -> f64 {
     }
 }
 
-/// The names of poses in column `at`, each in one spelling.
+/// Returns the names of poses in column `at`, each in one spelling.
 fn poses(file: &str, rows: &[Row], at: usize, decimal: Decimal, problems: &mut Problems) -> Vec<Option<PoseName>> {
     let mut name = |row: &Row| match row.field(at) {
         "" => None,

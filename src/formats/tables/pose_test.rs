@@ -8,7 +8,7 @@ use etalon_base::{error, warning};
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Numbers of one table.
+/// Poses and coordinates of one table.
 struct Rows {
     poses: Vec<PoseName>,
     positions_mm: Vec<Vector>,
@@ -17,8 +17,11 @@ struct Rows {
     angles: Vec<usize>,
 }
 
-/// From tables `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg][,approach][,robot][,reading]` and the same without
-/// `cycle`; rows of one visit with a `reading` are averaged. Without commanded poses there is repeatability alone.
+/// Builds a test of poses from a table of attained poses and a table of commanded poses.
+///
+/// Columns of attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, optionally
+/// `approach`, `robot` and `reading`; commanded poses have no cycle. Rows of one visit with a
+/// `reading` are averaged. Without commanded poses only repeatability is evaluated.
 pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<PoseTest> {
     let mut problems = Problems::default();
     let mut read = |table: NamedTable| problems.keep(rows(table));
@@ -68,7 +71,7 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
             _ => place.attained.push(visit),
         }
     }
-    // one message a kind of mistake is enough of the same
+    // further messages would repeat the first ones
     problems.0.truncate(20);
     let mut warnings = problems.check()?;
     warnings.extend(attained.unread(&["pose", "cycle", "approach", "robot", "reading"]));
@@ -83,12 +86,12 @@ pub fn pose_test(attained: NamedTable, commanded: Option<NamedTable>) -> Result<
     Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, warnings })
 }
 
-/// The attained pose of each row.
+/// Returns the attained pose of each row.
 fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Vec<AttainedPose>> {
     let cycles = table.integers("cycle")?;
     let approaches = table.has("approach").then(|| table.texts("approach")).transpose()?;
     let robots = table.has("robot").then(|| table.texts("robot")).transpose()?;
-    // the row before of the same robot
+    // previous row of the same robot
     let mut last: BTreeMap<&str, usize> = BTreeMap::new();
     let robot = |i: usize| robots.as_ref().map_or("", |names| names[i].as_str());
     let before: Vec<Option<usize>> = (0..rows.poses.len()).map(|i| last.insert(robot(i), i)).collect();

@@ -1,4 +1,4 @@
-//! Recorded motions and commanded paths: tables, checked, become what the characteristics are computed of.
+//! Recorded motions and commanded paths from tables.
 
 use crate::table::numbers;
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
@@ -8,11 +8,11 @@ use etalon_standards::iso9283::motion::stream::{Recording, Stream, Unusable};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
-/// At most this share of the samples may be such: with more of them rate, unit or stamps are wrong.
+/// Largest share of implausible samples; above it the rate, the unit or the time stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
 
-/// A motion from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated rate samples are
-/// counted, and stamps are not read.
+/// Builds a recording from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated
+/// rate, times follow from the sample numbers; `time_s` is not read.
 pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
     let n = positions_mm.len();
@@ -39,7 +39,7 @@ pub fn recording(table: NamedTable, rate_hz: Option<f64>) -> Result<Recording> {
     Ok(Recording { stream, spatial, angles, left_out })
 }
 
-/// A commanded path from a table with the coordinates of a recording, a row a point.
+/// Builds a commanded path from a table with the coordinates of a recording, one point per row.
 pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) -> Result<CommandedPath> {
     let all = table.coordinates()?;
     like(
@@ -49,7 +49,7 @@ pub fn commanded_path(table: NamedTable, recorded: &str, recording: &Recording) 
     CommandedPath::new(all.positions_mm, &all.angles_rad).map_err(|p| table.place(p))
 }
 
-/// Numbers and positions of commanded poses.
+/// Returns names and positions of commanded poses.
 pub fn commanded_poses(table: NamedTable) -> Result<Vec<CommandedPose>> {
     let poses = table.poses()?;
     let positions_mm = table.coordinates()?.positions_mm;

@@ -1,4 +1,4 @@
-//! Drift of the set-up, compensated by reference targets that a table measures from time to time.
+//! Compensation of the drift of the set-up by reference targets that are measured repeatedly.
 
 use crate::tables::coordinates::NamedTable;
 use etalon_base::message::Result;
@@ -10,20 +10,22 @@ use etalon_standards::iso9283::pose::rotations::RotationOrder;
 use etalon_standards::iso9283::pose::test::PoseTest;
 use std::collections::BTreeMap;
 
-/// The drift of the set-up that was compensated.
+/// Compensated drift of the set-up.
 #[derive(Clone, Debug, Default)]
 pub struct SetupDrift {
-    /// How far it had moved each time that the targets were measured.
+    /// Displacement of the set-up at each measurement of the targets.
     pub epochs: Vec<Iso9283Epoch>,
-    /// Whether orientations were turned as well.
+    /// `true` if orientations were compensated as well.
     pub turned: bool,
 }
 
-/// Brings every attained pose into the frame of the first epoch of a table `cycle,target,x_mm,y_mm[,z_mm]`: the targets
-/// measured in a cycle hold from this cycle on, until the next time.
+/// Transforms all attained poses into the frame of the first epoch of a table
+/// `cycle,target,x_mm,y_mm[,z_mm]`. Targets measured in a cycle apply from this cycle until they
+/// are measured again.
 ///
-/// Orientations are turned back as well, where `rotation_order` states what the angles mean (as [`RotationOrder::parse`] reads
-/// it) and all of a, b, c are there, or c of a planar robot; else angles stay, and a warning reports it.
+/// Orientations are compensated if `rotation_order` states the order of all angles a, b, c (see
+/// [`RotationOrder::parse`]), or for c of a planar robot. Otherwise angles are unchanged, with a
+/// warning.
 pub fn compensate_setup_drift(
     test: &mut PoseTest,
     table: NamedTable,
@@ -33,7 +35,7 @@ pub fn compensate_setup_drift(
     let turning = turning(test, rotation_order);
     let angles = test.angles.clone();
     for p in &mut test.poses {
-        // the way to write an orientation that is nearest to the commanded one
+        // of all angles of an orientation, those nearest to the commanded ones are taken
         let start_rad =
             all_three(&angles, if p.commanded_rad.is_empty() { &p.attained[0].angles_rad } else { &p.commanded_rad });
         for attained in &mut p.attained {
@@ -53,7 +55,7 @@ pub fn compensate_setup_drift(
     Ok(SetupDrift { epochs: cycles.iter().zip(&epochs).map(told).collect(), turned: turning.is_some() })
 }
 
-/// The order by which angles are turned; a warning where there are angles and it is not known.
+/// Returns the order of rotations; adds a warning if there are angles and their order is unknown.
 fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<RotationOrder> {
     let planar = !test.spatial && test.angles == [2];
     let order = match planar {
@@ -66,14 +68,14 @@ fn turning(test: &mut PoseTest, rotation_order: Option<&str>) -> Option<Rotation
     order
 }
 
-/// Angles a, b, c; zero where there is none.
+/// Returns the angles a, b, c; missing angles are zero.
 fn all_three(angles: &[usize], values: &[f64]) -> Vector {
     let mut all = [0.0; 3];
     angles.iter().zip(values).for_each(|(&k, v)| all[k] = *v);
     all
 }
 
-/// The epoch that holds in a cycle.
+/// Returns the epoch of a cycle.
 fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Epoch> {
     cycles
         .partition_point(|c| *c <= cycle)
@@ -82,7 +84,7 @@ fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Ep
         .ok_or_else(|| error!("cycle-before-reference-targets", cycle, first = cycles[0]).into())
 }
 
-/// Cycles in which the targets were measured, ascending, and what they state.
+/// Returns the cycles in which the targets were measured (ascending), and their epochs.
 fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
     let cycles = table.integers("cycle")?;
     let names = table.texts("target")?;

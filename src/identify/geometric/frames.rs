@@ -1,8 +1,10 @@
-//! Frames (thesis 2.6.1, 2.6.2): a plane and a circle in it through measured points; the base frame from the plane of the
-//! rails, the centre of the arc of ball N and the line of ball R; the mobile frame from balls turned with the platform.
+//! Frames (thesis 2.6.1, 2.6.2): a plane and a circle in it through measured points; the base frame
+//! from the plane of the rails, the centre of the arc of ball N and the line of ball R; the mobile
+//! frame from balls turned with the platform.
 
 use super::uncertain::{Flat, Readings, Scatter, Uncertain, UncertainPoint, shifts, values};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus, unit};
 use etalon_base::scalar::Scalar;
 
@@ -13,14 +15,16 @@ pub struct FittedPlane {
     pub point_mm: Vector,
     /// Two directions in the plane and its normal, right-handed.
     pub axes: [Vector; 3],
-    /// Tilts of the normal towards the first and the second direction, in rad; their values are zero.
+    /// Tilts of the normal towards the first and the second direction, in rad; their values are
+    /// zero.
     tilt: [Uncertain; 2],
     /// Distances of the points from it.
     pub scatter: Scatter,
 }
 
 impl FittedPlane {
-    /// The plane of least squares through three points or more; `up` decides which way the normal points.
+    /// The plane of least squares through three points or more; `up` decides which way the normal
+    /// points.
     pub fn through(readings: &mut Readings, points: &[UncertainPoint], up: impl Fn(Vector) -> bool) -> Result<Self> {
         let p = values(points);
         let fitted = etalon_fit::plane(&p, &etalon_fit::FitSettings::default())?;
@@ -60,7 +64,7 @@ impl FittedPlane {
 pub struct FittedArc {
     /// Centre.
     pub centre: Flat,
-    /// How much of the turn has points.
+    /// Share of the turn that has points.
     pub coverage_deg: f64,
     /// Radial residuals (thesis 2.6.1 gives their largest and their norm).
     pub scatter: Scatter,
@@ -88,7 +92,7 @@ impl FittedArc {
     }
 }
 
-/// What is measured for the base frame, in mm.
+/// Points (mm) that define the base frame.
 #[derive(Clone, Debug, Default)]
 pub struct BaseMeasurements {
     /// Points on the rails of actuators 2 and 3.
@@ -140,9 +144,7 @@ impl Axes {
         let (home, end) = (plane.project(&home), plane.project(&end));
         let travelled = (end[0].value - home[0].value).hypot(end[1].value - home[1].value);
         if !(travelled > 0.0 && travelled.is_finite()) {
-            return Err(Message::error("ball R is at the same place at home and at the end of actuator 2")
-                .hint("measure it again after moving actuator 2 to its end")
-                .into());
+            return Err(error!("ball-unmoved", ball = "R", actuator = 2).into());
         }
         let [y_axis_rad] =
             Uncertain::of([&home[0], &home[1], &end[0], &end[1]], |[x0, y0, x1, y1]| [(y1 - y0).atan2(x1 - x0)]);

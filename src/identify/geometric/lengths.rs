@@ -1,10 +1,12 @@
-//! Lengths: the lead error of an actuator, travel of a ball on its carriage against the commanded displacement (thesis
-//! 2.5), the instrument's error on a scale bar (thesis 2.6), the distance s from the axis of a shaft in two positions (thesis
-//! 2.6.3), and the offsets d1 and d3 from one displacement of actuator 1 (thesis 2.6.4).
+//! Lengths: the lead error of an actuator, travel of a ball on its carriage against the commanded
+//! displacement (thesis 2.5), the instrument's error on a scale bar (thesis 2.6), the distance s
+//! from the axis of a shaft in two positions (thesis 2.6.3), and the offsets d1 and d3 from one
+//! displacement of actuator 1 (thesis 2.6.4).
 
 use super::frames::Base;
 use super::uncertain::{Flat, Readings, Scatter, Uncertain, mean_and_sd, shifts, values};
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::{Vector, centroid, cross, dot, minus, norm, unit};
 use etalon_math::statistics::mean;
 
@@ -13,7 +15,7 @@ use etalon_math::statistics::mean;
 pub struct LeadMeasurements {
     /// Commanded displacement of each reading, in mm.
     pub commanded_mm: Vec<f64>,
-    /// Where the ball was, in mm.
+    /// Position of the ball (mm).
     pub points: Vec<Vector>,
 }
 
@@ -22,14 +24,16 @@ pub struct LeadMeasurements {
 pub struct Lead {
     /// The coefficient δ of eq. 3.7.
     pub ratio: Uncertain,
-    /// Each commanded displacement, and the mean deviation there from linear travel along the ball's own line, in mm.
+    /// Each commanded displacement, and the mean deviation there from linear travel along the
+    /// ball's own line, in mm.
     pub linearity: Vec<(f64, f64)>,
     /// Deviations along the line.
     pub scatter: Scatter,
 }
 
 impl Lead {
-    /// The regression p = a + ρ g of the ball's place on the commanded displacement ρ: δ is the length of g.
+    /// The regression p = a + ρ g of the ball's place on the commanded displacement ρ: δ is the
+    /// length of g.
     pub fn determine(readings: &mut Readings, measured: &LeadMeasurements) -> Result<Self> {
         let points = readings.add(&measured.points);
         let (p, rho) = (values(&points), &measured.commanded_mm);
@@ -45,9 +49,7 @@ impl Lead {
         }
         let ratio = norm(g);
         if n < 3 || !(ratio.is_finite() && ratio > 0.0) {
-            return Err(Message::error("the lead of an actuator cannot be determined from these positions")
-                .expected("three readings or more, at two commanded displacements or more")
-                .into());
+            return Err(error!("lead-undetermined").into());
         }
         let along = g.map(|v| v / ratio);
         let rows: Vec<[f64; 2]> = rho.iter().map(|r| [-1.0, -(r - mean_rho)]).collect();
@@ -83,7 +85,8 @@ pub struct ScaleBar {
     pub standard_deviation_mm: f64,
 }
 
-/// Distances of the two balls of a bar of `length_mm`, each pair measured together; `None` without any.
+/// Distances of the two balls of a bar of `length_mm`, each pair measured together; `None` without
+/// any.
 pub fn scale_bar(length_mm: f64, pairs: &[[Vector; 2]]) -> Option<ScaleBar> {
     let errors: Vec<f64> = pairs.iter().map(|[a, b]| norm(minus(*b, *a)) - length_mm).collect();
     let (mean_error_mm, standard_deviation_mm) = mean_and_sd(&errors)?;
@@ -119,7 +122,8 @@ impl Shaft {
         let side = if d[2].abs() < 0.9 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] };
         let e1 = unit(cross(side, d)).unwrap_or([1.0, 0.0, 0.0]);
         let e2 = cross(d, e1);
-        // distances about the axis (foot + a e1 + b e2, d + u e1 + v e2) at zero, and how they move with the points
+        // distances about the axis (foot + a e1 + b e2, d + u e1 + v e2) at zero, and how they move
+        // with the points
         let (mut rows, mut moves, mut residuals, mut reach) = (Vec::new(), Vec::new(), Vec::new(), 0.0f64);
         let radius = fitted.radius_mm.unwrap_or_default();
         for (p, q) in values(&points).into_iter().zip(&points) {
@@ -145,15 +149,13 @@ impl Shaft {
     }
 }
 
-/// Where the axes of two shafts intersect, in the base frame: on the axis of revolute joint 3.
+/// Intersection of the axes of two shafts in the base frame: on the axis of revolute joint 3.
 pub fn intersection(first: &Shaft, second: &Shaft) -> Result<Flat> {
     let ([a, b], [c, d]) = (&first.axis, &second.axis);
     let direction = |from: &Flat, to: &Flat| (to[1].value - from[1].value).atan2(to[0].value - from[0].value);
     let between = (direction(a, b) - direction(c, d)).sin().abs();
     if between.is_nan() || between < PARALLEL {
-        return Err(Message::error("the two positions of the shaft are parallel: their axes do not intersect")
-            .hint("move actuator 2 alone between them, as far as it goes")
-            .into());
+        return Err(error!("shaft-positions-parallel").into());
     }
     Ok(Uncertain::of([&a[0], &a[1], &b[0], &b[1], &c[0], &c[1], &d[0], &d[1]], |[ax, ay, bx, by, cx, cy, dx, dy]| {
         let (ux, uy, vx, vy) = (bx - ax, by - ay, dx - cx, dy - cy);
@@ -162,7 +164,8 @@ pub fn intersection(first: &Shaft, second: &Shaft) -> Result<Flat> {
     }))
 }
 
-/// Balls K and L after homing and moving actuators 2 and 3 to mid-travel, and K after actuator 1 went to its end.
+/// Balls K and L after homing and moving actuators 2 and 3 to mid-travel, and K after actuator 1
+/// went to its end.
 #[derive(Clone, Copy, Debug)]
 pub struct OffsetMeasurements {
     /// Commanded displacement of actuator 2, in mm.
@@ -191,9 +194,7 @@ impl OffsetMeasurements {
     pub fn d3(&self, from: &Flat, to: &Flat, s: &Uncertain, leads: [&Uncertain; 2]) -> Result<Uncertain> {
         let travelled = (to[0].value - from[0].value).abs();
         if travelled.is_nan() || travelled < 1.0 {
-            return Err(Message::error("ball K has moved less than 1 mm along x while actuator 1 went to its end")
-                .hint("measure K again after moving actuator 1 alone, as far as it goes")
-                .into());
+            return Err(error!("ball-unmoved", ball = "K", actuator = 1).into());
         }
         let (rho2, rho3) = (self.rho2_mm, self.rho3_mm);
         let inputs = [s, &from[0], &from[1], &to[0], &to[1], leads[0], leads[1]];

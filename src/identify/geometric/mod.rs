@@ -1,9 +1,10 @@
-//! What a technician can do by geometry alone: balls, a shaft and an arm (thesis, chapter 2).
+//! Geometric method with balls, a shaft and an arm (thesis, chapter 2).
 //!
-//! Nothing is optimised over the robot's model. Each step finds one quantity from points that were measured for it, in
-//! the order of the thesis; every result carries its derivatives by all measured coordinates, so that what shares points
-//! or frames is correlated. On a robot with all thirteen errors of chapter 3, O, C and the axis of revolute joint 3 are
-//! still found where they are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
+//! Nothing is optimised over the robot's model. Each step finds one quantity from points that were
+//! measured for it, in the order of the thesis; every result carries its derivatives by all
+//! measured coordinates, so that what shares points or frames is correlated. On a robot with all
+//! thirteen errors of chapter 3, O, C and the axis of revolute joint 3 are still found where they
+//! are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
 
 mod frames;
 mod lengths;
@@ -17,7 +18,8 @@ pub use lengths::{
 pub use uncertain::{Flat, Readings, Repeated, Repeats, Scatter, Uncertain, UncertainPoint, mean_and_sd};
 pub use workspace::{Polygon, Workspace, area_mm2};
 
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
+use etalon_base::{error, phrase};
 
 /// All that is measured for the geometric calibration.
 #[derive(Clone, Debug, Default)]
@@ -55,7 +57,7 @@ pub struct Geometry {
     pub readings: Readings,
 }
 
-/// What the steps that were measured find, each as far as it goes alone.
+/// Results of the measured steps, each as far as it goes alone.
 #[derive(Clone, Debug)]
 pub struct Steps {
     /// Actuators 1, 2 and 3.
@@ -76,27 +78,29 @@ pub struct Steps {
     pub readings: Readings,
 }
 
-/// Finds what each step gives, from points measured by an instrument with this standard uncertainty of one coordinate, in mm.
+/// Finds what each step gives, from points measured by an instrument with this standard uncertainty
+/// of one coordinate, in mm.
 ///
-/// The arc and the turn need the rails and ball R, the shaft the arc too, the offsets all of them: an error where they are not measured.
+/// The arc and the turn need the rails and ball R, the shaft the arc too, the offsets all of them:
+/// an error where they are not measured.
 pub fn steps(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<Steps> {
     let mut readings = Readings::new(standard_uncertainty_mm);
     let [one, two, three] = &measured.leads;
     let mut lead = |run: &Option<LeadMeasurements>, name: &str| -> Result<Option<Lead>> {
         run.as_ref().map(|run| Lead::determine(&mut readings, run)).transpose().map_err(at_step(name))
     };
-    let leads = [lead(one, "lead of rho1")?, lead(two, "lead of rho2")?, lead(three, "lead of rho3")?];
+    let leads = [lead(one, "lead-1")?, lead(two, "lead-2")?, lead(three, "lead-3")?];
     let (has_arc, has_turn) = (!measured.base.arc.is_empty(), !measured.turned.is_empty());
     let axes = (has_arc || has_turn).then(|| Axes::determine(&mut readings, &measured.base));
-    let axes = axes.transpose().map_err(at_step("base frame"))?;
+    let axes = axes.transpose().map_err(at_step("base"))?;
     let plane = axes.as_ref().map(|axes| axes.plane.clone());
     let base = axes.filter(|_| has_arc).map(|axes| Base::about(&mut readings, axes, &measured.base.arc));
-    let base = base.transpose().map_err(at_step("base frame"))?;
+    let base = base.transpose().map_err(at_step("base"))?;
     let mobile = plane.as_ref().filter(|_| has_turn).map(|p| Mobile::determine(&mut readings, p, &measured.turned));
-    let mobile = mobile.transpose().map_err(at_step("mobile frame"))?;
+    let mobile = mobile.transpose().map_err(at_step("mobile"))?;
     let (mut shafts, mut s) = (Vec::new(), Vec::new());
     for run in &measured.shafts {
-        let base = base.as_ref().ok_or_else(|| lacks("the shaft", "the arc of ball N"))?;
+        let base = base.as_ref().ok_or_else(|| Problems::from(error!("geometric-step-alone", step = "shaft")))?;
         let mut shaft = |i: usize| Shaft::through(&mut readings, base, &run.positions[i]).map_err(at_step("shaft"));
         let pair = [shaft(0)?, shaft(1)?];
         let [x, _] = intersection(&pair[0], &pair[1]).map_err(at_step("shaft"))?;
@@ -109,10 +113,7 @@ pub fn steps(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<St
     let (mut d1, mut d3) = (Vec::new(), Vec::new());
     for run in &measured.offsets {
         let (Some(base), Some(mobile), Some(s)) = (&base, &mobile, &s) else {
-            return Err(lacks(
-                "the displacement of actuator 1",
-                "the arc of ball N, the turned platform and the shaft",
-            ));
+            return Err(error!("geometric-step-alone", step = "offsets").into());
         };
         let [k, l, k_end] = run.project(&mut readings, base);
         let [one, _] = base.express(&mobile.centre(&k, &l));
@@ -124,28 +125,17 @@ pub fn steps(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<St
     Ok(Steps { leads, plane, base, mobile, shafts, s, offsets, readings })
 }
 
-fn lacks(step: &str, other: &str) -> Problems {
-    Message::error(format!("{step} gives nothing without {other}"))
-        .hint("measure it too, or leave this step out")
-        .into()
-}
-
-/// Finds the whole geometry, from points measured by an instrument with this standard uncertainty of one coordinate, in mm.
+/// Finds the whole geometry, from points measured by an instrument with this standard uncertainty
+/// of one coordinate, in mm.
 pub fn determine(measured: &Measurements, standard_uncertainty_mm: f64) -> Result<Geometry> {
     let found = steps(measured, standard_uncertainty_mm)?;
     let (Some(base), Some(mobile), Some(s), Some([d1, d3])) = (found.base, found.mobile, found.s, found.offsets) else {
-        let what = "the whole geometry needs the arc of ball N, the turned platform, the shaft in two positions and one displacement of actuator 1";
-        return Err(Message::error(what).expected("at least one repeat of each").into());
+        return Err(error!("geometry-incomplete").into());
     };
     Ok(Geometry { leads: found.leads, base, mobile, shafts: found.shafts, s, d1, d3, readings: found.readings })
 }
 
-/// Says at which step something is wrong.
-fn at_step(name: &str) -> impl Fn(Problems) -> Problems + '_ {
-    move |mut problems| {
-        for message in &mut problems.0 {
-            message.what = format!("{name}: {}", message.what);
-        }
-        problems
-    }
+/// Names the step in which problems were found.
+fn at_step(step: &str) -> impl Fn(Problems) -> Problems + '_ {
+    move |problems| problems.within(&phrase!("at-geometric-step", step))
 }

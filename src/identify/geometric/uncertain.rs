@@ -1,11 +1,13 @@
-//! Numbers with the measured coordinates that they come from: readings, what is computed from them, and what is repeated.
+//! Numbers with the measured coordinates that they come from: readings, what is computed from them,
+//! and what is repeated.
 //!
-//! A number carries its derivatives by every coordinate it depends on, so that results which share points or frames
-//! are correlated as they are in truth (GUM, JCGM 100:2008, 5.2; Hall 2006, "Computing uncertainty with uncertain
-//! numbers", Metrologia 43, L56).
+//! A number carries its derivatives by every coordinate it depends on, so that results which share
+//! points or frames are correlated as they are in truth (GUM, JCGM 100:2008, 5.2; Hall 2006,
+//! "Computing uncertainty with uncertain numbers", Metrologia 43, L56).
 
 use crate::chi_square_exceeds;
-use etalon_base::message::{Message, Result};
+use etalon_base::error;
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::scalar::Dual;
 use etalon_math::Factor;
@@ -31,7 +33,7 @@ impl Uncertain {
         Self { value, by: vec![(index, 1.0)] }
     }
 
-    /// The same derivatives with another value.
+    /// These derivatives with another value.
     pub fn at(self, value: f64) -> Self {
         Self { value, ..self }
     }
@@ -112,7 +114,7 @@ pub struct Readings {
     standard_uncertainties_mm: Vec<f64>,
 }
 
-/// What the residuals of one fit say.
+/// Residuals of one fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
     /// Number of residuals.
@@ -125,10 +127,11 @@ pub struct Scatter {
     pub max_mm: f64,
     /// Root of the sum of squares, as in the thesis (2.6.1).
     pub norm_mm: f64,
-    /// What the stated uncertainty makes of the standard deviation.
+    /// Standard deviation expected from the stated uncertainty.
     pub expected_mm: f64,
-    /// By how much the points' uncertainties were enlarged because the residuals scatter more than that; else 1.
-    pub enlarged_by: f64,
+    /// Factor by which the uncertainties of the points were enlarged because the residuals scatter
+    /// more; otherwise 1.
+    pub inflation_factor: f64,
 }
 
 impl Readings {
@@ -154,8 +157,8 @@ impl Readings {
         &self.standard_uncertainties_mm
     }
 
-    /// Judges residuals whose uncertainties are those of `moves`: where chi-square rejects the stated uncertainty,
-    /// that of `points` is enlarged to what the residuals say.
+    /// Judges residuals whose uncertainties are those of `moves`: where chi-square rejects the
+    /// stated uncertainty, that of `points` is enlarged to what the residuals say.
     pub fn judge(
         &mut self,
         residuals_mm: &[f64],
@@ -169,10 +172,10 @@ impl Readings {
         let chi_square: f64 = residuals_mm.iter().zip(&variances).map(|(r, v)| r * r / v).sum();
         let dof = residuals_mm.len().saturating_sub(fitted);
         let rejected = dof > 0 && chi_square_exceeds(chi_square, dof);
-        let enlarged_by = if rejected { (chi_square / dof as f64).sqrt() } else { 1.0 };
+        let inflation_factor = if rejected { (chi_square / dof as f64).sqrt() } else { 1.0 };
         for i in points.iter().flatten().flat_map(|x| x.coordinates()) {
             if let Some(u) = self.standard_uncertainties_mm.get_mut(i) {
-                *u *= enlarged_by;
+                *u *= inflation_factor;
             }
         }
         Scatter {
@@ -182,7 +185,7 @@ impl Readings {
             max_mm: residuals_mm.iter().fold(0.0, |m, r| m.max(r.abs())),
             norm_mm: squares.sqrt(),
             expected_mm: mean(variances).sqrt(),
-            enlarged_by,
+            inflation_factor,
         }
     }
 }
@@ -192,14 +195,12 @@ pub(super) fn values<const N: usize>(points: &[[Uncertain; N]]) -> Vec<[f64; N]>
     points.iter().map(|p| p.each_ref().map(|x| x.value)).collect()
 }
 
-/// How the solution x of min Σ d² moves with the points: −(JᵀJ)⁻¹Jᵀ δ, with `rows` of J = ∂d/∂x and `moves` δ of each
-/// distance d at fixed x. First order in the points, and in residuals that are small against the element.
+/// Derivative of the solution x of min Σ d² by the points: −(JᵀJ)⁻¹Jᵀ δ, with `rows` of J = ∂d/∂x
+/// and `moves` δ of each distance d at fixed x. First order in the points, and in residuals that
+/// are small against the element.
 pub(super) fn shifts<const N: usize>(rows: &[[f64; N]], moves: &[Uncertain]) -> Result<[Uncertain; N]> {
     let factor = Factor::new(rows.as_flattened(), &vec![0.0; rows.len()], &[1.0; N]);
-    let undetermined = || {
-        Message::error("these points do not determine what is to be found from them")
-            .hint("spread the positions over the whole travel or turn")
-    };
+    let undetermined = || error!("points-undetermined");
     let inverse = factor.inverse_normal().filter(|v| v.iter().all(|v| v.is_finite())).ok_or_else(undetermined)?;
     let gain = |k: usize, row: &[f64; N]| -> f64 {
         -row.iter().enumerate().map(|(j, r)| inverse.get(k * N + j).copied().unwrap_or(0.0) * r).sum::<f64>()
@@ -225,12 +226,12 @@ pub struct Repeated {
     pub mean: Uncertain,
 }
 
-/// How repeats scatter.
+/// Scatter of repeats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeats {
     /// Standard deviation of the determinations; zero of a single one.
     pub standard_deviation: f64,
-    /// What the points' own uncertainties make of it.
+    /// Scatter expected from the uncertainties of the points.
     pub expected: f64,
     /// Variance of the mean that the points do not explain: zero unless chi-square rejects them.
     pub excess_variance: f64,
@@ -243,7 +244,8 @@ impl Repeated {
         Self { values, mean }
     }
 
-    /// How the repeats scatter, against what their points say. What all share (base frame, C) cancels between them.
+    /// Scatter of the repeats against the uncertainties of their points. Common errors (base frame,
+    /// C) cancel between repeats.
     pub fn repeats(&self, readings: &Readings) -> Repeats {
         let u = readings.standard_uncertainties_mm();
         let n = self.values.len();
@@ -258,7 +260,8 @@ impl Repeated {
         Repeats { standard_deviation, expected: expected_variance.sqrt(), excess_variance }
     }
 
-    /// Standard uncertainty of the mean: from the points, and from what the repeats scatter beyond them.
+    /// Standard uncertainty of the mean: from the points, and from what the repeats scatter beyond
+    /// them.
     pub fn standard_uncertainty(&self, readings: &Readings) -> f64 {
         let u = readings.standard_uncertainties_mm();
         (self.mean.covariance(&self.mean, u) + self.repeats(readings).excess_variance).sqrt()

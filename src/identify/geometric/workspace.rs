@@ -1,4 +1,4 @@
-//! What the platform's centre C reaches (thesis 2.2.2).
+//! Area that the platform's centre C reaches (thesis 2.2.2).
 
 use etalon_robots::{PlanarPose, RailTable};
 
@@ -17,12 +17,13 @@ pub struct Workspace<'a> {
 const FAR_MM: f64 = 1e4;
 
 impl<'a> Workspace<'a> {
-    /// That of a robot with these parameters; `None` where the travel of its actuators is not stated.
+    /// Workspace of a robot with these parameters; `None` if the travel of its actuators is not
+    /// stated.
     pub fn new(robot: &'a dyn RailTable, parameters: &'a [f64]) -> Option<Self> {
         Some(Self { robot, parameters, travel_mm: robot.travel_mm()? })
     }
 
-    /// Whether the actuators reach a pose of the platform in the base frame.
+    /// `true` if the actuators reach a pose of the platform in the base frame.
     pub fn contains(&self, pose: PlanarPose) -> bool {
         self.robot.limit_violation(self.parameters, &self.robot.joints_at(self.parameters, pose)).is_none()
     }
@@ -32,15 +33,17 @@ impl<'a> Workspace<'a> {
         self.cut(vec![[-FAR_MM, -FAR_MM], [FAR_MM, -FAR_MM], [FAR_MM, FAR_MM], [-FAR_MM, FAR_MM]], theta_rad)
     }
 
-    /// Positions reached with every orientation from −`theta_rad` to `theta_rad`: the hexagon of figure 2.4.
+    /// Positions reached with every orientation from −`theta_rad` to `theta_rad`: the hexagon of
+    /// figure 2.4.
     ///
-    /// With t = tan θ, eq. 3.12 to 3.14 limit x and y by what is linear in t: what holds at both ends holds between.
+    /// With t = tan θ, eq. 3.12 to 3.14 limit x and y by what is linear in t: what holds at both
+    /// ends holds between.
     pub fn within(&self, theta_rad: f64) -> Polygon {
         self.cut(self.at(-theta_rad), theta_rad)
     }
 
-    /// What is left of a polygon within the travel of every actuator: at one orientation, displacements are linear in
-    /// x and y.
+    /// Part of a polygon within the travel of every actuator: at one orientation, displacements are
+    /// linear in x and y.
     fn cut(&self, mut polygon: Polygon, theta_rad: f64) -> Polygon {
         let at = |x_mm: f64, y_mm: f64| self.robot.joints_at(self.parameters, PlanarPose { x_mm, y_mm, theta_rad });
         let (origin, along_x, along_y) = (at(0.0, 0.0), at(1e3, 0.0), at(0.0, 1e3));
@@ -54,7 +57,8 @@ impl<'a> Workspace<'a> {
     }
 }
 
-/// The part of a convex polygon where a linear function is not negative (Sutherland & Hodgman 1974, CACM 17, 32).
+/// The part of a convex polygon where a linear function is not negative (Sutherland & Hodgman 1974,
+/// CACM 17, 32).
 fn clip(polygon: &[[f64; 2]], inside: impl Fn([f64; 2]) -> f64) -> Polygon {
     let mut kept = Vec::new();
     for (&a, &b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
@@ -115,7 +119,8 @@ mod tests {
         assert!(reached(169.5) && !reached(170.5));
     }
 
-    /// Inside a polygon by its edges, against membership by the actuators, with all thirteen errors.
+    /// Inside a polygon by its edges, against membership by the actuators, with all thirteen
+    /// errors.
     #[test]
     fn polygons_hold_what_the_actuators_reach_and_nothing_else() {
         let robot = Prexyt::default().with_travel(TRAVEL_MM);

@@ -1,5 +1,6 @@
-//! The uncertainty budget of an identification: what each source contributes to the variance of a parameter, or of a figure that
-//! depends on parameters and readings (GUM 5.1.2, 5.2.2; a table as in GUM H.1).
+//! The uncertainty budget of an identification: what each source contributes to the variance of a
+//! parameter, or of a figure that depends on parameters and readings (GUM 5.1.2, 5.2.2; a table as
+//! in GUM H.1).
 
 use crate::Result;
 use crate::judgement::significance::Variance;
@@ -20,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub enum UncertaintySource {
     /// The instrument: its stated uncertainty, or that which readings state of themselves.
     Instrument,
-    /// How well the robot finds a measured point again, as stated.
+    /// Stated repeatability of the robot at a measured point.
     Contact,
     /// Stated shapes of rigid parts.
     RigidParts,
@@ -28,9 +29,10 @@ pub enum UncertaintySource {
     KnownPoints,
     /// Nominal values, by their tolerances.
     NominalValues,
-    /// What repeats of a pose scatter beyond the instrument.
+    /// Scatter of repeats of a pose beyond the instrument.
     Repeatability,
-    /// What residuals exceed all this by: errors of the robot that the model does not describe.
+    /// Excess of the residuals over all other sources: errors of the robot that the model does not
+    /// describe.
     Model,
     /// Residuals, where no uncertainty is stated.
     Residuals,
@@ -46,33 +48,37 @@ pub enum UncertaintySource {
     Homing,
 }
 
-/// What sources contribute to a variance, in its unit.
+/// Contributions of sources to a variance, in its unit.
 pub type Contributions = Vec<(UncertaintySource, f64)>;
 
-/// Errors that all readings of a campaign have in common, by their standard uncertainties (GUM 5.2.4, F.1.2.3).
+/// Errors that all readings of a campaign have in common, by their standard uncertainties (GUM
+/// 5.2.4, F.1.2.3).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Systematic {
     /// Frames that place the observations.
     pub frames: Vec<FrameError>,
-    /// Of all measured lengths by the scale of the measuring system, relative.
+    /// Relative standard uncertainty of all measured lengths from the scale of the measuring
+    /// system.
     pub scale: f64,
-    /// Of all measured lengths by the temperature, relative.
+    /// Relative standard uncertainty of all measured lengths from the temperature.
     pub expansion: f64,
-    /// Of the joint values that homing sets, in the order of the joints, mm or rad; empty where none is stated.
+    /// Standard uncertainties of the joint values that homing sets (mm or rad), in the order of the
+    /// joints; empty if none is stated.
     pub homing: Vec<f64>,
 }
 
 impl Systematic {
-    /// Whether an error that is common to all readings is stated, beside those of frames.
+    /// `true` if an error common to all readings is stated, beside those of frames.
     pub fn is_stated(&self) -> bool {
         self.scale > 0.0 || self.expansion > 0.0 || self.homing.iter().any(|u| *u > 0.0)
     }
 }
 
-/// What an identification's uncertainty is made of.
+/// Sources of the uncertainty of an identification.
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
-    /// Covariances of the identified parameters by the sources that are stated for single readings; empty where none is.
+    /// Covariances of the identified parameters by the sources that are stated for single readings;
+    /// empty where none is.
     stated: Vec<(Source, Vec<f64>)>,
     /// Their covariance by all that single readings and poses show.
     readings: Vec<f64>,
@@ -82,18 +88,20 @@ pub struct Budget {
     stated_mm: Option<f64>,
     /// The frames of single poses, where `readings` do not contain them.
     of_poses: Vec<f64>,
-    /// How the parameters respond to one standard uncertainty of each common error.
+    /// Response of the parameters to one standard uncertainty of each common error.
     common: Vec<(Source, Vec<f64>)>,
 }
 
-/// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression Analysis, 2.1).
+/// Scatter of repeats against the rest of the residuals (Draper & Smith, Applied Regression
+/// Analysis, 2.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Replicates {
     /// Standard deviation of a coordinate among repeats of a pose, mm.
     pub repeats_mm: f64,
     /// Its degrees of freedom.
     pub degrees_of_freedom: usize,
-    /// Standard deviation of a coordinate that the model leaves at a pose, without the scatter of repeats, mm.
+    /// Standard deviation of a coordinate that the model leaves at a pose, without the scatter of
+    /// repeats, mm.
     pub lack_of_fit_mm: f64,
     /// Probability of residuals as large as these if the model were right (F test of lack of fit).
     pub p_value: f64,
@@ -103,7 +111,8 @@ pub struct Replicates {
 const SAME_JOINTS: f64 = 0.005;
 
 impl Systematic {
-    /// How residuals (whitened) change by one standard uncertainty of each independent error that is common to all.
+    /// Change of the whitened residuals by one standard uncertainty of each independent error that
+    /// is common to all.
     pub(crate) fn errors(&self, observed: &Observed) -> Result<Vec<(Source, Vec<f64>)>> {
         let (problem, x) = (&observed.problem()?, &observed.x());
         let mut errors = Vec::new();
@@ -162,7 +171,8 @@ impl<'a> Observed<'a> {
 }
 
 impl Budget {
-    /// Of readings whose covariance `readings` was found, `instrument` being that by what is stated; `None` where nothing is.
+    /// Budget of readings with the covariance `readings`; `instrument` is the covariance from the
+    /// stated uncertainty. `None` if nothing is stated.
     pub(crate) fn new(
         (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
         instrument: Option<&[f64]>,
@@ -203,8 +213,8 @@ impl Budget {
         }
     }
 
-    /// Adds the errors that all readings have in common, each by the change of the residuals, and to `covariance` what they make of it;
-    /// that of frames is in it.
+    /// Adds the errors that all readings have in common, each by the change of the residuals, and
+    /// to `covariance` what they make of it; that of frames is in it.
     pub(crate) fn carry(
         &mut self,
         errors: Vec<(Source, Vec<f64>)>,
@@ -223,8 +233,8 @@ impl Budget {
         }
     }
 
-    /// What each source contributes to the variance of an identified parameter, by its place among these; nothing where points were
-    /// eliminated.
+    /// Contribution of each source to the variance of an identified parameter, given by its index
+    /// among these; empty if points were eliminated.
     pub fn of_parameter(&self, k: usize) -> Contributions {
         if self.readings.is_empty() {
             return Vec::new();
@@ -233,7 +243,8 @@ impl Budget {
         self.contributions(|covariance| covariance[k * n + k], 0.0, |e| self.common[e].1[k])
     }
 
-    /// By the variance that a covariance of the parameters gives, what the instrument adds to it, and the response to each common error.
+    /// Contributions from the variance by a covariance of the parameters, the part of the
+    /// instrument, and the response to each common error.
     fn contributions(
         &self,
         form: impl Fn(&[f64]) -> f64,
@@ -298,7 +309,8 @@ fn by_rows((problem, solution, jacobian): (&Residuals, &Solution, &[f64]), all: 
     let readings: Vec<f64> = of(0, measured, 1.0);
     let mut parts = Vec::new();
     if problem.is_whitened() {
-        // what whitens u² I + c² 11ᵀ is symmetric: once more it gives the response to each reading's own error
+        // what whitens u² I + c² 11ᵀ is symmetric: once more it gives the response to each
+        // reading's own error
         let mut own = jacobian[..measured * n].to_vec();
         problem.whiten(&mut own, n);
         let own: Vec<f64> = spread(&own, 1.0);
@@ -323,8 +335,9 @@ pub enum Figure {
     Max,
 }
 
-/// What each source contributes to the variance (mm²) of figures of the position errors of `observations`, which are not those of
-/// the identification. `None` without a covariance, and where points were eliminated.
+/// Contribution of each source to the variance (mm²) of figures of the position errors of
+/// `observations` other than those of the identification. `None` without a covariance, or if points
+/// were eliminated.
 pub fn figure_budgets(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -402,7 +415,8 @@ pub fn figure_budgets(
     Ok(Some([Figure::Mean, Figure::Rms, Figure::Max].map(of).to_vec()))
 }
 
-/// Scatter of repeats of a pose against the rest of the residuals; `None` where no pose was repeated.
+/// Scatter of repeats of a pose against the rest of the residuals; `None` where no pose was
+/// repeated.
 pub(crate) fn replicates(
     robot: &dyn Robot,
     observations: &[Observation],

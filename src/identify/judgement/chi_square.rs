@@ -5,12 +5,14 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 /// Probability with which a chi-square test rejects a right model.
 const REJECT: f64 = 1e-3;
 
-/// Whether chi-square is too large for the degrees of freedom: a right model has it once in a thousand times.
+/// `true` if chi-square is too large for the degrees of freedom: a right model exceeds the limit
+/// once in a thousand times.
 pub fn exceeds(chi_square: f64, dof: usize) -> bool {
     ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
 }
 
-/// Whether chi-square is too small for the degrees of freedom: with the stated uncertainty once in a thousand times.
+/// `true` if chi-square is too small for the degrees of freedom: the stated uncertainty falls below
+/// the limit once in a thousand times.
 pub(crate) fn falls_short(chi_square: f64, dof: usize) -> bool {
     ChiSquared::new(dof as f64).is_ok_and(|d| d.cdf(chi_square) < REJECT)
 }

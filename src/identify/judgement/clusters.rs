@@ -1,28 +1,32 @@
-//! Covariance from residuals of which those of one cluster have errors in common: a pose, a region of the joints, a reading.
+//! Covariance from residuals of which those of one cluster have errors in common: a pose, a region
+//! of the joints, a reading.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::collections::BTreeMap;
 
-/// A cluster without which this little of a direction of the parameters is left determines it alone.
+/// A cluster without which this little of a direction of the parameters is left determines it
+/// alone.
 const REST: f64 = 0.01;
 /// Effective degrees of freedom that are too few: Student's t has no standard deviation.
 const TOO_FEW: f64 = 2.0;
-/// Clusters from which a test by their scatter keeps its probability (Cameron & Miller 2015, section VI).
+/// Clusters from which a test by their scatter keeps its probability (Cameron & Miller 2015,
+/// section VI).
 const ENOUGH: usize = 30;
 /// Clusters whose parts are in memory at once.
 const AT_ONCE: usize = 64;
 /// Probability with which independent residuals are taken for such that have errors in common.
 const REJECT: f64 = 0.01;
 
-/// What the scatter of clusters shows of the parameters' uncertainty.
+/// Uncertainty of the parameters from the scatter of clusters.
 pub(crate) struct ByCluster {
     /// Covariance of the parameters, row by row.
     pub covariance: Vec<f64>,
     /// Effective degrees of freedom of each variance.
     pub degrees_of_freedom: Vec<f64>,
-    /// Variance of the parameters, in the mean over all directions, to that of independent residuals of unit variance.
+    /// Variance of the parameters, in the mean over all directions, to that of independent
+    /// residuals of unit variance.
     pub ratio: f64,
     /// Variance of this ratio where residuals are so.
     ratio_variance: f64,
@@ -30,10 +34,12 @@ pub(crate) struct ByCluster {
 }
 
 impl ByCluster {
-    /// From the rows of the Jacobian J, their residuals and A⁻¹, which is `inverse`. Delete-a-group jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I − Hₚ)^-½ rₚ, where Hₚ = Jₚ A⁻¹ Jₚᵀ is the
-    /// part of the hat matrix of one cluster: unbiased for independent residuals, which the fit makes smaller than errors. Degrees of
-    /// freedom are those of a multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in Imbens & Kolesár
-    /// 2016). `None` where one cluster determines some direction of the parameters alone.
+    /// From the rows of the Jacobian J, their residuals and A⁻¹, which is `inverse`. Delete-a-group
+    /// jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I − Hₚ)^-½ rₚ, where
+    /// Hₚ = Jₚ A⁻¹ Jₚᵀ is the part of the hat matrix of one cluster: unbiased for independent
+    /// residuals, which the fit makes smaller than errors. Degrees of freedom are those of a
+    /// multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in Imbens
+    /// & Kolesár 2016). `None` where one cluster determines some direction of the parameters alone.
     pub fn new<C: Copy + Ord>(clusters: &[C], inverse: &[f64], residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
         let n = inverse.len().isqrt();
         let root = Cholesky::new(DMatrix::from_row_slice(n, n, inverse))?.unpack(); // F, with F Fᵀ = A⁻¹
@@ -74,20 +80,22 @@ impl ByCluster {
         })
     }
 
-    /// Whether there are clusters enough for a variance of every parameter.
+    /// `true` if there are enough clusters for a variance of every parameter.
     pub fn is_usable(&self) -> bool {
         self.degrees_of_freedom.iter().all(|d| *d > TOO_FEW)
     }
 
-    /// Whether the ratio is larger than that of independent residuals is once in a hundred times; of few clusters it does not show.
+    /// `true` if the ratio exceeds the 99 % quantile for independent residuals; few clusters have
+    /// no power.
     pub fn exceeds(&self) -> bool {
         let degrees = 2.0 / self.ratio_variance;
         self.clusters >= ENOUGH && ChiSquared::new(degrees).is_ok_and(|d| d.sf(self.ratio * degrees) < REJECT)
     }
 }
 
-/// What one cluster adds, in the coordinates in which A is one. With Q = Jₚ F its matrices are functions of K = QᵀQ, and
-/// computed from those of QQᵀ, which has as many rows as the cluster.
+/// Contribution of one cluster, in the coordinates in which A is the identity. With Q = Jₚ F its
+/// matrices are functions of K = QᵀQ, and are computed from those of QQᵀ, which has as many rows as
+/// the cluster.
 struct Part {
     /// Fᵀ hₚ.
     step: DVector<f64>,
@@ -95,16 +103,17 @@ struct Part {
     square_root: DMatrix<f64>,
     /// Trace of its part of the hat matrix.
     leverage: f64,
-    /// What its squares of residuals add to the fourth moments.
+    /// Contribution of its squared residuals to the fourth moments.
     fourths: f64,
     /// K (1 − K)^-½ Fᵀ.
     weights: DMatrix<f64>,
-    /// The same of the variance of each parameter.
+    /// Contribution to the fourth moments of the variance of each parameter.
     own: Vec<f64>,
 }
 
 impl Part {
-    /// Of the rows `q` and their residuals `r`; `None` where they determine some direction alone.
+    /// Contribution of the rows `q` with residuals `r`; `None` if they alone determine some
+    /// direction.
     fn new(mut q: DMatrix<f64>, mut r: DVector<f64>, root: &DMatrix<f64>) -> Option<Self> {
         if q.nrows() > q.ncols() {
             // of many rows the factor has the same products
@@ -162,7 +171,8 @@ mod tests {
         }
     }
 
-    /// Of single readings the variance of a mean is s²/n with n − 1 degrees of freedom; of pairs that are alike it is that of the pairs.
+    /// The variance of a mean of single readings is s²/n with n − 1 degrees of freedom; for pairs
+    /// of equal readings it is that of the pairs.
     #[test]
     fn the_variance_of_a_mean_by_hand() {
         let (single, twice) = ([1.0, 2.0, 4.0, 9.0], [1.0, 1.0, 2.0, 2.0, 4.0, 4.0, 9.0, 9.0]);

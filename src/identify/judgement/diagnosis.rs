@@ -1,4 +1,5 @@
-//! Diagnosis: why an identification ended without a result, and outliers, the largest residuals of a robust fit.
+//! Diagnosis: why an identification ended without a result, and outliers, the largest residuals of
+//! a robust fit.
 
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
@@ -14,10 +15,12 @@ use etalon_math::{Loss, Options, Problem, Termination};
 use etalon_robots::{Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Measured and predicted positions whose extents differ by more than this are not in the same unit.
+/// Measured and predicted positions whose extents differ by more than this are not in the same
+/// unit.
 const SAME_UNIT: f64 = 3.0;
 
-/// The error when the solver ended with `termination` on its way from `start` (all parameters of the robot).
+/// The error when the solver ended with `termination` on its way from `start` (all parameters of
+/// the robot).
 pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], termination: Termination) -> Error {
     let Estimation { robot, observations, settings, wanted } = *estimation;
     if matches!(termination, Termination::RankDeficient | Termination::TooFewEquations)
@@ -30,7 +33,8 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     Error::Failed { termination, cause, set_up }
 }
 
-/// The error when no parameter is left: all are held, or the data depend on none of those wanted at `start`.
+/// The error when no parameter is left: all are held, or the data depend on none of those wanted at
+/// `start`.
 pub(crate) fn nothing_left(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -93,8 +97,8 @@ fn extent(points: &[Vector]) -> f64 {
     norm(minus(end(f64::max), end(f64::min)))
 }
 
-/// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three coordinates and normal errors
-/// fewer than one of ten million is.
+/// A distance beyond this many robust standard deviations of a coordinate is an outlier: with three
+/// coordinates and normal errors fewer than one of ten million is.
 pub const OUTLIER: f64 = 6.0;
 /// Fits, each with the scale that the one before it shows.
 const FITS: usize = 12;
@@ -105,12 +109,13 @@ const PART: usize = 60;
 /// Least scale of residuals in mm: below it nothing is measured.
 const LEAST_MM: f64 = 1e-6;
 
-/// What a robust fit leaves of every reading.
+/// Residual of every reading after a robust fit.
 #[derive(Clone, Debug)]
 pub struct RobustFit {
     /// The largest first.
     pub readings: Vec<Reading>,
-    /// Standard deviation of a coordinate as the bulk of the residuals shows it, or as it is stated where that is more, mm.
+    /// Standard deviation of a coordinate as the bulk of the residuals shows it, or as it is stated
+    /// where that is more, mm.
     pub scale_mm: f64,
 }
 
@@ -127,12 +132,13 @@ pub struct Reading {
     pub cycle: i64,
     /// Distance, mm.
     pub left_mm: f64,
-    /// Standard uncertainty of a coordinate that the reading states of itself, mm; 0 where it does not.
+    /// Standard uncertainty of a coordinate that the reading states of itself, mm; 0 where it does
+    /// not.
     own_mm: f64,
 }
 
 impl RobustFit {
-    /// A robust fit of what least squares `found`; `None` where there is none.
+    /// Robust fit to the residuals of a least-squares solution; `None` if it fails.
     pub fn new(
         robot: &dyn Robot,
         observations: &[Observation],
@@ -168,9 +174,10 @@ impl RobustFit {
     }
 }
 
-/// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the scale of which follows
-/// the median residual down, from the identified and from the nominal parameters. Those from the nominal ones use part of
-/// many observations, and all of them only where that leads below.
+/// Parameters at which the bulk of the measurements is met best: fits with the Cauchy loss, the
+/// scale of which follows the median residual down, from the identified and from the nominal
+/// parameters. Those from the nominal ones use part of many observations, and all of them only
+/// where that leads below.
 fn robust(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -6,19 +6,21 @@ use etalon_base::noise::Noise;
 use etalon_math::{covariance, factor_at};
 use etalon_robots::{Quantity, Robot};
 
-/// Below this share of its value by the data a parameter is left to its tolerance: of two that act alike each has a half.
+/// Below this share of its value by the data a parameter is left to its tolerance: of two that act
+/// alike each has a half.
 const BY_TOLERANCE: f64 = 0.7;
 /// Above this share the data would determine it.
 const BY_DATA: f64 = 0.9;
-/// How far a joint would move to show more, rad.
+/// Motion (rad) of a joint that would show more.
 const MOVED_RAD: f64 = 0.5;
-/// The same of a sliding joint, mm.
+/// Motion (mm) of a sliding joint that would show more.
 const MOVED_MM: f64 = 100.0;
 /// Seed of these motions.
 const SEED: u64 = 50;
 
-/// Parameters, by their indices, that the data leave to their tolerances because `joint` does not move: if it moved, the data would
-/// determine them. `values` are all parameters with base and targets placed.
+/// Parameters, by their indices, that the data leave to their tolerances because `joint` does not
+/// move: if it moved, the data would determine them. `values` are all parameters with base and
+/// targets placed.
 ///
 /// # Errors
 /// Settings and observations that do not go together.

@@ -1,19 +1,20 @@
-//! Two logs of the same poses: does what one says differently show in the residuals of the other?
+//! Comparison of two logs of the same poses: correlation of their difference with the residuals.
 
 use crate::Observation;
 use etalon_robots::Robot;
 
-/// How the residuals of one log relate to its difference from another.
+/// Relation of the residuals of one log to its difference from another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogComparison {
-    /// Correlation, over all measured coordinates, of the residuals (measured − predicted with the first log) with the
-    /// displacement that the second log predicts.
+    /// Correlation, over all measured coordinates, of the residuals (measured − predicted with the
+    /// first log) with the displacement that the second log predicts.
     pub correlation: f64,
     /// Coordinates compared.
     pub count: usize,
 }
 
-/// Compares the residuals of `observations` with the displacement that the joints of `others` predict.
+/// Compares the residuals of `observations` with the displacement that the joints of `others`
+/// predict.
 ///
 /// Observations are matched by pose and cycle; both lists must have been made for the same robot.
 pub fn compare_logs(

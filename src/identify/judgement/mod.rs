@@ -1,4 +1,5 @@
-//! Judgement: how well the parameters are known, which observations contradict them, and what explains the contradiction.
+//! Judgement: how well the parameters are known, which observations contradict them, and what
+//! explains the contradiction.
 
 pub(crate) mod budget;
 pub(crate) mod chi_square;

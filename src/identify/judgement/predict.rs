@@ -7,6 +7,7 @@ use crate::solution::identifiability::{Analysis, Group, RANK_TOLERANCE};
 use crate::solution::observability::{Observability, WeakGroup, observe, weak_message};
 use crate::{Error, Result};
 use crate::{Observation, Settings, Warning, wanted_parameters};
+use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_math::{Factor, Problem, column_norms, covariance, factor_at, svd};
@@ -28,7 +29,7 @@ pub struct Sensitivity {
     pub messages: Vec<Warning>,
 }
 
-/// What is known after an identification.
+/// Predicted result of an identification.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     /// O1 to O5 and the condition number; `None` where they are not numbers.
@@ -41,7 +42,8 @@ pub struct Prediction {
     pub messages: Vec<Message>,
 }
 
-/// How `observations` depend on the parameters that are separately identifiable; where the targets are does not matter.
+/// Derivatives of `observations` by the parameters that are separately identifiable; measured
+/// positions do not matter.
 pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Sensitivity> {
     let (wanted, prior) = (wanted_parameters(robot, observations, settings)?, settings.prior);
     let nominal = robot.nominal();
@@ -55,9 +57,7 @@ pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &S
     let problem = Residuals::new(robot, observations, settings, &free, &nominal)?;
     let mut jacobian = jacobian_at_nominal(&problem, &nominal);
     if jacobian.iter().any(|j| !j.is_finite()) {
-        return Err(Message::error("with nominal parameters the robot cannot be where these joint values put it")
-            .hint("check unit, sign and offset of the joints, and the nominal parameters")
-            .into());
+        return Err(error!("robot-not-at-joints", parameters = "nominal").into());
     }
     jacobian.iter_mut().for_each(|j| *j *= problem.unit);
     let rows = observations.iter().map(|o| robot.dimension() * o.targets.iter().flatten().count()).collect();
@@ -65,7 +65,8 @@ pub fn sensitivity(robot: &dyn Robot, observations: &[Observation], settings: &S
     Ok(Sensitivity { free, groups, jacobian, rows, messages })
 }
 
-/// What an identification of the parameters `free` from `observations` would determine; an error where they do not suffice.
+/// Predicted result of an identification of the parameters `free` from `observations`; an error if
+/// they do not suffice.
 pub fn predict(
     robot: &dyn Robot,
     observations: &[Observation],

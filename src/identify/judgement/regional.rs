@@ -1,9 +1,11 @@
-//! Misfit as a field over joint space: what the model leaves out is alike at poses that are near each other.
+//! Misfit as a field over joint space: what the model leaves out is alike at poses that are near
+//! each other.
 //!
-//! A reading of target k at pose i is off by f(qᵢ) + e: f is a Gaussian process, independent along each axis of the world and common to
-//! all targets of a pose, with a Matérn covariance v (1 + d) exp(−d), d = √3 |qᵢ − qⱼ| / ℓ (smoothness 3/2; Rasmussen & Williams 2006,
-//! eq. 4.17); e is white. The variances and the length ℓ are those of largest restricted likelihood (REML; Patterson & Thompson 1971;
-//! Harville 1977), in which the parameters that were identified are integrated out.
+//! A reading of target k at pose i is off by f(qᵢ) + e: f is a Gaussian process, independent along
+//! each axis of the world and common to all targets of a pose, with a Matérn covariance v (1 + d)
+//! exp(−d), d = √3 |qᵢ − qⱼ| / ℓ (smoothness 3/2; Rasmussen & Williams 2006, eq. 4.17); e is white.
+//! The variances and the length ℓ are those of largest restricted likelihood (REML; Patterson &
+//! Thompson 1971; Harville 1977), in which the parameters that were identified are integrated out.
 
 use crate::model::residuals::Residuals;
 use etalon_robots::Quantity;
@@ -18,9 +20,11 @@ const RATIOS: [f64; 7] = [0.1, 0.4, 1.6, 6.4, 25.0, 100.0, 400.0];
 const ESTIMATED_FROM: usize = 64;
 /// Poses whose covariances with each other are summed.
 const SUMMED: usize = 200;
-/// Fall of −2 ln L that noise alone exceeds in one of hundred campaigns: chi-square of two more parameters, variance and length.
+/// Fall of −2 ln L that noise alone exceeds in one of hundred campaigns: chi-square of two more
+/// parameters, variance and length.
 const SIGNIFICANT: f64 = 9.21;
-/// Rise of −2 ln L up to which variance and length are as probable as the best but for chance, once in a thousand (chi-square of two).
+/// Rise of −2 ln L up to which variance and length are as probable as the best but for chance, once
+/// in a thousand (chi-square of two).
 const AS_PROBABLE: f64 = 13.82;
 /// Readings at fewer poses show no field.
 const FEWEST: usize = 8;
@@ -41,7 +45,8 @@ struct Pose {
     readings: usize,
 }
 
-/// Rows along one axis with one column for each parameter and the residuals behind: sums over the readings of a pose.
+/// Rows along one axis with one column for each parameter and the residuals behind: sums over the
+/// readings of a pose.
 struct Sums {
     axes: Vec<DMatrix<f64>>,
 }
@@ -56,7 +61,8 @@ struct Estimate {
 }
 
 impl Field {
-    /// Of residuals with this Jacobian, a row for each residual; `None` where readings are not coordinates in one unit, or show no field.
+    /// Field of residuals with this Jacobian, a row for each residual; `None` if readings are not
+    /// coordinates in one unit, or show no field.
     pub fn new(problem: &Residuals, residuals: &[f64], jacobian: &[f64]) -> Option<Self> {
         let poses = poses(problem)?;
         let n = jacobian.len() / residuals.len();
@@ -91,8 +97,8 @@ impl Field {
         Some(Self { parts: [of_field, of_rest], degrees })
     }
 
-    /// Covariance of the parameters by the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = `inverse`, and the effective degrees of freedom of each
-    /// variance (Satterthwaite; GUM G.4.1).
+    /// Covariance of the parameters by the readings, A⁻¹ Jᵀ V J A⁻¹ with A⁻¹ = `inverse`, and the
+    /// effective degrees of freedom of each variance (Satterthwaite; GUM G.4.1).
     pub fn covariance(&self, inverse: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = inverse.len().isqrt();
         let inverse = DMatrix::from_row_slice(n, n, inverse);
@@ -105,7 +111,8 @@ impl Field {
     }
 }
 
-/// Poses with readings; `None` where residuals are not coordinates, or have covariances of their own.
+/// Poses with readings; `None` where residuals are not coordinates, or have covariances of their
+/// own.
 fn poses(problem: &Residuals) -> Option<Vec<Pose>> {
     if !problem.is_coordinates() || problem.is_whitened() || problem.is_weighted() {
         return None;
@@ -128,7 +135,8 @@ fn poses(problem: &Residuals) -> Option<Vec<Pose>> {
     (all.len() >= FEWEST).then_some(all)
 }
 
-/// Of many poses some that are spread over all, each with the one that is nearest to it: both lengths and noise show in these.
+/// Subset of many poses that is spread over all, each with its nearest neighbour: it shows both
+/// length scales and noise.
 fn near_each_other(poses: &[Pose]) -> Vec<&Pose> {
     if poses.len() <= ESTIMATED_FROM {
         return poses.iter().collect();
@@ -234,8 +242,8 @@ fn estimate(poses: &[&Pose], sums: &Sums, stated: &DMatrix<f64>) -> Option<Estim
     as_probable.max_by(|a, b| spread(a).total_cmp(&spread(b))).copied()
 }
 
-/// −2 ln of the restricted likelihood but for a constant, and the variance of a white residual at which it is largest, with the field's
-/// covariance `shared` over that variance.
+/// −2 ln of the restricted likelihood but for a constant, and the variance of a white residual at
+/// which it is largest, with the field's covariance `shared` over that variance.
 fn improbability(shared: &DMatrix<f64>, sums: &Sums, stated: &DMatrix<f64>) -> Option<(f64, f64)> {
     let (poses, n) = (shared.nrows(), stated.ncols() - 1);
     let root = Cholesky::new(shared + DMatrix::identity(poses, poses))?;
@@ -254,7 +262,8 @@ fn improbability(shared: &DMatrix<f64>, sums: &Sums, stated: &DMatrix<f64>) -> O
     (degrees >= 1.0 && white > 0.0).then(|| (degrees * white.ln() + determinants, white))
 }
 
-/// Effective degrees of freedom of the variance of the field and of the white one: twice the information on its logarithm.
+/// Effective degrees of freedom of the variance of the field and of the white one: twice the
+/// information on its logarithm.
 fn degrees(poses: &[&Pose], found: &Estimate, dimension: usize, parameters: usize) -> [f64; 2] {
     let correlation = correlation(poses, found.length) * found.ratio;
     let eigen = correlation.symmetric_eigenvalues();
@@ -271,8 +280,8 @@ mod tests {
         (0..4).map(|i| Pose { joints: vec![0.1 * i as f64], first: readings * i, readings }).collect()
     }
 
-    /// Of a mean of white readings: 3 ln s² + ln 4 with s² = 10/3; where all share half of their variance, V = s² (I + 11ᵀ), ln |I + 11ᵀ| = ln 5,
-    /// and the mean has the information 4/5.
+    /// Information of a mean of white readings: 3 ln s² + ln 4 with s² = 10/3. If all share half of
+    /// their variance, V = s² (I + 11ᵀ), ln |I + 11ᵀ| = ln 5, and the mean has the information 4/5.
     #[test]
     fn the_restricted_likelihood_of_a_mean_by_hand() {
         let (residuals, jacobian) = ([1.0, -1.0, 2.0, -2.0], [1.0; 4]);

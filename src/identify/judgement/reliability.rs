@@ -1,5 +1,6 @@
-//! How well residuals control each other: redundancy and least detectable error of every reading (Baarda 1968, A testing procedure for use in
-//! geodetic networks), and the influence of every pose on the parameters (Cook 1977).
+//! Mutual control of residuals: redundancy and least detectable error of every reading (Baarda
+//! 1968, A testing procedure for use in geodetic networks), and influence of every pose on the
+//! parameters (Cook 1977).
 
 use crate::Result;
 use crate::judgement::uncertainty::UncertaintyFrom;
@@ -17,29 +18,33 @@ use std::collections::BTreeMap;
 pub const ALPHA_0: f64 = 0.001;
 /// Power with which the least detectable error is detected (Baarda 1968).
 pub const BETA_0: f64 = 0.8;
-/// A residual over its standard deviation beyond which it is an outlier: the quantile of the normal distribution for [`ALPHA_0`].
+/// A residual over its standard deviation beyond which it is an outlier: the quantile of the normal
+/// distribution for [`ALPHA_0`].
 pub const CRITICAL_W: f64 = 3.290_526_731_491_9;
-/// Standard deviations by which a reading must be wrong so that its test detects it with [`BETA_0`]: that quantile and the one of the power.
+/// Standard deviations by which a reading must be wrong so that its test detects it with
+/// [`BETA_0`]: that quantile and the one of the power.
 const DELTA_0: f64 = CRITICAL_W + 0.841_621_233_572_914;
 
-/// How well a reading is controlled by the others: of its coordinates the worst.
+/// Control of a reading by the others; the worst of its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadingReliability {
-    /// Redundancy number r = 1 - h, from 0 (nothing controls it) to 1: the share of an error that its residual shows.
+    /// Redundancy number r = 1 - h, from 0 (nothing controls it) to 1: the share of an error that
+    /// its residual shows.
     pub redundancy: f64,
     /// Largest residual over its standard deviation σ √r.
     pub w: f64,
-    /// Least error of a coordinate that is detected with a power of 80 % (significance level 0.1 %): 4.13 σ / √r, mm.
+    /// Least error of a coordinate that is detected with a power of 80 % (significance level 0.1
+    /// %): 4.13 σ / √r, mm.
     pub detectable_mm: f64,
 }
 
-/// What the identification would change by without a pose.
+/// Change of the identification without a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseInfluence {
     /// The pose.
     pub pose: PoseName,
-    /// Cook's distance of all its rows: the squared change of the parameters over n times their covariance by the residuals; infinite where
-    /// the other poses do not determine all parameters.
+    /// Cook's distance of all its rows: the squared change of the parameters over n times their
+    /// covariance by the residuals; infinite where the other poses do not determine all parameters.
     pub cooks_distance: f64,
     /// Index of the parameter that changes most over its standard uncertainty by the residuals.
     pub parameter: usize,
@@ -47,21 +52,23 @@ pub struct PoseInfluence {
     pub change_over_u: f64,
 }
 
-/// Of an identification from positions that are weighted alike.
+/// Reliability of an identification from equally weighted positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reliability {
     /// One for each measured target, in the order of the observations and their targets.
     pub readings: Vec<Vec<Option<ReadingReliability>>>,
     /// The most influential first.
     pub poses: Vec<PoseInfluence>,
-    /// Cook's distance beyond which a pose is influential: the median of F with n and m - n degrees of freedom (Cook 1977).
+    /// Cook's distance beyond which a pose is influential: the median of F with n and m - n degrees
+    /// of freedom (Cook 1977).
     pub influential: f64,
-    /// Standard deviation of a coordinate that it rests on: the stated one where that explains the residuals, or theirs, mm.
+    /// Standard deviation of a coordinate that it rests on: the stated one where that explains the
+    /// residuals, or theirs, mm.
     pub sigma_mm: f64,
 }
 
-/// How well the readings of an identification are controlled; `None` where they are weighted by their own covariances, have errors in common,
-/// are poses instead of positions, or unknown points are many.
+/// Reliability of the readings of an identification; `None` if they are weighted by their own
+/// covariances, have errors in common, are poses instead of positions, or unknown points are many.
 pub fn reliability(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -131,11 +138,11 @@ pub fn reliability(
     Ok(Some(Reliability { readings, poses, influential, sigma_mm: sigma * problem.unit }))
 }
 
-/// A redundancy below the square of this is none, by rounding.
+/// Redundancy numbers below this squared are rounding errors and count as zero.
 const NOTHING: f64 = 1e-6;
 
-/// Kᵀ (I − K Kᵀ)⁻¹ r: the step of the parameters, over F, when the rows K with residuals r are left out; `None` where the others do not
-/// determine all parameters.
+/// Kᵀ (I − K Kᵀ)⁻¹ r: the step of the parameters, over F, when the rows K with residuals r are left
+/// out; `None` where the others do not determine all parameters.
 fn without(k: &DMatrix<f64>, r: &DVector<f64>) -> Option<DVector<f64>> {
     let (m, n) = k.shape();
     let least = |rest: &Cholesky<f64, nalgebra::Dyn>| rest.l_dirty().diagonal().min() > NOTHING;

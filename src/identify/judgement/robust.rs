@@ -1,5 +1,5 @@
-//! A robust fit beside the plain one: what identified parameters would be if readings far from the others weighed little, and which
-//! poses disagree with the rest.
+//! A robust fit beside the plain one: what identified parameters would be if readings far from the
+//! others weighed little, and which poses disagree with the rest.
 
 use crate::Result;
 use crate::model::residuals::{OF_MEDIAN, ResidualKind, Residuals};
@@ -12,8 +12,8 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use std::collections::BTreeMap;
 
-/// Constant of the Cauchy loss with which the estimate of normal residuals has [`EFFICIENCY`] (Holland & Welsch 1977, Robust regression
-/// using iteratively reweighted least-squares).
+/// Constant of the Cauchy loss with which the estimate of normal residuals has [`EFFICIENCY`]
+/// (Holland & Welsch 1977, Robust regression using iteratively reweighted least-squares).
 pub(crate) const CAUCHY: f64 = 2.385;
 /// Variance of the plain estimate to that of the robust one, of normal residuals.
 const EFFICIENCY: f64 = 0.95;
@@ -21,8 +21,8 @@ const EFFICIENCY: f64 = 0.95;
 const SIGNIFICANCE: f64 = 0.01;
 /// Fits, each with the scale that the one before it shows.
 const FITS: usize = 3;
-/// Residuals count up to here, over their standard deviation, in the scatter of the poses: gross errors must not make the difference
-/// that they cause look probable.
+/// Residuals count up to here, over their standard deviation, in the scatter of the poses: gross
+/// errors must not make the difference that they cause look probable.
 const CLIPPED: f64 = 2.5;
 /// Regions of the joints per parameter, where poses are many.
 const REGIONS_PER_PARAMETER: usize = 3;
@@ -45,7 +45,7 @@ impl RobustChange {
     }
 }
 
-/// What a robust fit makes of a pose.
+/// Weight and residual of a pose in a robust fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseWeight {
     /// The pose.
@@ -63,13 +63,15 @@ pub struct RobustComparison {
     pub values: Vec<f64>,
     /// The identified parameters, in their order.
     pub changes: Vec<RobustChange>,
-    /// A difference over its standard uncertainty that no parameter of a right model exceeds with a probability of 99 %.
+    /// A difference over its standard uncertainty that no parameter of a right model exceeds with a
+    /// probability of 99 %.
     pub critical: f64,
     /// The poses, of the least weight first.
     pub poses: Vec<PoseWeight>,
     /// A residual over σ that no residual of a right model exceeds with a probability of 99 %.
     pub critical_residual: f64,
-    /// Standard deviation σ of a coordinate by most residuals, or the stated one where that is more, mm.
+    /// Standard deviation σ of a coordinate by most residuals, or the stated one where that is
+    /// more, mm.
     pub sigma_mm: f64,
 }
 
@@ -90,12 +92,14 @@ impl RobustComparison {
     }
 }
 
-/// A fit with the Cauchy loss (M-estimator) from the plain optimum, whose residuals are those of `found`, weighted alike and divided by
-/// their scale. `None` where readings have errors in common, are poses instead of positions, unknown points are many, nothing is
-/// left over, or the fit has no result.
+/// A fit with the Cauchy loss (M-estimator) from the plain optimum, whose residuals are those of
+/// `found`, weighted alike and divided by their scale. `None` where readings have errors in common,
+/// are poses instead of positions, unknown points are many, nothing is left over, or the fit has no
+/// result.
 ///
-/// Of normal residuals the plain fit is efficient, so that the difference has the variance (1 / 0.95 − 1) u² (Hausman 1978), u that of
-/// the plain fit by σ. Where the scatter of the poses shows a larger one (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), it is that.
+/// Of normal residuals the plain fit is efficient, so that the difference has the variance (1 /
+/// 0.95 − 1) u² (Hausman 1978), u that of the plain fit by σ. Where the scatter of the poses shows
+/// a larger one (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), it is that.
 ///
 /// # Errors
 /// Settings and observations that do not go together.
@@ -167,7 +171,8 @@ fn compare(problem: &Residuals, plain: &[f64], dof: usize) -> Option<RobustCompa
     })
 }
 
-/// What `count` quantities of mean zero and unit variance do not exceed, without their signs, but with this probability (Šidák 1967).
+/// Bound on the absolute values of `count` quantities of mean zero and unit variance, exceeded with
+/// this probability (Šidák 1967).
 pub(crate) fn quantile(probability: f64, count: usize, degrees: Option<f64>) -> f64 {
     let tail = -0.5 * ((-probability).ln_1p() / count as f64).exp_m1();
     match degrees.map(|nu| StudentsT::new(0.0, 1.0, nu)) {
@@ -176,7 +181,8 @@ pub(crate) fn quantile(probability: f64, count: usize, degrees: Option<f64>) -> 
     }
 }
 
-/// Standard uncertainties of robust minus plain parameters, of residuals `r` over their standard deviation, which is taken as 1.
+/// Standard uncertainties of robust minus plain parameters, of residuals `r` over their standard
+/// deviation, which is taken as 1.
 fn differences(problem: &Residuals, x: &[f64], r: &[f64], n: usize) -> Option<Vec<f64>> {
     let (factor, norms) = factor_at(problem, x);
     let inverse = DMatrix::from_row_slice(n, n, &covariance(&factor, &norms)?);
@@ -207,7 +213,8 @@ fn differences(problem: &Residuals, x: &[f64], r: &[f64], n: usize) -> Option<Ve
 mod tests {
     use super::*;
 
-    /// The efficiency of the constant, by quadrature: (E ψ')² / E ψ² of a normal residual; and quantiles of tables.
+    /// The efficiency of the constant, by quadrature: (E ψ')² / E ψ² of a normal residual; and
+    /// quantiles of tables.
     #[test]
     fn the_constant_costs_five_percent() {
         let loss = Loss::Cauchy(CAUCHY);
@@ -219,7 +226,8 @@ mod tests {
             square += loss.influence(r).powi(2) * density;
         }
         assert!((bend * bend / square - EFFICIENCY).abs() < 5e-4, "{}", bend * bend / square);
-        // two-sided 5 % and 1 % of the normal distribution and of Student's with 10 degrees of freedom
+        // two-sided 5 % and 1 % of the normal distribution and of Student's with 10 degrees of
+        // freedom
         assert!(
             (quantile(0.05, 1, None) - 1.959_964).abs() < 1e-5 && (quantile(0.01, 1, None) - 2.575_829).abs() < 1e-5
         );

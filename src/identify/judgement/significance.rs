@@ -1,14 +1,15 @@
-//! Sums of squares of residuals over their variance: how probable they are, and how probably a change makes them larger.
+//! Sums of squares of residuals over their variance: how probable they are, and how probably a
+//! change makes them larger.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 use statrs::function::{beta::beta_reg, gamma::gamma_lr};
 
-/// What the variance of the residuals rests on.
+/// Source of the variance of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Variance {
-    /// It is stated: sums of squares are of chi-square.
+    /// Stated: sums of squares follow chi-square.
     Stated,
-    /// It is estimated with these degrees of freedom: sums of squares over their own are of F.
+    /// Estimated with these degrees of freedom: ratios of sums of squares follow F.
     Estimated(f64),
 }
 
@@ -31,9 +32,9 @@ impl Variance {
         bisect(|sum| self.exceedance(sum, dof) < probability)
     }
 
-    /// Probability that a change exceeds `bound`, which adds `noncentrality` to the expected sum of `dof` squares: noncentral chi-square or
-    /// F, as a mixture of central ones by Poisson weights (Johnson, Kotz & Balakrishnan, Continuous Univariate Distributions 2, 29.3 and
-    /// 30.3).
+    /// Probability that a change exceeds `bound`, which adds `noncentrality` to the expected sum of
+    /// `dof` squares: noncentral chi-square or F, as a mixture of central ones by Poisson weights
+    /// (Johnson, Kotz & Balakrishnan, Continuous Univariate Distributions 2, 29.3 and 30.3).
     pub fn power(self, bound: f64, dof: usize, noncentrality: f64) -> f64 {
         let half = 0.5 * noncentrality;
         let below = |j: f64| {
@@ -58,8 +59,8 @@ impl Variance {
     }
 }
 
-/// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the tests have in common, none of
-/// the unchanged is called changed with 95 %. In the order of `p`.
+/// Probabilities of a family of tests, corrected for their number (Holm 1979): whatever the tests
+/// have in common, none of the unchanged is called changed with 95 %. In the order of `p`.
 pub fn holm(p: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..p.len()).collect();
     order.sort_by(|&a, &b| p[a].total_cmp(&p[b]));

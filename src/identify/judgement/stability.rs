@@ -1,5 +1,5 @@
-//! Stability: whether parameters from part of the poses differ from those of all poses by more than chance (Hausman 1978, Specification
-//! tests in econometrics).
+//! Stability: whether parameters from part of the poses differ from those of all poses by more than
+//! chance (Hausman 1978, Specification tests in econometrics).
 
 use crate::Result;
 use crate::judgement::robust::quantile;
@@ -11,32 +11,35 @@ use etalon_robots::Robot;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Probability with which a parameter of a right model is called unstable, all parameters and parts together.
+/// Probability with which a parameter of a right model is called unstable, all parameters and parts
+/// together.
 const SIGNIFICANCE: f64 = 0.01;
 /// Ratio of the variance by a part to that by all poses that is different from 1.
 const LEAST_RATIO: f64 = 1.001;
 /// Ratio beyond which the part does not determine the parameter.
 const LARGEST_RATIO: f64 = 100.0;
 
-/// How much a parameter depends on which poses it is identified from.
+/// Dependence of a parameter on the poses from which it is identified.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stability {
     /// Index of the parameter.
     pub parameter: usize,
-    /// Value by a part of the poses minus value by all, over its standard deviation √(u_part² − u_all²), without sign: the largest.
+    /// Value by a part of the poses minus value by all, over its standard deviation √(u_part² −
+    /// u_all²), without sign: the largest.
     pub over_sd: f64,
-    /// What chance explains, with a probability of 99 % for all parameters together.
+    /// Difference that chance explains, with a probability of 99 % for all parameters together.
     pub limit: f64,
 }
 
 impl Stability {
-    /// Whether chance explains it.
+    /// `true` if chance explains the difference.
     pub fn is_stable(&self) -> bool {
         self.over_sd <= self.limit
     }
 }
 
-/// The poses of the first and of the second half of the observations, in their order: what drifts differs between these.
+/// The poses of the first and of the second half of the observations, in their order: what drifts
+/// differs between these.
 pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTreeSet<PoseName>> {
     let mut seen = BTreeSet::new();
     let all = observations.iter().map(|o| o.pose).chain(conditions.iter().map(|c| c.pose));
@@ -45,11 +48,12 @@ pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTr
     [first, second].into_iter().filter(|half| !half.is_empty()).map(|half| half.iter().copied().collect()).collect()
 }
 
-/// Stability of the parameters `among` those that were identified, each time without one set of poses of `left_out`; parameters that no
-/// part determines are missing.
+/// Stability of the parameters `among` those that were identified, each time without one set of
+/// poses of `left_out`; parameters that no part determines are missing.
 ///
-/// By all poses they are efficient, so that the variance of the difference is u_part² − u_all². Their ratio is that of the design,
-/// (J_partᵀ J_part)⁻¹ over (JᵀJ)⁻¹, because few poses have no scatter to estimate u_part from.
+/// By all poses they are efficient, so that the variance of the difference is u_part² − u_all².
+/// Their ratio is that of the design, (J_partᵀ J_part)⁻¹ over (JᵀJ)⁻¹, because few poses have no
+/// scatter to estimate u_part from.
 ///
 /// # Errors
 /// Settings and observations that do not go together.
@@ -90,8 +94,9 @@ pub fn stability(
     Ok(largest.into_iter().map(of).collect())
 }
 
-/// The parameters by some of the observations, to first order about those by all: identified again by few poses they move far along
-/// what these hardly determine, where no standard deviation describes them.
+/// The parameters by some of the observations, to first order about those by all: identified again
+/// by few poses they move far along what these hardly determine, where no standard deviation
+/// describes them.
 struct Linear {
     /// Step to the parameters by these observations, from those by all.
     step: Vec<f64>,
@@ -100,7 +105,7 @@ struct Linear {
 }
 
 impl Linear {
-    /// Of the identified parameters; `None` where the observations do not determine all.
+    /// Stability of the identified parameters; `None` if the observations do not determine all.
     fn new(
         robot: &dyn Robot,
         observations: &[Observation],

@@ -1,13 +1,14 @@
-//! The error that the controller will make at a tool point: its true place in the base frame minus the one that the identified
-//! parameters predict. What the targets measure is another error: in it, parameters cancel that shift tool and targets alike (of a PreXYT
-//! d and x_c), and base and targets are as they were fitted.
+//! The error that the controller will make at a tool point: its true place in the base frame minus
+//! the one that the identified parameters predict. What the targets measure is another error: in
+//! it, parameters cancel that shift tool and targets alike (of a PreXYT d and x_c), and base and
+//! targets are as they were fitted.
 
 use crate::model::frame_error::response;
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::turn_of;
 use crate::{Error, Result};
 use crate::{Group, Identification, Observation, Settings};
-use etalon_base::message::Message;
+use etalon_base::error;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, unit};
 use etalon_math::{covariance, factor_at};
 use etalon_robots::{Robot, Role};
@@ -20,7 +21,8 @@ pub enum ToolFrame {
     Flange,
     /// A platform, at its centre C.
     Platform,
-    /// The targets as identified: origin at the first, x axis to the second, the third in the xy plane.
+    /// The targets as identified: origin at the first, x axis to the second, the third in the xy
+    /// plane.
     Targets,
 }
 
@@ -29,7 +31,7 @@ pub enum ToolFrame {
 pub struct ToolPoint {
     /// Its place in `frame`, mm.
     pub point_mm: Vector,
-    /// Where that is stated.
+    /// Part whose frame the point is stated in.
     pub frame: ToolFrame,
     /// Standard uncertainty of one of its coordinates, mm.
     pub standard_uncertainty_mm: f64,
@@ -38,11 +40,14 @@ pub struct ToolPoint {
 /// The expected error at one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolError {
-    /// Predicted with the parameters before minus predicted with the identified ones, in the base frame, mm.
+    /// Predicted with the parameters before minus predicted with the identified ones, in the base
+    /// frame, mm.
     pub before_mm: Vector,
-    /// What the covariance of the parameters makes of the position: the root of the trace of its covariance, mm.
+    /// Standard uncertainty (mm) of the position from the parameters: root of the trace of its
+    /// covariance.
     pub parameters_mm: f64,
-    /// What parameters that are held contribute, each with its tolerance as half the width of an interval (GUM 4.3.7), mm.
+    /// Standard uncertainty (mm) from held parameters, each with its tolerance as half the width of
+    /// an interval (GUM 4.3.7).
     pub held_mm: f64,
     /// Covariance of the position by both, mm².
     pub covariance_mm2: Matrix3<f64>,
@@ -76,12 +81,9 @@ impl ToolPoint {
         }
     }
 
-    /// Where targets at these places carry the point.
+    /// Position of the point that targets at these positions carry.
     fn on_targets(&self, places: &[Vector]) -> Result<Vector> {
-        let few = || {
-            Message::error("a tool point in the frame of the targets needs three of them in space, or two in the plane, not on one line")
-                .hint("state the point in the frame of the flange, or as [0, 0, 0], the first target")
-        };
+        let few = || error!("tool-targets-collinear");
         let Some(&origin) = places.first() else { return Err(few().into()) };
         if self.point_mm == [0.0; 3] {
             return Ok(origin);
@@ -187,7 +189,8 @@ impl ToolPrediction<'_> {
     }
 }
 
-/// A parameter that is held because the data do not determine it, and how the identified ones follow it.
+/// A parameter that is held because the data do not determine it, and how the identified ones
+/// follow it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Held {
     /// Its index.
@@ -196,8 +199,9 @@ pub struct Held {
     pub compensation: Vec<f64>,
 }
 
-/// The parameters with a nominal value that `found` holds because `observations` do not determine them. Those of an arm that are redundant
-/// with its base or its targets are not among them: held, they define the frames of base and flange.
+/// The parameters with a nominal value that `found` holds because `observations` do not determine
+/// them. Those of an arm that are redundant with its base or its targets are not among them: held,
+/// they define the frames of base and flange.
 pub fn held(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -230,7 +234,7 @@ pub fn held(
     groups.iter().map(of).collect()
 }
 
-/// The same parameters with the base where the world is.
+/// These parameters with the base at the world frame.
 fn without_base(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
     let of = |(p, &value): (&etalon_robots::Parameter, &f64)| if p.role == Role::Base { 0.0 } else { value };
     robot.parameters().iter().zip(values).map(of).collect()
@@ -247,8 +251,8 @@ fn of_roles(robot: &dyn Robot, mut columns: Vec<Vector>, roles: &[Role]) -> Vec<
     columns
 }
 
-/// How far the body moves the point `at` whose points at `places` are `moved`: the shift of their centre and the rotation that explains
-/// the rest best; of a point at the first of them its own.
+/// Displacement by the body of the point `at`, from points at `places` that are `moved`: shift of
+/// their centre and the best rotation. For the first of the points it is its own displacement.
 fn carried(places: &[Vector], moved: &[Vector], at: Vector, at_first: bool) -> Vector {
     if at_first {
         return moved[0];

@@ -1,6 +1,7 @@
 //! Uncertainty of the parameters: covariance and chi-square.
 
 use crate::Result;
+use crate::error::quoted;
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
@@ -15,24 +16,26 @@ use crate::solution::solver::Identifiable;
 use crate::{Group, Identification, Observation, ResidualKind, Settings, Status, Subject, Warning};
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{phrase, warning};
 use etalon_math::statistics::{median, rms};
 use etalon_math::{Factor, Solution, column_norms, factor_at};
-use etalon_robots::{Quantity, Robot, Role};
+use etalon_robots::{Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
 use std::collections::BTreeMap;
 
-/// What standard uncertainties rest on.
+/// Source of the standard uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UncertaintyFrom {
     /// The stated uncertainty of the instrument: chi-square does not reject the model.
     Instrument,
     /// The residuals, each taken as independent of the others.
     Residuals,
-    /// The residuals, those of one pose taken together: errors of the robot are common to all targets and repeats of a
-    /// pose (cluster-robust covariance, Liang & Zeger 1986).
+    /// The residuals, those of one pose taken together: errors of the robot are common to all
+    /// targets and repeats of a pose (cluster-robust covariance, Liang & Zeger 1986).
     ResidualsByPose,
-    /// The residuals, those of one region of the joints taken together: what the model leaves out is common to neighbouring poses
-    /// (Conley 1999 for errors that are correlated in space; clusters as above).
+    /// The residuals, those of one region of the joints taken together: what the model leaves out
+    /// is common to neighbouring poses (Conley 1999 for errors that are correlated in space;
+    /// clusters as above).
     ResidualsByRegion,
     /// Nothing: there are as many equations as parameters, and no uncertainty is stated.
     Nothing,
@@ -40,7 +43,8 @@ pub enum UncertaintyFrom {
 
 /// Parameters of a group that a message names.
 const NAMED: usize = 40;
-/// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for twice as many.
+/// Regions of the joints per parameter whose scatter gives a covariance, where there are poses for
+/// twice as many.
 const REGIONS_PER_PARAMETER: usize = 3;
 
 /// The identification that a solution is, with its uncertainty.
@@ -82,7 +86,8 @@ pub(crate) fn with_uncertainty(
     if let Some(total) = &mut covariance {
         let all = (problem, solution, &jacobian[..]);
         budget = Budget::new(all, instrument.as_deref(), total, settings, replicates.as_ref());
-        // what is wrong with the frame of one pose shows in its residuals, and is in the noise above
+        // what is wrong with the frame of one pose shows in its residuals, and is in the noise
+        // above
         let unseen = problem.is_whitened() && uncertainty_from == UncertaintyFrom::Instrument;
         let observed = Observed { robot, observations, settings, free: &problem.free, values: &values };
         budget.carry_frames(frames, all, unseen, total);
@@ -166,13 +171,13 @@ fn lengths(problem: &Residuals, solution: &Solution) -> Vec<f64> {
     plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect()
 }
 
-/// By how much the standard uncertainties of one covariance are larger than those of another (median).
+/// Ratio (median) of the standard uncertainties of two covariances.
 fn inflation(before: Option<&[f64]>, after: Option<&[f64]>, n: usize) -> f64 {
     let (Some(before), Some(after)) = (before, after) else { return 1.0 };
     median((0..n).map(|k| (after[k * n + k] / before[k * n + k]).sqrt())).unwrap_or(1.0)
 }
 
-/// What is remarked of chi-square.
+/// Verdict on chi-square.
 fn of_chi_square(chi: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Option<Message> {
     match () {
         () if exceeds(chi, dof) => Some(rejection(chi, dof, inflation_factor, from)),
@@ -201,7 +206,8 @@ impl Found {
     }
 }
 
-/// Covariance and chi-square by the stated uncertainty of the instrument, and of the frames that place single poses.
+/// Covariance and chi-square by the stated uncertainty of the instrument, and of the frames that
+/// place single poses.
 fn from_instrument(
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
     settings: &Settings,
@@ -219,7 +225,8 @@ fn from_instrument(
     noise_covariance(solution, &problem.rows_of(jacobian).dense(), &noise(problem, solution, u, placed)?)
 }
 
-/// What residuals show where the instrument's uncertainty does not explain them, or none is stated.
+/// Covariance from residuals that the instrument's uncertainty does not explain, or without a
+/// stated uncertainty.
 fn from_residuals(
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),
     instrument: Option<&[f64]>,
@@ -228,9 +235,10 @@ fn from_residuals(
     let n = solution.x.len();
     let dof = problem.degrees_of_freedom(solution).round() as usize;
     if dof == 0 {
-        let what = "there are as many equations as parameters: their uncertainty cannot be determined";
-        let warning = Message::warning(what).hint("measure more poses, or state the uncertainty of the instrument");
-        return Found { warning: Some(warning), ..Found::new(UncertaintyFrom::Nothing, None) };
+        return Found {
+            warning: Some(warning!("no-redundant-observations")),
+            ..Found::new(UncertaintyFrom::Nothing, None)
+        };
     }
     let found = by_field(problem, solution, jacobian);
     if let Some(found) = found.or_else(|| Some(by_cluster(problem, solution, jacobian)?.0)) {
@@ -242,20 +250,16 @@ fn from_residuals(
     Found { degrees: vec![dof as f64; n], ..Found::new(UncertaintyFrom::Residuals, scaled) }
 }
 
-/// What the scatter of poses shows where their readings share errors: these may be too small for chi-square, and yet in every reading.
+/// Covariance from the scatter of poses whose readings share errors. Shared errors may be too small
+/// for chi-square and yet be in every reading.
 fn shared(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
     let (found, clusters) = by_cluster(problem, solution, jacobian).filter(|found| found.1.exceeds())?;
-    let what = format!(
-        "residuals of one pose have errors in common: leaving out one pose after the other gives standard uncertainties {:.1} times the \
-         instrument's, which are used",
-        clusters.ratio.sqrt()
-    );
-    let hint = "the robot has errors that the model does not describe, or the instrument errors that readings of one pose share";
+    let warning = warning!("pose-residuals-correlated", ratio = clusters.ratio.sqrt());
     let found = by_field(problem, solution, jacobian).unwrap_or(found);
-    Some(Found { warning: Some(Message::warning(what).hint(hint)), ..found })
+    Some(Found { warning: Some(warning), ..found })
 }
 
-/// What residuals show that are alike in regions of the joints; `None` where they are not.
+/// Covariance from residuals that are alike in regions of joint space; `None` if they are not.
 fn by_field(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<Found> {
     let remaining = Remaining::new(&problem.poses(), solution, problem.rows_of(jacobian))?;
     let field = Field::new(problem, &remaining.residuals, &remaining.jacobian)?;
@@ -264,9 +268,11 @@ fn by_field(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Optio
     Some(Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance)) })
 }
 
-/// What the scatter of poses shows, or, where these are many, of regions of the joints; `None` where there are too few.
+/// Covariance from the scatter of poses, or of regions of joint space if poses are many; `None` if
+/// there are too few.
 ///
-/// Of points that are eliminated the readings have the variance of all residuals, and the other parameters' covariance comes on top.
+/// Of points that are eliminated the readings have the variance of all residuals, and the other
+/// parameters' covariance comes on top.
 pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f64]) -> Option<(Found, ByCluster)> {
     let factor = solution.factor.as_ref()?;
     let n = factor.common().len();
@@ -282,7 +288,8 @@ pub(crate) fn by_cluster(problem: &Residuals, solution: &Solution, jacobian: &[f
     Some((Found { degrees, ..Found::new(from, Some(covariance)) }, clusters))
 }
 
-/// Covariance and degrees of freedom of all parameters, from those that the readings give of the ones that are left after elimination.
+/// Covariance and degrees of freedom of all parameters, from those that the readings give of the
+/// ones that are left after elimination.
 fn completed(
     (problem, solution): (&Residuals, &Solution),
     Remaining { jacobian, inverse, .. }: &Remaining,
@@ -292,7 +299,8 @@ fn completed(
     let factor = solution.factor.as_ref()?;
     let (common, all) = (factor.common(), factor.columns());
     let n = common.len();
-    // a stated shape or place is one reading: its rows have the variance that is stated, not the scatter of one
+    // a stated shape or place is one reading: its rows have the variance that is stated, not the
+    // scatter of one
     let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
     let known = problem.known().map(|(row, known)| (row, known.rows(), 1.0));
     let nominal = Some(problem.nominal_rows()).filter(|rows| !rows.is_empty());
@@ -325,36 +333,27 @@ fn contradictions(
 ) -> Vec<Warning> {
     let (Some(inverse), Some(covariance)) = (solution.covariance(), covariance) else { return Vec::new() };
     let of = |(_, shape): (_, &Shape)| shape.contradiction(&problem.at(values), &inverse, covariance);
-    let warning = |c: Contradicted| Warning { message: c.message("stated places"), subject: Subject::Shape(c) };
+    let warning =
+        |c: Contradicted| Warning { message: c.message(&phrase!("stated-positions")), subject: Subject::Shape(c) };
     problem.shapes().filter_map(of).map(warning).collect()
 }
 
-fn shortfall(chi_square: f64, dof: usize) -> Message {
-    Message::warning(format!(
-        "residuals are {:.2} times what the instrument's uncertainty explains (chi-square {chi_square:.1} for {dof} degrees \
-         of freedom): the stated uncertainty is larger than the residuals show, and standard uncertainties are too large with it",
-        (chi_square / dof as f64).sqrt()
-    ))
-    .hint("check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses do not show in residuals")
+fn shortfall(chi_square: f64, degrees: usize) -> Message {
+    let ratio = (chi_square / degrees as f64).sqrt();
+    warning!("instrument-uncertainty-too-large", ratio, chi_square, degrees)
 }
 
-fn rejection(chi_square: f64, dof: usize, inflation_factor: f64, from: UncertaintyFrom) -> Message {
-    let rest = match from {
-        UncertaintyFrom::ResidualsByPose => "standard uncertainties are taken from the scatter of the poses",
-        UncertaintyFrom::ResidualsByRegion => {
-            "standard uncertainties are taken from the scatter of regions of the workspace"
-        }
-        _ => "standard uncertainties are enlarged, as if residuals of one pose were independent",
+fn rejection(chi_square: f64, degrees: usize, inflation: f64, from: UncertaintyFrom) -> Message {
+    let from = match from {
+        UncertaintyFrom::ResidualsByPose => "poses",
+        UncertaintyFrom::ResidualsByRegion => "regions",
+        _ => "residuals",
     };
-    Message::warning(format!(
-        "residuals are {:.1} times what the instrument's uncertainty explains (chi-square {chi_square:.0} for {dof} \
-         degrees of freedom): {rest} ({inflation_factor:.1} times the instrument's, median)",
-        (chi_square / dof as f64).sqrt()
-    ))
-    .hint("the robot has errors that the model does not describe, or the stated uncertainty is too small")
+    let ratio = (chi_square / degrees as f64).sqrt();
+    warning!("residuals-exceed-uncertainty", ratio, chi_square, degrees, from, inflation)
 }
 
-/// Messages of what is held; what only the choice of base and targets fixes is one of them.
+/// Messages for held parameters; parameters fixed by the choice of base and targets share one.
 pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning> {
     let parameters = robot.parameters();
     let of_robot = |i: usize| parameters[i].role == Role::Robot;
@@ -366,13 +365,7 @@ pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning>
         [one] => Some(held_message(robot, one)),
         several => {
             let names: Vec<&str> = several.iter().map(|g| parameters[g.held].name.as_str()).collect();
-            let what = format!(
-                "{} parameters are fixed by the choice of base and targets, from which they are not separately identifiable: `{}` are \
-                 held at their nominal values",
-                names.len(),
-                names.join("`, `")
-            );
-            Some(Message::warning(what))
+            Some(warning!("parameters-fixed-by-frames", count = names.len(), parameters = quoted(&names)))
         }
     };
     let joined = joined.map(|message| Warning { message: message.routine(), subject: Subject::HeldByFrames });
@@ -381,38 +374,25 @@ pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning>
 
 fn held_message(robot: &dyn Robot, group: &Group) -> Message {
     let held = &robot.parameters()[group.held];
-    let names = group.with.iter().take(NAMED).map(|&i| robot.parameters()[i].name.as_str());
-    let (name, mut names) = (&held.name, names.collect::<Vec<&str>>().join("`, `"));
+    let names: Vec<&str> = group.with.iter().take(NAMED).map(|&i| robot.parameters()[i].name.as_str()).collect();
+    let (parameter, mut others) = (&held.name, quoted(&names));
     if group.with.len() > NAMED {
-        names += "`, `...";
+        others.push("...".to_owned());
     }
-    let quantity = held.quantity;
     match group.useless_uncertainty {
-        _ if names.is_empty() => {
-            Message::warning(format!("the data do not depend on `{name}`: it is held at its nominal value"))
+        _ if others.is_empty() => warning!("parameter-held-without-effect", parameter),
+        None => warning!("parameter-held-inseparable", parameter, others),
+        Some(u) => {
+            let (uncertainty, unit) = (held.quantity.outward(u), held.quantity.unit());
+            let held = if held.tolerance.is_infinite() { "placed" } else { "nominal" };
+            warning!("parameter-separable-poorly", parameter, others, uncertainty, unit, held)
         }
-        None => Message::warning(format!(
-            "`{name}` and `{names}` are not separately identifiable: `{name}` is held at its nominal value"
-        )),
-        Some(u) if held.tolerance.is_infinite() => Message::warning(format!(
-            "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2} {}: it stays where base and targets are \
-             placed first",
-            quantity.outward(u),
-            quantity.unit(),
-        ))
-        .hint("measure poses in which these parameters act differently"),
-        Some(u) => Message::warning(format!(
-            "`{name}` is separable from `{names}` only with a standard uncertainty of {:.2}{}, worse than that of its \
-             nominal value: it is held there",
-            quantity.outward(u),
-            if quantity == Quantity::Ratio { String::new() } else { format!(" {}", quantity.unit()) },
-        ))
-        .hint("measure poses in which these parameters act differently"),
     }
 }
 
-/// Covariance of the residuals of each observation, by its square root from below: the instrument's noise, of pose residuals that of
-/// the balls, and the uncertainty of the frame that places it. `None` where one is not positive definite.
+/// Covariance of the residuals of each observation, by its square root from below: the instrument's
+/// noise, of pose residuals that of the balls, and the uncertainty of the frame that places it.
+/// `None` where one is not positive definite.
 fn noise(
     problem: &Residuals,
     solution: &Solution,
@@ -444,8 +424,8 @@ fn noise(
     problem.counts().enumerate().map(root).chain(shapes).chain(known).chain(nominal).collect()
 }
 
-/// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A = JᵀJ; and the least chi-square that
-/// the linear model reaches with the residuals weighted by V⁻¹.
+/// Covariance of unweighted residuals with noise V = L Lᵀ, given by L: A⁻¹ (Σ Jᵀ V J) A⁻¹ with A =
+/// JᵀJ; and the least chi-square that the linear model reaches with the residuals weighted by V⁻¹.
 fn noise_covariance(solution: &Solution, jacobian: &[f64], noise: &[DMatrix<f64>]) -> Option<(Vec<f64>, f64)> {
     let n = solution.x.len();
     let inverse = DMatrix::from_row_slice(n, n, &solution.covariance()?);

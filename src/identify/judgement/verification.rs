@@ -1,15 +1,17 @@
-//! Whether given parameters still explain new observations, and if not, what has moved.
+//! Test of given parameters on new observations, and the change that explains a rejection.
 //!
-//! Residuals of the given parameters have the covariance S of the measurement and of the parameters themselves. In the space of the
-//! changes that are looked for (the base, and the zero of each joint) and outside of it, rᵀ S⁻¹ r is of chi-square, or of F where the
-//! variance is estimated: two independent tests that have the significance level together (Šidák 1967). A change adds a noncentrality
-//! δᵀ Aᵀ S⁻¹ A δ, from which follow the power of the test and the least change that it detects (Baarda 1968, reliability).
+//! Residuals of the given parameters have the covariance S of the measurement and of the parameters
+//! themselves. In the space of the changes that are looked for (the base, and the zero of each
+//! joint) and outside of it, rᵀ S⁻¹ r is of chi-square, or of F where the variance is estimated:
+//! two independent tests that have the significance level together (Šidák 1967). A change adds a
+//! noncentrality δᵀ Aᵀ S⁻¹ A δ, from which follow the power of the test and the least change that
+//! it detects (Baarda 1968, reliability).
 
 use crate::Result;
 use crate::judgement::significance::{Variance, bisect};
 use crate::model::residuals::Residuals;
 use crate::{Observation, Settings};
-use etalon_base::message::Message;
+use etalon_base::error;
 use etalon_base::pose::{Pose, Vector, cross, minus};
 use etalon_math::Problem;
 use etalon_robots::Robot;
@@ -30,7 +32,8 @@ const SETTLED: f64 = 1e-10;
 const ITERATIONS: usize = 20;
 /// A step that explains less than this of the sum of squares is the last.
 const CONVERGED: f64 = 1e-3;
-/// Directions of changes that the observations show less than this, over the best shown, are not shown.
+/// Directions of changes that the observations show less than this, over the best shown, are not
+/// shown.
 const RANK: f64 = 1e-10;
 
 /// Parameters as they were identified.
@@ -44,7 +47,7 @@ pub struct GivenParameters {
     pub covariance: Vec<f64>,
 }
 
-/// What may have moved.
+/// Candidate for a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moved {
     /// The base, or what the world frame is made of: a shift and a rotation.
@@ -55,31 +58,35 @@ pub enum Moved {
     Target(usize),
 }
 
-/// What moved by how much, were it this alone.
+/// Size of a change if it is the only one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// What.
     pub moved: Moved,
-    /// By how much: of the base a shift (mm) at its origin and a rotation vector (rad) in the world, x y and z of both, or x, y and the
-    /// angle in the plane; of a joint its value (mm or rad); of a target x y z on the part (mm).
+    /// Change: of the base a shift (mm) at its origin and a rotation vector (rad) in the world, x y
+    /// and z of both, or x, y and the angle in the plane; of a joint its value (mm or rad); of a
+    /// target x y z on the part (mm).
     pub change: Vec<f64>,
     /// Standard uncertainties of these; infinite where the observations do not show them.
     pub standard_uncertainty: Vec<f64>,
     /// Probability of residuals as large as those that it leaves.
     pub p_left: f64,
-    /// How much of the sum of squares it explains.
+    /// Share of the sum of squares that the change explains.
     pub explained: f64,
 }
 
-/// The least change that is detected with the probability [`POWER`], were it this alone; infinite where the observations do not show it.
+/// The least change that is detected with the probability [`POWER`], were it this alone; infinite
+/// where the observations do not show it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Detectable {
-    /// What moves.
+    /// Changed part.
     pub moved: Moved,
-    /// Of the base a shift in the direction that shows least (mm) and a rotation about that axis (rad); of a joint its value (mm or rad).
+    /// Detectable change: of the base the least visible shift (mm) and a rotation about its axis
+    /// (rad); of a joint its value (mm or rad).
     pub change: Vec<f64>,
-    /// The least change of a joint that is detected and taken for that of no other joint with the probability [`NAMING`] (separability,
-    /// Förstner 1983); infinite where another joint moves all targets alike.
+    /// The least change of a joint that is detected and taken for that of no other joint with the
+    /// probability [`NAMING`] (separability, Förstner 1983); infinite where another joint moves all
+    /// targets alike.
     pub named: Option<f64>,
 }
 
@@ -94,7 +101,7 @@ pub struct Test {
     pub p_value: f64,
 }
 
-/// What new observations prove of given parameters.
+/// Result of testing given parameters on new observations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verification {
     /// Residuals that changes of base and joints could make.
@@ -105,21 +112,22 @@ pub struct Verification {
     pub p_value: f64,
     /// Root mean square of a coordinate's residual, mm.
     pub rms_mm: f64,
-    /// What is expected of it if nothing has changed, mm.
+    /// Expected root mean square (mm) if nothing has changed.
     pub expected_rms_mm: f64,
-    /// What may have moved, the best explanation first: those that suffice, by how few numbers they need.
+    /// Possible changes, the best explanation first: sufficient ones, ordered by their number of
+    /// values.
     pub explanations: Vec<Explanation>,
-    /// What these observations would have detected.
+    /// Changes that these observations would have detected.
     pub detectable: Vec<Detectable>,
 }
 
 impl Verification {
-    /// Whether the observations contradict the parameters.
+    /// `true` if the observations contradict the parameters.
     pub fn is_changed(&self) -> bool {
         self.p_value.is_nan() || self.p_value < SIGNIFICANCE
     }
 
-    /// What has moved, where something has and one thing explains it.
+    /// Changed part, if the parameters are contradicted and one change explains it.
     pub fn cause(&self) -> Option<&Explanation> {
         self.explanations.first().filter(|e| self.is_changed() && e.p_left > EXPLAINED)
     }
@@ -130,7 +138,7 @@ impl Verification {
 pub struct Comparison<'a> {
     /// The robot.
     pub robot: &'a dyn Robot,
-    /// What was observed.
+    /// Observations.
     pub observations: &'a [Observation],
     /// State the standard uncertainty of a coordinate.
     pub settings: &'a Settings,
@@ -139,10 +147,11 @@ pub struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Compares the observations with the given parameters; `variance` states what the standard uncertainty of a coordinate rests on.
+    /// Compares the observations with the given parameters; `variance` states what the standard
+    /// uncertainty of a coordinate rests on.
     ///
-    /// # Errors
-    /// No standard uncertainty, joint values at which the robot cannot be, or a covariance that is not positive definite.
+    /// # Errors No standard uncertainty, joint values at which the robot cannot be, or a covariance
+    /// that is not positive definite.
     pub fn verify(self, variance: Variance) -> Result<Verification> {
         let space = Space::new(self)?;
         let all = space.columns();
@@ -199,7 +208,8 @@ impl Comparison<'_> {
         Ok(Test::together(&of_changes, &of_rest))
     }
 
-    /// The least changes that observations at these poses would detect, wherever their targets are measured; as [`Self::verify`] states them.
+    /// The least changes that observations at these poses would detect, wherever their targets are
+    /// measured; as [`Self::verify`] states them.
     ///
     /// # Errors
     /// As there.
@@ -210,8 +220,9 @@ impl Comparison<'_> {
         Ok(space.detectable(&all, &Limits::new(variance, of_changes.degrees_of_freedom, of_rest.degrees_of_freedom)))
     }
 
-    /// The most probable values of all parameters by the observations and by the covariance that they were given with: x = x₀ + L z with
-    /// z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's method.
+    /// The most probable values of all parameters by the observations and by the covariance that
+    /// they were given with: x = x₀ + L z with z = (I + Bᵀ B)⁻¹ Bᵀ (r + B z), by Gauss and Newton's
+    /// method.
     ///
     /// # Errors
     /// As [`Self::verify`].
@@ -234,7 +245,8 @@ impl Comparison<'_> {
         Ok(place.values)
     }
 
-    /// The motion that explains most, where it is too large to be linear, by Gauss and Newton's method; `None` where that does not end.
+    /// The motion that explains most, where it is too large to be linear, by Gauss and Newton's
+    /// method; `None` where that does not end.
     fn refine(self, moved: Moved, variance: Variance, whole: f64) -> Option<Explanation> {
         let mut change = vec![0.0; 3];
         let mut motion = Pose::identity();
@@ -291,9 +303,9 @@ struct Limits {
     variance: Variance,
     dof: usize,
     bound: f64,
-    /// probability that the rest, which no change reaches, is within its bound
+    /// Probability that the rest, which no change affects, is within its bound.
     quiet: f64,
-    /// noncentrality that is detected with [`POWER`]; infinite where the observations show no change
+    /// Noncentrality that is detected with [`POWER`]; infinite if the observations show no change.
     detected: f64,
 }
 
@@ -328,7 +340,8 @@ impl Limits {
     /// The least change of one column that is detected and that no other one explains better.
     fn named(&self, information: &DMatrix<f64>, column: usize, others: &[usize]) -> f64 {
         let own = information[(column, column)];
-        // two estimates that are correlated by ρ change places with the probability Φ(−√(λ (1 − |ρ|) / 2))
+        // two estimates that are correlated by ρ change places with the probability Φ(−√(λ (1 −
+        // |ρ|) / 2))
         let apart = |&other: &usize| {
             let alike = information[(column, other)].abs() / (own * information[(other, other)]).sqrt();
             if alike.is_finite() { (0.5 * (1.0 - alike)).max(0.0) } else { 0.5 }
@@ -349,14 +362,15 @@ impl Limits {
     }
 }
 
-/// Whitened residuals of the given parameters, and their covariance S = I + B Bᵀ with B = J L, L Lᵀ the covariance of the parameters.
+/// Whitened residuals of the given parameters, and their covariance S = I + B Bᵀ with B = J L, L Lᵀ
+/// the covariance of the parameters.
 struct Space<'a> {
     of: Comparison<'a>,
     problem: Residuals<'a>,
     x: Vec<f64>,
-    /// measured minus predicted
+    /// Measured minus predicted values.
     r: DVector<f64>,
-    /// L, a row for each of `x`
+    /// Root L of the covariance, a row for each of `x`.
     root: DMatrix<f64>,
     b: DMatrix<f64>,
     inner: Option<Cholesky<f64, Dyn>>,
@@ -389,10 +403,7 @@ impl<'a> Space<'a> {
     fn new(of: Comparison<'a>) -> Result<Self> {
         let Comparison { robot, observations, settings, given } = of;
         if settings.standard_uncertainty_mm.is_none() {
-            return Err(Message::error(
-                "a comparison with given parameters needs the standard uncertainty of a coordinate",
-            )
-            .into());
+            return Err(error!("comparison-without-uncertainty").into());
         }
         // all that has an uncertainty; of parameters that have none, one to stand for the columns
         let free = if given.free.is_empty() { vec![0] } else { given.free.clone() };
@@ -403,9 +414,7 @@ impl<'a> Space<'a> {
         problem.residuals(&x, &mut r);
         problem.jacobian(&x, &mut jacobian);
         if r.iter().chain(&jacobian).any(|v| !v.is_finite()) {
-            return Err(Message::error("with these parameters the robot cannot be where these joint values put it")
-                .hint("check unit, sign and offset of the joints, and that the parameters are those of this robot")
-                .into());
+            return Err(error!("robot-not-at-joints", parameters = "given").into());
         }
         let count = given.free.len();
         let root = match count {
@@ -440,7 +449,7 @@ impl<'a> Space<'a> {
         all.parts.iter().map(of).collect()
     }
 
-    /// rᵀ S⁻¹ r
+    /// Sum rᵀ S⁻¹ r.
     fn sum(&self) -> f64 {
         let r = DMatrix::from_column_slice(self.r.len(), 1, self.r.as_slice());
         r.dot(&self.solve(&r))
@@ -477,7 +486,7 @@ impl<'a> Space<'a> {
         [unit2 * squares, measured + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
     }
 
-    /// How measured minus predicted changes with base and joints.
+    /// Derivatives of measured minus predicted values by base and joints.
     fn columns(&self) -> Columns {
         let m = self.r.len();
         let frame = DMatrix::from_row_slice(m, 6, &self.problem.frame_jacobian(&self.x, None));
@@ -505,7 +514,7 @@ impl<'a> Space<'a> {
         Columns { columns: all, parts: parts.collect() }
     }
 
-    /// How measured minus predicted changes with one of these.
+    /// Derivatives of measured minus predicted values by one of these.
     fn columns_of(&self, moved: Moved) -> Option<DMatrix<f64>> {
         if let Moved::Target(k) = moved {
             return self.targets().into_iter().find(|(target, _)| *target == k).map(|(_, columns)| columns);
@@ -515,7 +524,8 @@ impl<'a> Space<'a> {
         Some(all.columns.columns(first, count).into_owned())
     }
 
-    /// How measured minus predicted changes with each target's place on the part, where the model has such parameters.
+    /// Derivatives of measured minus predicted values by the position of each target on the part,
+    /// if the model has these parameters.
     fn targets(&self) -> Vec<(usize, DMatrix<f64>)> {
         let Some(arm) = self.of.robot.free_base() else { return Vec::new() };
         let of = |target: usize| {
@@ -566,7 +576,7 @@ fn root(covariance: DMatrix<f64>) -> Result<DMatrix<f64>> {
     });
     let eigen = SymmetricEigen::new(divided);
     if eigen.eigenvalues.min() <= -1e-6 {
-        return Err(Message::error("the covariance of the parameters is not positive definite").into());
+        return Err(error!("covariance-not-positive-definite").into());
     }
     let mut root = eigen.eigenvectors;
     for (mut column, value) in root.column_iter_mut().zip(eigen.eigenvalues.iter()) {

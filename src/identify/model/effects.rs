@@ -1,8 +1,9 @@
-//! What the parameters of a robot describe: by their columns of the Jacobian where that shows it, else as the model has it.
+//! Physical effects of the parameters of a robot: from their columns of the Jacobian where these
+//! show the effect, otherwise from the model.
 
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 
-/// How nearly parallel two columns of the Jacobian are that are one and the same motion.
+/// Minimum cosine between two columns of the Jacobian that count as one motion.
 const PARALLEL: f64 = 1e-9;
 /// Poses that are enough to tell.
 const POSES: usize = 24;
@@ -13,14 +14,16 @@ pub enum Effects {
     /// All that the model has.
     #[default]
     All,
-    /// All but the transmission ratios of turning joints of arms, whose encoders count whole turns: they have none to identify.
+    /// All but the transmission ratios of turning joints of arms, whose encoders count whole turns:
+    /// they have none to identify.
     Usual,
     /// These.
     These(Vec<Effect>),
 }
 
 impl Effects {
-    /// Whether each parameter of `robot` is identified, at these joint values; base, targets and fixtures always are.
+    /// For each parameter of `robot`, `true` if it is identified at these joint values; parameters
+    /// of base, targets and fixtures always are.
     pub(crate) fn include<'j>(&self, robot: &dyn Robot, joints: impl Iterator<Item = &'j [f64]>) -> Vec<bool> {
         let parameters = robot.parameters();
         match self {
@@ -49,7 +52,8 @@ fn effects_at(robot: &dyn Robot, poses: &[&[f64]]) -> Vec<Option<Effect>> {
     let rows = robot.dimension() * robot.targets().len();
     let nominal = robot.nominal();
     let (mut by_parameter, mut by_joint) = (vec![0.0; rows * n], vec![0.0; rows * joints]);
-    // sums of products over all poses: parameter with parameter, joint with joint, parameter with joint
+    // sums of products over all poses: parameter with parameter, joint with joint, parameter with
+    // joint
     let (mut own, mut other, mut mixed) = (vec![0.0; n], vec![0.0; joints], vec![0.0; n * joints]);
     for q in poses.iter().step_by(poses.len().div_ceil(POSES).max(1)) {
         robot.jacobian(&nominal, q, &mut by_parameter);

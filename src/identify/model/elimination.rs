@@ -1,4 +1,5 @@
-//! Which unknowns are eliminated block by block: targets, or fixed points and planes, each of which only its own observations show.
+//! Unknowns that are eliminated block by block: targets, or fixed points and planes, of which each
+//! is in its own observations only.
 
 use crate::model::kinds::Condition;
 use crate::model::prior::Prior;
@@ -12,17 +13,19 @@ use std::ops::Range;
 /// Fewer unknown points than this stay with the other parameters.
 const MANY: usize = 24;
 
-/// Where the derivatives by each parameter are in a row.
+/// Positions of the derivatives by each parameter in a row.
 #[derive(Debug)]
 pub(crate) struct Layout {
     /// Columns and rows of the blocks.
     pub blocks: Blocks,
-    /// Block, where it has one, and place in the row of each parameter; `None` where it is not free.
+    /// Block, where it has one, and place in the row of each parameter; `None` where it is not
+    /// free.
     pub places: Vec<Option<(Option<usize>, usize)>>,
 }
 
 impl Layout {
-    /// Of the residuals of an arm by its parameters `free`; `None` where they are few, or more than their own residuals depend on them.
+    /// Layout of the residuals of an arm for its parameters `free`; `None` if such unknowns are
+    /// few, or if other residuals depend on them.
     pub fn new(robot: &dyn Robot, free: &[usize], observations: &[Observation], settings: &Settings) -> Option<Self> {
         let arm = robot.free_base()?;
         if 3 * MANY > free.len() || settings.common_uncertainty_mm.is_some() || !settings.rigid.is_empty() {
@@ -74,11 +77,13 @@ impl Layout {
     }
 }
 
-/// A linear problem in the common parameters, after elimination of the blocks: rows of their own take part with what is left of them.
+/// A linear problem in the common parameters, after elimination of the blocks: rows of their own
+/// take part with what is left of them.
 pub(crate) struct Remaining {
     /// Rows of the Jacobian of the common parameters.
     pub jacobian: Vec<f64>,
-    /// Residuals, made as large as errors are: those of one cluster and block by what the block takes up of them.
+    /// Residuals, made as large as errors are: those of one cluster and block by what the block
+    /// takes up of them.
     pub residuals: Vec<f64>,
     /// (JᵀJ)⁻¹.
     pub inverse: Vec<f64>,
@@ -88,7 +93,8 @@ pub(crate) struct Remaining {
 const ALONE: f64 = 0.99;
 
 impl Remaining {
-    /// Of a solution whose residuals belong to `clusters`, which has the Jacobian `rows`; `None` where it has no factor of full rank.
+    /// Remaining equations of a solution whose residuals belong to `clusters` and whose Jacobian is
+    /// `rows`; `None` without a factor of full rank.
     pub fn new<C: Copy + Ord>(clusters: &[C], solution: &Solution, rows: Rows) -> Option<Self> {
         let Some(blocks) = rows.blocks else {
             let (jacobian, residuals) = (rows.numbers.to_vec(), solution.residuals.clone());
@@ -133,7 +139,8 @@ impl Remaining {
     }
 }
 
-/// The unknowns that are eliminated: those of targets, or those that are fixed in the world, whichever are more.
+/// The unknowns that are eliminated: those of targets, or those that are fixed in the world,
+/// whichever are more.
 struct Owners {
     targets: Vec<Range<usize>>,
     fixtures: BTreeSet<usize>,
@@ -193,7 +200,8 @@ mod tests {
     use etalon_math::{Options, solve};
     use etalon_robots::{Serial, SerialJoint};
 
-    /// An arm with targets, each seen at all poses but for a few, and poses that see it (mm, rad), with a noise of 0.01 mm.
+    /// An arm with targets, each seen at all poses but for a few, and poses that see it (mm, rad),
+    /// with a noise of 0.01 mm.
     fn many(targets: usize, poses: i64) -> (Serial, Vec<Observation>) {
         let mut noise = Noise::new(17, 6);
         let joint = |&[alpha, a_mm, theta, d_mm]: &[f64; 4]| SerialJoint {
@@ -233,7 +241,7 @@ mod tests {
         a.iter().zip(b).enumerate().for_each(|(k, (a, b))| assert!((a - b).abs() < 1e-9 * scale(k), "{k}: {a} {b}"));
     }
 
-    /// The same problem with all columns in one matrix.
+    /// This problem with all columns in one matrix.
     #[test]
     fn elimination_changes_no_number() {
         let (robot, observations) = many(MANY, 16);
@@ -262,7 +270,8 @@ mod tests {
         let u = |k: usize| cb[k * n + k].sqrt();
         near(&a.x, &b.x, u);
         near(&ca, &cb, |k| u(k / n) * u(k % n));
-        // clusters: the blocks' part of each pose's residuals is taken apart from that of the common parameters, another unbiased estimate
+        // clusters: the blocks' part of each pose's residuals is taken apart from that of the
+        // common parameters, another unbiased estimate
         let (ja, jb) = (blocks.jacobian_at(&a.x), dense.jacobian_at(&b.x));
         let (ca, cb) = (by_cluster(&blocks, &a, &ja).unwrap().0, by_cluster(&dense, &b, &jb).unwrap().0);
         let ratio = |i: usize| (ca.variance(i) / cb.variance(i)).sqrt();

@@ -1,4 +1,5 @@
-//! The uncertainty of frames: what is wrong with a frame is common to all observations that it places.
+//! The uncertainty of frames: what is wrong with a frame is common to all observations that it
+//! places.
 
 use crate::model::residuals::Residuals;
 use etalon_base::pose_name::PoseName;
@@ -9,12 +10,14 @@ use etalon_math::{Rows, Solution};
 pub struct FrameError {
     /// Pose and cycle that it places; `None`: all.
     pub pose: Option<(PoseName, i64)>,
-    /// Covariance of a small shift (mm) and then a small rotation (rad) of the frame along and about its own axes, at its origin.
+    /// Covariance of a small shift (mm) and then a small rotation (rad) of the frame along and
+    /// about its own axes, at its origin.
     pub covariance: [[f64; 6]; 6],
 }
 
-/// Adds what the uncertainty of `frames` contributes to a covariance: S C Sᵀ for each, where S is the derivative of the parameters
-/// by shift and rotation of the frame (law of propagation of uncertainty, GUM 5.2.2).
+/// Adds what the uncertainty of `frames` contributes to a covariance: S C Sᵀ for each, where S is
+/// the derivative of the parameters by shift and rotation of the frame (law of propagation of
+/// uncertainty, GUM 5.2.2).
 pub(crate) fn carry<'a>(
     frames: impl Iterator<Item = &'a FrameError>,
     (problem, solution, jacobian): (&Residuals, &Solution, &[f64]),

@@ -1,4 +1,5 @@
-//! Model: what was observed, and the residuals that follow from it, with their derivatives and weights.
+//! Model: what was observed, and the residuals that follow from it, with their derivatives and
+//! weights.
 
 pub(crate) mod effects;
 pub(crate) mod elimination;

@@ -1,4 +1,5 @@
-//! Observations: where the targets were, the joint values, and which of two assembly modes they leave.
+//! Observations: where the targets were, the joint values, and which of two assembly modes they
+//! leave.
 
 use crate::model::weights::Covariance;
 use etalon_base::pose::{Vector, minus, norm};
@@ -30,11 +31,14 @@ pub struct Observation {
     pub pose: PoseName,
     /// Number of the repeat.
     pub cycle: i64,
-    /// Joint values in mm or rad, in the robot's order, and behind them the assembly mode of robots that have several.
+    /// Joint values in mm or rad, in the robot's order, and behind them the assembly mode of robots
+    /// that have several.
     pub joints: Vec<f64>,
-    /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not measured.
+    /// Measured positions in the world in mm, in the order of the robot's targets; `None` where not
+    /// measured.
     pub targets: Vec<Option<Vector>>,
-    /// Covariances of these positions in the world, where their measurement states them; empty where it does not.
+    /// Covariances of these positions in the world, where their measurement states them; empty
+    /// where it does not.
     pub covariances_mm2: Vec<Option<Covariance>>,
 }
 
@@ -51,7 +55,8 @@ pub struct Measured {
     pub at_mm: Vector,
     /// Covariance of the position, where the measurement states one.
     pub covariance_mm2: Option<Covariance>,
-    /// Joint values (mm or rad) in the robot's order, then the directions of [`Robot::approached`] joints.
+    /// Joint values (mm or rad) in the robot's order, then the directions of [`Robot::approached`]
+    /// joints.
     pub joints: Vec<f64>,
     /// Assembly mode, where it is stated.
     pub assembly: Option<f64>,
@@ -104,9 +109,11 @@ pub struct AssumedModes {
 }
 
 impl Observation {
-    /// Groups measured positions by pose and cycle, in their order, and gives the assembly modes that no position states.
+    /// Groups measured positions by pose and cycle, in their order, and gives the assembly modes
+    /// that no position states.
     ///
-    /// Robots with assembly modes may bring several working modes to one pose and cycle: each set of joint values is then an observation.
+    /// Robots with assembly modes may bring several working modes to one pose and cycle: each set
+    /// of joint values is then an observation.
     pub fn group(
         robot: &dyn Robot,
         measured: &[Measured],
@@ -156,7 +163,8 @@ impl Observation {
 }
 
 impl Observation {
-    /// The measured targets that state an uncertainty, by index: root mean square of the standard uncertainties of its coordinates, mm.
+    /// The measured targets that state an uncertainty, by index: root mean square of the standard
+    /// uncertainties of its coordinates, mm.
     pub(crate) fn uncertainties_mm(&self, dimension: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let stated = self.covariances_mm2.iter().zip(&self.targets).enumerate();
         let measured = stated.filter_map(|(k, (covariance, at))| Some((k, (*covariance)?, (*at)?)));
@@ -164,15 +172,16 @@ impl Observation {
         measured.map(move |(k, covariance, _)| (k, mean(covariance)))
     }
 
-    /// For each measured target its index, and its measured position minus where `values` put it, mm.
+    /// For each measured target its index, and its measured position minus where `values` put it,
+    /// mm.
     pub fn misses<'o>(&'o self, robot: &'o dyn Robot, values: &'o [f64]) -> impl Iterator<Item = (usize, Vector)> + 'o {
         let measured = self.targets.iter().enumerate().filter_map(|(k, target)| Some((k, (*target)?)));
         measured.map(move |(k, target)| (k, minus(target, robot.position(values, &self.joints, k))))
     }
 }
 
-/// The directions from which a joint came to `values` that follow each other, those of its last motions by more than `still`: `None`
-/// before the first.
+/// The directions from which a joint came to `values` that follow each other, those of its last
+/// motions by more than `still`: `None` before the first.
 pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f64>> {
     let (mut last, mut direction) = (None, None);
     let next = |value: f64| {
@@ -186,11 +195,12 @@ pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f
     values.map(next).collect()
 }
 
-/// The farther position must be off by this many times what the nearer one is, to be distinguished from it.
+/// The farther position must be off by this many times what the nearer one is, to be distinguished
+/// from it.
 const CLEAR: f64 = 2.0;
 
-/// Appends the assembly mode to the joint values of every observation: as `stated`, or the mode whose position at nominal
-/// parameters is nearer to the measured one.
+/// Appends the assembly mode to the joint values of every observation: as `stated`, or the mode
+/// whose position at nominal parameters is nearer to the measured one.
 fn assign_modes(
     robot: &dyn Robot,
     observations: &mut [Observation],
@@ -217,8 +227,9 @@ fn assign_modes(
     Ok(assumed)
 }
 
-/// Observations that the parameters `values` put far from where they were measured in the assembly mode that they state,
-/// and near in the other; how far in both, in mm. Empty where most are: the base is then elsewhere.
+/// Observations that the parameters `values` put far from where they were measured in the assembly
+/// mode that they state, and near in the other; how far in both, in mm. Empty where most are: the
+/// base is then elsewhere.
 pub(crate) fn misplaced<'o>(
     robot: &dyn Robot,
     observations: &'o [Observation],
@@ -236,7 +247,7 @@ pub(crate) fn misplaced<'o>(
     if 2 * wrong.len() < observations.len() { wrong } else { Vec::new() }
 }
 
-/// How far the farthest target was measured from where `values` put it in an assembly mode, mm.
+/// Distance (mm) of the farthest target from its position by `values` in an assembly mode.
 fn off(robot: &dyn Robot, values: &[f64], o: &Observation, mode: f64) -> f64 {
     let mut joints = o.joints[..robot.joints().len()].to_vec();
     joints.push(mode);

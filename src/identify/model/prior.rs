@@ -1,7 +1,7 @@
 //! Nominal values with tolerances, as rows of the residuals.
 //!
-//! With the prior, identification minimises Σ (r/σ)² + Σ ((p − p₀)/s)²; s is the tolerance t of a parameter as the half-width of a
-//! rectangular distribution, s = t/√3 (GUM 4.3.7).
+//! With the prior, identification minimises Σ (r/σ)² + Σ ((p − p₀)/s)²; s is the tolerance t of a
+//! parameter as the half-width of a rectangular distribution, s = t/√3 (GUM 4.3.7).
 
 use etalon_robots::Robot;
 
@@ -11,13 +11,14 @@ pub enum Prior {
     /// None: plain least squares.
     #[default]
     None,
-    /// One row for each free parameter: its deviation from nominal over its standard uncertainty by its tolerance.
+    /// One row for each free parameter: its deviation from nominal over its standard uncertainty by
+    /// its tolerance.
     Tolerances {
-        /// Standard deviation of a residual, by which the rows are multiplied so that they weigh as stated; 1 where the stated
-        /// uncertainty of the instrument explains the residuals.
+        /// Standard deviation of a residual, by which the rows are multiplied so that they weigh as
+        /// stated; 1 where the stated uncertainty of the instrument explains the residuals.
         weight: f64,
-        /// Standard uncertainties of parts of the robot over those of their usual tolerances, where nobody stated others: how much better
-        /// this robot is made, by the data.
+        /// Standard uncertainties of parts of the robot over those of their usual tolerances, where
+        /// nobody stated others: how much better this robot is made, by the data.
         scale: f64,
     },
 }
@@ -26,7 +27,7 @@ impl Prior {
     /// Tolerances beside residuals that have the stated uncertainty.
     pub const TOLERANCES: Self = Self::Tolerances { weight: 1.0, scale: 1.0 };
 
-    /// What rows of nominal values are multiplied by.
+    /// Factor of the rows of nominal values.
     pub(crate) fn weight(self) -> f64 {
         match self {
             Self::None => 1.0,
@@ -34,8 +35,9 @@ impl Prior {
         }
     }
 
-    /// Standard uncertainty (mm, rad, 1) of the nominal value of a parameter: its tolerance as the half-width of a rectangular distribution
-    /// (GUM 4.3.7), scaled where nobody stated it; `None` where it has no tolerance, or nominal values do not count.
+    /// Standard uncertainty (mm, rad, 1) of the nominal value of a parameter: its tolerance as the
+    /// half-width of a rectangular distribution (GUM 4.3.7), scaled where nobody stated it; `None`
+    /// where it has no tolerance, or nominal values do not count.
     pub fn uncertainty(self, robot: &dyn Robot, parameter: usize) -> Option<f64> {
         let Self::Tolerances { scale, .. } = self else { return None };
         let p = &robot.parameters()[parameter];
@@ -43,7 +45,7 @@ impl Prior {
         (p.tolerance.is_finite() && p.tolerance > 0.0).then(|| scale * p.tolerance / 3f64.sqrt())
     }
 
-    /// The same prior beside residuals of this standard deviation.
+    /// This prior beside residuals of this standard deviation.
     pub(crate) fn with_weight(self, weight: f64) -> Self {
         match self {
             Self::None => Self::None,
@@ -52,8 +54,8 @@ impl Prior {
     }
 }
 
-/// Standard uncertainties of base and targets without tolerance, in those that a look at them has: wide enough to count as no knowledge,
-/// and narrow enough that no solution runs away.
+/// Standard uncertainties of base and targets without tolerance, in those that a look at them has:
+/// wide enough to count as no knowledge, and narrow enough that no solution runs away.
 pub(crate) const DIFFUSE: f64 = 10.0;
 
 /// The row of one parameter: w (p − p₀)/s.
@@ -61,9 +63,9 @@ pub(crate) const DIFFUSE: f64 = 10.0;
 pub(crate) struct Nominal {
     /// Index of the parameter.
     pub parameter: usize,
-    /// p₀
+    /// Nominal value p₀.
     pub value: f64,
-    /// w/s
+    /// Factor w/s.
     factor: f64,
 }
 

@@ -7,9 +7,9 @@ use crate::model::rigid_part::{At, Shape};
 use crate::model::weights::Weights;
 use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_base::message::Message;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase};
 use etalon_math::statistics::median;
 use etalon_math::{Blocks, Problem, Rows, Solution};
 use etalon_robots::{FreeBase, Loads, Parametrised, Platform, Robot, State};
@@ -18,13 +18,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What is compared.
+/// Quantity that is compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ResidualKind {
     /// Coordinates of each target, weighted by the instrument's uncertainty.
     #[default]
     Targets,
-    /// x, y and theta of the platform (eq. 3.26): a radian weighs as a millimetre. Planar robots only.
+    /// x, y and theta of the platform (eq. 3.26): a radian weighs as a millimetre. Planar robots
+    /// only.
     Pose,
 }
 
@@ -37,32 +38,32 @@ pub(crate) struct Residuals<'a> {
     pub robot: &'a dyn Robot,
     pub free: Vec<usize>,
     observations: &'a [Observation],
-    /// loads at each observation; empty where bending is not modelled
+    /// Loads at each observation; empty if bending is not modelled.
     loads: Arc<[Vec<f64>]>,
     platform: Option<&'a dyn Platform>,
-    /// what makes residuals independent that are not
+    /// Whitening of residuals with a common error.
     pub common: Option<Common>,
-    /// uncertainties that readings state of themselves
+    /// Uncertainties that single readings state.
     weights: Option<Weights>,
-    /// what else was observed: its rows come behind those of the observations
+    /// Conditions; their rows follow those of the observations.
     conditions: &'a [Condition],
-    /// stated shapes of rigid parts, whose rows come behind what is measured
+    /// Stated shapes of rigid parts; their rows follow the measured ones.
     shapes: Vec<Shape>,
-    /// what is known of fixed points, whose rows come behind the shapes
+    /// Knowledge of fixed points; its rows follow the shapes.
     known: &'a [Known],
-    /// nominal values, whose rows come last
+    /// Nominal values; their rows come last.
     nominals: Vec<Nominal>,
-    /// residuals are divided by this
+    /// Scale (mm) of the residuals.
     pub unit: f64,
-    /// standard deviation of a residual so divided, as the instrument states it
+    /// Standard deviation of a scaled residual according to the instrument.
     stated_noise: Option<f64>,
     values: Vec<f64>,
     rows: Vec<usize>,
-    /// standard deviation of a row of a nominal value
+    /// Standard deviation of a row of a nominal value.
     prior_weight: f64,
-    /// unknowns that only few residuals show
+    /// Unknowns on which few residuals depend.
     pub layout: Option<Layout>,
-    /// errors of what the rows behind the coordinates state, as these are scaled; empty where none are drawn
+    /// Scaled errors of the rows behind the coordinates; empty if none are drawn.
     pub drawn: Vec<f64>,
 }
 
@@ -79,18 +80,18 @@ impl<'a> Residuals<'a> {
         Ok(Self::unloaded(robot, observations, settings, free, values)?.under(loads.into()))
     }
 
-    /// The same residuals with these values of the parameters that are not free; nominal values stay.
+    /// These residuals with other values of the parameters that are not free; nominal values stay.
     pub fn holding(mut self, values: &[f64]) -> Self {
         self.values = values.to_vec();
         self
     }
 
-    /// Those of the same observations as a function of other parameters.
+    /// Residuals of these observations with another set of free parameters.
     pub fn of_others(&self, settings: &'a Settings, free: &[usize], values: &[f64]) -> Result<Self> {
         Ok(Self::unloaded(self.robot, self.observations, settings, free, values)?.under(self.loads.clone()))
     }
 
-    /// The same residuals under `loads` at each observation.
+    /// These residuals under `loads` at each observation.
     fn under(self, loads: Arc<[Vec<f64>]>) -> Self {
         Self { loads, ..self }
     }
@@ -103,7 +104,7 @@ impl<'a> Residuals<'a> {
         values: &[f64],
     ) -> Result<Self> {
         if free.is_empty() {
-            return Err(Message::error("no parameter is left to identify").hint("hold fewer parameters").into());
+            return Err(error!("nothing-to-identify", cause = "none").hint(phrase!("hold-fewer-parameters")).into());
         }
         let platform = match settings.kind {
             ResidualKind::Targets => None,
@@ -142,7 +143,8 @@ impl<'a> Residuals<'a> {
         })
     }
 
-    /// Standard deviations of the rows behind the coordinates: of conditions, stated shapes, known points and nominal values.
+    /// Standard deviations of the rows behind the coordinates: of conditions, stated shapes, known
+    /// points and nominal values.
     pub fn stated(&self) -> Vec<f64> {
         let first = self.coordinate_count();
         let mut stated = vec![1.0; self.residual_count() - first];
@@ -156,12 +158,13 @@ impl<'a> Residuals<'a> {
         self.rows.iter().sum()
     }
 
-    /// Residuals of coordinates and conditions: those of stated shapes and known points come behind them.
+    /// Residuals of coordinates and conditions: those of stated shapes and known points come behind
+    /// them.
     pub fn measured_count(&self) -> usize {
         self.coordinate_count() + self.conditions.iter().map(|c| c.kind.rows()).sum::<usize>()
     }
 
-    /// What makes lengths in [`Self::unit`] of the measured residuals; `None` for angles.
+    /// Factor from scaled residuals to lengths; `None` for angles.
     pub fn sizes(&self) -> impl Iterator<Item = Option<f64>> {
         let of = |c: &Condition| {
             let size = (!c.kind.is_angle()).then_some(c.standard_uncertainty / self.unit);
@@ -188,8 +191,9 @@ impl<'a> Residuals<'a> {
         values
     }
 
-    /// Standard deviation of a residual: as stated, or as most residuals of `solution` show it where that is more (from their
-    /// median size, which a few wrong readings do not move); 0 where neither is known.
+    /// Standard deviation of a residual: as stated, or as most residuals of `solution` show it
+    /// where that is more (from their median size, which a few wrong readings do not move); 0 where
+    /// neither is known.
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {
             let (dof, equations) = (self.degrees_of_freedom(s), self.nominal_rows().start as f64);
@@ -226,8 +230,9 @@ impl<'a> Residuals<'a> {
         self.seen().flat_map(|s| std::iter::repeat_n(s.pose, s.rows)).collect()
     }
 
-    /// What the errors of each residual belong to: its reading where that is common to several, or else its pose, or, of poses at
-    /// least twice as many as `count`, one of `count` regions of the joints.
+    /// Cluster to which the error of each residual belongs: a reading common to several residuals,
+    /// or the pose; with at least twice as many poses as `count`, one of `count` regions of joint
+    /// space.
     pub fn clusters(&self, count: usize) -> Vec<PoseName> {
         if let Some(common) = &self.common {
             return common.numbers(self.measured_count());
@@ -242,8 +247,8 @@ impl<'a> Residuals<'a> {
         self.seen().map(|s| s.pose).collect::<BTreeSet<PoseName>>().len()
     }
 
-    /// The region of each pose: the joints' ranges, cut in halves of equally many poses along the widest joint until there are
-    /// `count` parts; empty where poses are fewer than twice as many.
+    /// The region of each pose: the joints' ranges, cut in halves of equally many poses along the
+    /// widest joint until there are `count` parts; empty where poses are fewer than twice as many.
     fn regions(&self, count: usize) -> BTreeMap<PoseName, usize> {
         let poses: BTreeMap<PoseName, &[f64]> = self.seen().map(|s| (s.pose, s.joints)).collect();
         let n = self.robot.joints().len();
@@ -279,12 +284,13 @@ impl<'a> Residuals<'a> {
         At { robot: self.robot, values, free: &self.free, joints }
     }
 
-    /// Whether residuals and Jacobian are whitened, and their elements no longer belong to one observation.
+    /// `true` if residuals and Jacobian are whitened, so that an element no longer belongs to one
+    /// observation.
     pub fn is_whitened(&self) -> bool {
         self.common.is_some()
     }
 
-    /// Whether some readings have a covariance of their own.
+    /// `true` if some readings have their own covariance.
     pub fn is_weighted(&self) -> bool {
         self.weights.is_some()
     }
@@ -374,7 +380,7 @@ impl<'a> Residuals<'a> {
         self.free.iter().for_each(|&i| layout.add(layout.blocks.of_row[row], i, derivative(i), out));
     }
 
-    /// What is known of fixed points, each with its first row.
+    /// Knowledge of fixed points, each with its first row.
     pub fn known(&self) -> impl Iterator<Item = (usize, &Known)> {
         let mut row = self.measured_count() + self.shapes.iter().map(Shape::rows).sum::<usize>();
         self.known.iter().map(move |known| {
@@ -394,12 +400,14 @@ impl<'a> Residuals<'a> {
         self.prior_weight.powi(2)
     }
 
-    /// How many parameters the data leave open, from none of those with a nominal value to all: Σ (u/s)² with u by data and nominal
-    /// values, s by these alone. `solution` is one of these residuals.
+    /// Number of parameters that the data leave open, from zero to all with a nominal value: Σ
+    /// (u/s)² with u by data and nominal values, s by nominal values alone. `solution` is a
+    /// solution of these residuals.
     pub fn undetermined(&self, solution: &Solution) -> f64 {
         let factor = solution.factor.as_ref().filter(|_| !self.nominals.is_empty());
         let Some((common, inverse)) = factor.and_then(|f| Some((f.common(), f.common_inverse()?))) else { return 0.0 };
-        // eliminated unknowns are measured directly: the rows of `nominals` are in the order of the columns
+        // eliminated unknowns are measured directly: the rows of `nominals` are in the order of the
+        // columns
         let open = |(k, &j): (usize, &usize)| {
             let derivative = self.nominals[j].derivative() / solution.scale[j];
             (derivative.powi(2) * inverse[k * common.len() + k]).clamp(0.0, 1.0)
@@ -407,8 +415,8 @@ impl<'a> Residuals<'a> {
         common.iter().enumerate().map(open).sum()
     }
 
-    /// Degrees of freedom of everything but nominal values: equations minus parameters, of which those that the data leave open do not
-    /// count.
+    /// Degrees of freedom of everything but nominal values: equations minus parameters, of which
+    /// those that the data leave open do not count.
     pub fn degrees_of_freedom(&self, solution: &Solution) -> f64 {
         let equations = self.residual_count() - self.nominals.len();
         (equations as f64 - solution.x.len() as f64 + self.undetermined(solution)).max(0.0)
@@ -442,7 +450,8 @@ impl<'a> Residuals<'a> {
         parts
     }
 
-    /// For pose residuals: sensitivity of each residual to the coordinates of both targets, three rows of four per pose.
+    /// For pose residuals: sensitivity of each residual to the coordinates of both targets, three
+    /// rows of four per pose.
     pub fn target_sensitivities(&self, x: &[f64]) -> Option<Vec<[[f64; 4]; 3]>> {
         let platform = self.platform?;
         let all = self.all(x);
@@ -450,7 +459,8 @@ impl<'a> Residuals<'a> {
         Some(self.observations.iter().filter_map(of).collect())
     }
 
-    /// Derivatives of the predicted positions of targets by the joint values at `x`, whitened as the residuals are: rows of all joints.
+    /// Derivatives of the predicted positions of targets by the joint values at `x`, whitened as
+    /// the residuals are: rows of all joints.
     pub fn joint_jacobian(&self, x: &[f64]) -> Vec<f64> {
         let (all, dimension) = (self.all(x), self.robot.dimension());
         let n = self.robot.joints().len();
@@ -468,8 +478,8 @@ impl<'a> Residuals<'a> {
         rows
     }
 
-    /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of the frame that places the observations
-    /// of `pose` and cycle, or all: rows of six.
+    /// Derivatives of the residuals at `x`, whitened, by a small shift (mm) and rotation (rad) of
+    /// the frame that places the observations of `pose` and cycle, or all: rows of six.
     pub fn frame_jacobian(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {
         // a point p of a frame that shifts by t and turns by w is measured t + w × p less
         let mut rows = self.displaced::<6>(x, pose, |p| {
@@ -479,7 +489,8 @@ impl<'a> Residuals<'a> {
             [0, 1, 2].map(axis)
         });
         for c in self.conditions {
-            // an orientation that turns by w is observed w less; other conditions are met in the robot's own world
+            // an orientation that turns by w is observed w less; other conditions are met in the
+            // robot's own world
             let turned = c.kind.is_orientation() && pose.is_none_or(|key| key == (c.pose, c.cycle));
             let one = if turned { 1.0 / c.standard_uncertainty } else { 0.0 };
             let row = |i: usize| (0..6).map(move |k| if k == 3 + i { one } else { 0.0 });
@@ -488,13 +499,14 @@ impl<'a> Residuals<'a> {
         rows
     }
 
-    /// Derivatives of the residuals of coordinates at `x`, whitened, by a common relative error of all measured lengths.
+    /// Derivatives of the residuals of coordinates at `x`, whitened, by a common relative error of
+    /// all measured lengths.
     pub fn scale_jacobian(&self, x: &[f64]) -> Vec<f64> {
         self.displaced(x, None, |p| p.map(|v| [-v]))
     }
 
-    /// Derivatives of the residuals of coordinates at `x`, whitened, by what makes a point of `pose` and cycle, or of all, be measured
-    /// `moved` less: rows of N.
+    /// Derivatives of the residuals of coordinates at `x`, whitened, by what makes a point of
+    /// `pose` and cycle, or of all, be measured `moved` less: rows of N.
     fn displaced<const N: usize>(
         &self,
         x: &[f64],
@@ -528,7 +540,8 @@ impl<'a> Residuals<'a> {
         rows
     }
 
-    /// Makes rows of `width` numbers, which were divided by the unit, independent and of the same variance.
+    /// Makes rows of `width` numbers, which were divided by the unit, independent and of the same
+    /// variance.
     pub fn whiten(&self, rows: &mut [f64], width: usize) {
         if let Some(common) = &self.common {
             common.whiten(rows, width);
@@ -633,7 +646,7 @@ impl Residuals<'_> {
     }
 }
 
-/// What was observed at a pose.
+/// Measurements at a pose.
 struct Seen<'a> {
     pose: PoseName,
     cycle: i64,
@@ -711,8 +724,9 @@ impl Problem for Residuals<'_> {
 
 /// Residuals whose measured positions are one reading, and what makes them independent.
 ///
-/// k residuals of a coordinate have the covariance u² I + c² 11ᵀ, with u independent and c common. Divided by u, what
-/// whitens them is I + (λ − 1) 11ᵀ/k, λ = u / √(u² + k c²): their mean shrinks, differences from it stay.
+/// k residuals of a coordinate have the covariance u² I + c² 11ᵀ, with u independent and c common.
+/// Divided by u, what whitens them is I + (λ − 1) 11ᵀ/k, λ = u / √(u² + k c²): their mean shrinks,
+/// differences from it stay.
 #[derive(Clone, Debug)]
 pub(crate) struct Common {
     /// First row of each residual of one reading, and λ − 1.
@@ -721,8 +735,8 @@ pub(crate) struct Common {
 }
 
 impl Common {
-    /// Readings of `observations` (`dimension` rows per measured target): positions with the very same coordinates are
-    /// one reading. `None` where the settings state no common uncertainty.
+    /// Readings of `observations` (`dimension` rows per measured target): positions with the very
+    /// same coordinates are one reading. `None` where the settings state no common uncertainty.
     fn new(observations: &[Observation], settings: &Settings, dimension: usize) -> Option<Self> {
         let (u, c) = (settings.standard_uncertainty_mm?, settings.common_uncertainty_mm?);
         let mut readings: BTreeMap<(usize, [u64; 3]), Vec<usize>> = BTreeMap::new();

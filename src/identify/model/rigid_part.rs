@@ -1,8 +1,11 @@
-//! Rigid parts that carry targets: a stated shape is one more reading of all its targets, from a place that nobody states, so that
-//! six unknowns drop out and what is left constrains the targets' places relative to each other.
+//! Rigid parts that carry targets: a stated shape is one more reading of all its targets, from a
+//! place that nobody states, so that six unknowns drop out and what is left constrains the targets'
+//! places relative to each other.
 
 use crate::judgement::chi_square::exceeds;
-use etalon_base::message::Message;
+use etalon_base::catalogue::IntoArgument;
+use etalon_base::error;
+use etalon_base::message::{Message, Rank, Severity};
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm};
 use etalon_fit::rotation_onto;
 use etalon_math::symmetric_eigen;
@@ -20,23 +23,24 @@ pub struct RigidPart {
     pub standard_uncertainty_mm: f64,
     /// A distance that is further from the stated one is that of another part, mm.
     pub tolerance_mm: f64,
-    /// What its rows are multiplied by: the standard deviation of a residual, so that a part is as rigid beside the errors of the robot
-    /// as its uncertainty makes it; 1 where it is not known.
+    /// Factor of the rows: the standard deviation of a residual, so that a part is as rigid
+    /// relative to the errors of the robot as its uncertainty states; 1 if unknown.
     pub weight: f64,
 }
 
 /// The stated shape of a part of a robot.
 ///
-/// With e the places of the model minus the stated ones after the best fit of one onto the other, the rows are Q e / u, Q an
-/// orthonormal basis of the deformations, without rigid motions: 3 n − 6 rows for n targets in space. At the best fit e has no
-/// other component (variable projection, Golub & Pereyra 1973).
+/// With e the places of the model minus the stated ones after the best fit of one onto the other,
+/// the rows are Q e / u, Q an orthonormal basis of the deformations, without rigid motions: 3 n − 6
+/// rows for n targets in space. At the best fit e has no other component (variable projection,
+/// Golub & Pereyra 1973).
 #[derive(Debug)]
 pub(crate) struct Shape {
     part: RigidPart,
     targets: Vec<usize>,
-    /// places about their centre
+    /// Positions relative to their centre.
     centred: Vec<Vector>,
-    /// Q
+    /// Matrix Q.
     deforming: DMatrix<f64>,
 }
 
@@ -50,12 +54,13 @@ pub(crate) struct At<'a> {
 
 /// Eigenvalues of a projection are 0 or 1 up to rounding.
 const HALF: f64 = 0.5;
-/// Share of a direction below which it is none: a motion of targets on one line about it, a number of the shape that the measurements
-/// leave open.
+/// Share of a direction below which it is none: a motion of targets on one line about it, a number
+/// of the shape that the measurements leave open.
 const UNDECIDED: f64 = 1e-6;
 
 impl Shape {
-    /// The shape of `part`; `None` where `robot` does not carry all its targets, or no shape is left of them.
+    /// The shape of `part`; `None` where `robot` does not carry all its targets, or no shape is
+    /// left of them.
     pub fn new(robot: &dyn Robot, part: &RigidPart) -> Option<Self> {
         let index = |name: &String| robot.targets().iter().position(|t| t == name);
         let targets: Vec<usize> = part.targets.iter().map(index).collect::<Option<_>>()?;
@@ -104,7 +109,7 @@ impl Shape {
         (about.into_iter().map(|p| turn.rotate(p)).collect(), turn)
     }
 
-    /// What one millimetre of deformation counts as.
+    /// Residual per millimetre of deformation.
     fn weight(&self) -> f64 {
         self.part.weight / self.part.standard_uncertainty_mm
     }
@@ -149,9 +154,10 @@ impl Shape {
         }
     }
 
-    /// A message where the measurements alone give the part another shape than the stated one, beyond the uncertainty of both: a test of
-    /// the rows as one group of observations (Baarda 1968), at the solution with `covariance` of the free parameters, of which the
-    /// residuals make `inverse`, (JᵀJ)⁻¹.
+    /// A message where the measurements alone give the part another shape than the stated one,
+    /// beyond the uncertainty of both: a test of the rows as one group of observations (Baarda
+    /// 1968), at the solution with `covariance` of the free parameters, of which the residuals make
+    /// `inverse`, (JᵀJ)⁻¹.
     pub fn contradiction(&self, at: &At, inverse: &[f64], covariance: &[f64]) -> Option<Contradicted> {
         let (m, n) = (self.rows(), at.free.len());
         let mut rows = vec![0.0; m * n];
@@ -185,12 +191,13 @@ impl Shape {
         let places: Vec<Vector> = (0..self.targets.len()).map(found).collect();
         let off = |pair: &TargetPair| (pair.distance_mm(&places) - pair.distance_mm(&self.centred)).abs();
         let worst = self.part.pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
-        Some(self.part.contradicted(worst, worst.distance_mm(&places), "the identification gives without it"))
+        Some(self.part.contradicted(worst, worst.distance_mm(&places), "identification"))
     }
 }
 
-/// The small rotation ω that `moved` (of points at `places`) contain, as the best fit onto points at `fixed` has it: both are about their
-/// centres, and Σ fixed × (moved − ω × places) = 0; none about a line that holds all points.
+/// The small rotation ω that `moved` (of points at `places`) contain, as the best fit onto points
+/// at `fixed` has it: both are about their centres, and Σ fixed × (moved − ω × places) = 0; none
+/// about a line that holds all points.
 pub(crate) fn turn_of(fixed: &[Vector], places: &[Vector], moved: &[Vector]) -> Vector {
     let (mut inertia, mut moment) = (Matrix3::zeros(), Vector3::zeros());
     for ((s, y), d) in fixed.iter().zip(places).zip(moved) {
@@ -248,7 +255,7 @@ pub struct Contradicted {
     pub targets: Vec<String>,
     /// The two targets.
     pub pair: [String; 2],
-    /// How the distance was found, in words.
+    /// Source of the distance: `identification` or `measurement`.
     pub by: &'static str,
     /// The distance, mm.
     pub found_mm: f64,
@@ -259,14 +266,12 @@ pub struct Contradicted {
 }
 
 impl Contradicted {
-    /// The message, with the stated places by their name: an error where the distance is that of another part.
-    pub fn message(&self, places: &str) -> Message {
-        let Self { by, found_mm, stated_mm, pair: [a, b], .. } = self;
-        let what = format!(
-            "{places} of {} are contradicted beyond their uncertainty: {by} {found_mm:.4} mm from `{a}` to `{b}`, they make it \
-             {stated_mm:.4} mm",
-            self.targets.join(", "),
-        );
-        if self.is_near { Message::warning(what) } else { Message::error(what) }
+    /// Message with a name for the stated positions; an error if the distance is that of another
+    /// part.
+    pub fn message(&self, places: &(impl IntoArgument + ?Sized)) -> Message {
+        let Self { targets, by, found_mm, stated_mm, pair: [first, second], is_near } = self;
+        let severity = if *is_near { Severity::Warning } else { Severity::Error };
+        let message = error!("rigid-part-contradicted", places, targets, first, second, found_mm, by, stated_mm);
+        if *is_near { Message { severity, rank: Rank::Know, ..message } } else { message }
     }
 }

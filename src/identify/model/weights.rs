@@ -1,9 +1,11 @@
-//! Readings that state an uncertainty of their own: their residuals are divided by it, instead of by that of the instrument.
+//! Readings that state an uncertainty of their own: their residuals are divided by it, instead of
+//! by that of the instrument.
 
 use crate::{Error, Result};
 use crate::{Observation, Settings};
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
+use etalon_base::warning;
 use etalon_math::statistics::rms;
 use nalgebra::{DMatrix, Matrix3};
 
@@ -36,7 +38,8 @@ pub(crate) struct Weights {
 }
 
 impl Weights {
-    /// Of observations with `dimension` rows for each measured target, divided by `unit` before; `None` where none states a covariance.
+    /// Weights of observations with `dimension` rows per measured target, which are divided by
+    /// `unit` before; `None` if no reading states a covariance.
     pub fn new(observations: &[Observation], dimension: usize, unit: f64) -> Option<Self> {
         let mut readings = Vec::new();
         let mut row = 0;
@@ -62,8 +65,9 @@ impl Weights {
     }
 }
 
-/// Takes the uncertainty of readings that state none from `settings`, or where these state none either, makes it the root mean square of
-/// those that are stated; and reports how readings are weighted.
+/// Takes the uncertainty of readings that state none from `settings`, or where these state none
+/// either, makes it the root mean square of those that are stated; and reports how readings are
+/// weighted.
 ///
 /// # Errors
 /// Where some readings have no uncertainty at all, or what the settings compare cannot be weighted.
@@ -84,14 +88,8 @@ pub fn weigh(observations: &[Observation], dimension: usize, settings: &mut Sett
         return Err(Error::ReadingsWithoutUncertainty { without: readings - stated.len(), readings });
     }
     settings.standard_uncertainty_mm = settings.standard_uncertainty_mm.or(root_mean_square(stated.iter().copied()));
-    let [least, most] = stated.iter().fold([f64::INFINITY, 0.0], |[a, b], u| [u.min(a), u.max(b)]);
-    let which = if stated.len() == readings {
-        "all readings".to_owned()
-    } else {
-        format!("{} of {readings} readings", stated.len())
-    };
-    let what = format!("{which} weigh by their own standard uncertainties, {least:.4} to {most:.4} mm a coordinate");
-    Ok(Some(Message::warning(what).routine()))
+    let [least_mm, most_mm] = stated.iter().fold([f64::INFINITY, 0.0], |[a, b], u| [u.min(a), u.max(b)]);
+    Ok(Some(warning!("readings-weighted", own = stated.len(), readings, least_mm, most_mm).routine()))
 }
 
 fn root_mean_square(all: impl Iterator<Item = f64> + Clone) -> Option<f64> {

@@ -1,5 +1,5 @@
-//! The proof that no choice is better, or how far the best is at most: candidates may be taken in parts, the best of that
-//! bounds every whole choice, and branch and bound closes the gap.
+//! The proof that no choice is better, or how far the best is at most: candidates may be taken in
+//! parts, the best of that bounds every whole choice, and branch and bound closes the gap.
 
 use super::criterion::{Below, Pool, Tangent, inner};
 use super::search::{Choice, exchange};
@@ -27,7 +27,7 @@ pub struct Proven {
     pub best: Choice,
     /// No choice has a larger criterion than this.
     pub bound: f64,
-    /// The same from the relaxation alone.
+    /// Bound by the relaxation alone.
     pub relaxation: f64,
     /// Nodes looked at.
     pub nodes: usize,
@@ -57,8 +57,8 @@ impl Ord for Node {
     }
 }
 
-/// Looks at up to `nodes` nodes, those with the largest bound first, and calls `progress` with their number; `None` where
-/// no bound is known.
+/// Looks at up to `nodes` nodes, those with the largest bound first, and calls `progress` with
+/// their number; `None` where no bound is known.
 pub fn branch_and_bound(pool: &Pool, first: Choice, nodes: usize, progress: impl Fn(usize)) -> Option<Proven> {
     let count = first.chosen.len();
     let root = vec![Fixed::Free; pool.candidates.len()];
@@ -134,8 +134,9 @@ fn decided(fixed: &[Fixed], count: usize) -> Option<Vec<usize>> {
     }
 }
 
-/// A node worth looking into, with everything decided that its bound decides: a candidate is out where even the best
-/// choice with it stays below the best known, and in where even the best choice without it does.
+/// A node worth looking into, with everything decided that its bound decides: a candidate is out
+/// where even the best choice with it stays below the best known, and in where even the best choice
+/// without it does.
 fn node(relaxed: Relaxed, mut fixed: Vec<Fixed>, count: usize, best: f64, number: usize) -> Option<Node> {
     let Relaxed { bound, weights, above, below } = relaxed;
     let lambda = best * BETTER;
@@ -164,7 +165,7 @@ fn node(relaxed: Relaxed, mut fixed: Vec<Fixed>, count: usize, best: f64, number
     Some(Node { bound, fixed, weights, number })
 }
 
-/// Which candidates a bound is for.
+/// Candidates of a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fixed {
     /// May be taken or left.
@@ -180,9 +181,9 @@ struct Relaxed {
     bound: f64,
     /// Shares of the candidates, the best found in parts.
     weights: Vec<f64>,
-    /// What each candidate brings at most to the numerator.
+    /// Maximum contribution of each candidate to the numerator.
     above: Vec<f64>,
-    /// What each brings to the denominator.
+    /// Contribution of each candidate to the denominator.
     below: Vec<f64>,
 }
 
@@ -207,8 +208,9 @@ fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64
     (0..fixed.len()).map(share).collect()
 }
 
-/// Moves shares from the worst to the best candidate (vertex exchange: Böhning 1986) until the bound is within `close` of
-/// what the shares reach, or `steps` are taken. The bound holds wherever it stops.
+/// Moves shares from the worst to the best candidate (vertex exchange: Böhning 1986) until the
+/// bound is within `close` of what the shares reach, or `steps` are taken. The bound holds wherever
+/// it stops.
 fn relax(
     pool: &Pool,
     fixed: &[Fixed],
@@ -260,7 +262,8 @@ fn relax(
     best
 }
 
-/// The share to move that maximises the criterion: its derivative is brought to zero in [0, `most`].
+/// The share to move that maximises the criterion: its derivative is brought to zero in [0,
+/// `most`].
 fn line_search(
     pool: &Pool,
     information: &nalgebra::DMatrix<f64>,
@@ -287,7 +290,8 @@ fn line_search(
     }
     let (mut low, mut high) = ((0.0, slope(0.0)), (most, at_most));
     for _ in 0..22 {
-        // the secant between both ends; the weight of an end that stays is halved (Illinois: Dowell & Jarratt 1971)
+        // the secant between both ends; the weight of an end that stays is halved (Illinois: Dowell
+        // & Jarratt 1971)
         let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
         let middle = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
         let now = slope(middle);
@@ -307,7 +311,7 @@ fn gradient_below(tangent: &Tangent) -> bool {
     !matches!(tangent.below, Below::One)
 }
 
-/// What each candidate brings to the denominator; constant ones are shared among those chosen.
+/// Contribution of each candidate to the denominator; constant ones are shared among the chosen.
 fn denominators(pool: &Pool, tangent: &Tangent, count: usize) -> Vec<f64> {
     let of = |c: &super::criterion::Candidate| match &tangent.below {
         Below::Configurations => c.configurations as f64,

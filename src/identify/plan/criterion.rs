@@ -1,7 +1,8 @@
-//! What makes a set of poses good: observability indices (eq. 1.19 to 1.25) and the optimalities of experimental design;
-//! and candidates as information matrices, what each would add to JᵀJ.
+//! Criteria for a set of poses: observability indices (eq. 1.19 to 1.25) and the optimalities of
+//! experimental design. Candidates are information matrices: their contributions to JᵀJ.
 //!
-//! Every criterion is the square of an index, larger is better, as a function of the information JᵀJ.
+//! Every criterion is the square of an index, larger is better, as a function of the information
+//! JᵀJ.
 
 use nalgebra::{Cholesky, DMatrix, Dyn, SymmetricEigen};
 
@@ -28,7 +29,8 @@ pub enum Criterion {
     I,
 }
 
-/// Exponent of the power mean in place of the smallest or largest eigenvalue where a derivative is needed.
+/// Exponent of the power mean in place of the smallest or largest eigenvalue where a derivative is
+/// needed.
 const SHARP: f64 = 24.0;
 
 /// A criterion near one information matrix: it is at most Σ above / Σ below for any other choice.
@@ -39,7 +41,7 @@ pub struct Tangent {
     pub above: DMatrix<f64>,
     /// Numerator here, with that derivative.
     pub numerator: f64,
-    /// What the numerator is divided by.
+    /// Divisor of the numerator.
     pub below: Below,
 }
 
@@ -72,12 +74,13 @@ impl Criterion {
         }
     }
 
-    /// Whether columns are divided by their norms: without that the sum of variances would mix mm² and rad².
+    /// `true` if columns are divided by their norms: otherwise the sum of variances would mix mm²
+    /// and rad².
     pub fn scales_columns(self) -> bool {
         !matches!(self, Self::O2 | Self::O3 | Self::O4 | Self::O5)
     }
 
-    /// How columns are scaled and what is larger, in words.
+    /// Scaling of columns and maximised quantity, in words.
     pub fn definition(self) -> &'static str {
         match self {
             Self::O1 => {
@@ -131,10 +134,12 @@ impl Criterion {
         value.filter(|v| v.is_finite()).unwrap_or(0.0)
     }
 
-    /// Value and derivative at an information matrix; `None` where it is singular or no bound is known.
+    /// Value and derivative at an information matrix; `None` where it is singular or no bound is
+    /// known.
     ///
-    /// The numerators are concave and homogeneous of degree one, so that their derivative G at any M bounds them anywhere:
-    /// h(N) ≤ ⟨G, N⟩ (the equivalence theorem's inequality: Kiefer & Wolfowitz 1960, Pukelsheim 1993, chapter 7).
+    /// The numerators are concave and homogeneous of degree one, so that their derivative G at any
+    /// M bounds them anywhere: h(N) ≤ ⟨G, N⟩ (the equivalence theorem's inequality: Kiefer &
+    /// Wolfowitz 1960, Pukelsheim 1993, chapter 7).
     pub fn tangent(self, pool: &Pool, information: &DMatrix<f64>, configurations: f64) -> Option<Tangent> {
         let m = pool.parameters as f64;
         let tangent = match self {
@@ -206,22 +211,24 @@ pub struct Candidate {
 /// All candidates.
 #[derive(Clone, Debug)]
 pub struct Pool {
-    /// What candidates are chosen by.
+    /// Criterion of the choice.
     pub criterion: Criterion,
     /// Number of parameters, m.
     pub parameters: usize,
     /// The candidates.
     pub candidates: Vec<Candidate>,
-    /// What the columns of the Jacobian are divided by.
+    /// Divisors of the columns of the Jacobian.
     pub scale: Vec<f64>,
-    /// Mean of JᵀJ over all configurations: what a set of parameters means for the positions of the workspace.
+    /// Mean of JᵀJ over all configurations: what a set of parameters means for the positions of the
+    /// workspace.
     pub workspace: DMatrix<f64>,
     /// Added to the diagonal of singular matrices so that they can be compared.
     pub ridge: f64,
 }
 
 impl Pool {
-    /// A pool of candidates given as blocks of rows (row by row, `scale.len()` numbers each) and their configurations.
+    /// A pool of candidates given as blocks of rows (row by row, `scale.len()` numbers each) and
+    /// their configurations.
     pub fn new(blocks: &[(Vec<f64>, usize)], scale: Vec<f64>, criterion: Criterion) -> Self {
         let m = scale.len();
         let candidate = |(rows, configurations): &(Vec<f64>, usize)| {
@@ -260,7 +267,8 @@ impl Pool {
         chosen.iter().map(|&i| self.candidates[i].configurations).sum()
     }
 
-    /// Cholesky factor, with just so much added to the diagonal that singular matrices can be compared.
+    /// Cholesky factor, with just so much added to the diagonal that singular matrices can be
+    /// compared.
     pub fn factor(&self, mut information: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
         (0..self.parameters).for_each(|i| information[(i, i)] += self.ridge);
         information.cholesky()

@@ -1,7 +1,8 @@
-//! Which poses to measure: observability indices, choice among candidates, and how good any choice can be.
+//! Choice of poses to measure: observability indices, choice among candidates, and a bound on the
+//! best choice.
 //!
-//! Maximise a [`Criterion`] of the information JᵀJ over all sets of N candidates. [`search`] finds good sets,
-//! [`bound`] proves how far they are from the best at most.
+//! Maximise a [`Criterion`] of the information JᵀJ over all sets of N candidates. [`search`] finds
+//! good sets, [`bound`] proves how far they are from the best at most.
 
 pub mod bound;
 pub mod candidates;
@@ -16,19 +17,19 @@ pub use study::{PlaceError, Setting, SizeStudy, point_of, study};
 use crate::Result;
 use crate::{Observation, Prediction, Sensitivity, Settings, predict, sensitivity};
 use bound::{Proven, branch_and_bound};
-use etalon_base::message::Message;
+use etalon_base::error;
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::mean;
 use etalon_robots::Robot;
 use search::{exchange_from_many, greedy};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What to choose, and how hard to try.
+/// Request for a plan: size and effort.
 #[derive(Clone, Debug)]
 pub struct Request {
     /// Number of candidates to choose.
     pub positions: usize,
-    /// What makes a choice good.
+    /// Criterion of the choice.
     pub criterion: Criterion,
     /// Every configuration is a candidate of its own, instead of all of a pose together.
     pub single: bool,
@@ -55,12 +56,12 @@ pub struct Step {
     pub condition: f64,
 }
 
-/// What was chosen.
+/// Result of the choice.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Configurations of each candidate, as indices of the observations given.
     pub members: Vec<Vec<usize>>,
-    /// What the candidates determine.
+    /// Sensitivity of the candidates.
     pub sensitivity: Sensitivity,
     /// The choice of the thesis' way.
     pub greedy: Vec<usize>,
@@ -78,20 +79,21 @@ pub struct Plan {
     pub nodes: usize,
     /// Index and condition while candidates are added the thesis' way.
     pub curve: Vec<Step>,
-    /// What an identification from the chosen poses would know.
+    /// Predicted result of an identification from the chosen poses.
     pub prediction: Prediction,
-    /// Standard uncertainty of position that the parameters leave over all candidates: root mean square and largest, in
-    /// units of the stated uncertainty (or of 1 mm).
+    /// Standard uncertainty of position that the parameters leave over all candidates: root mean
+    /// square and largest, in units of the stated uncertainty (or of 1 mm).
     pub workspace: (f64, f64),
 }
 
 impl Plan {
-    /// By how many per cent at most the choice is below the best possible.
+    /// Maximum shortfall (%) of the choice against the best possible.
     pub fn at_most_below_percent(&self) -> Option<f64> {
         self.bound.map(|bound| (100.0 * (1.0 - self.index / bound)).max(0.0))
     }
 
-    /// The position of the curve's knee: farthest above the line from its first to its last step (Satopää et al. 2011).
+    /// The position of the curve's knee: farthest above the line from its first to its last step
+    /// (Satopää et al. 2011).
     pub fn knee(&self) -> Option<Step> {
         let (first, last) = (self.curve.first()?, self.curve.last()?);
         let above = |s: &Step| {
@@ -103,8 +105,8 @@ impl Plan {
     }
 }
 
-/// Chooses among the configurations `observations` (see `configurations`). `progress` is called with the
-/// steps that have ended and with how many there are at most.
+/// Chooses among the configurations `observations` (see `configurations`). `progress` is called
+/// with the steps that have ended and with how many there are at most.
 ///
 /// # Examples
 ///
@@ -137,8 +139,8 @@ pub fn plan(
     let known = sensitivity(robot, observations, settings)?;
     let members = group(observations, request.single);
     if request.positions == 0 || request.positions > members.len() {
-        let what = format!("{} positions cannot be chosen of {} candidates", request.positions, members.len());
-        return Err(Message::error(what).into());
+        let (positions, candidates) = (request.positions, members.len());
+        return Err(error!("too-many-positions", positions, candidates).into());
     }
     let pool = pool_of(&known, &members, request.criterion);
     let begin = begin(robot, observations, &members, request)?;
@@ -225,7 +227,8 @@ pub fn pool_of(known: &Sensitivity, members: &[Vec<usize>], criterion: Criterion
     Pool::new(&members.iter().map(block).collect::<Vec<_>>(), scale, criterion)
 }
 
-/// Where the thesis' way begins: the poses stated, or the two farthest apart of those with most configurations.
+/// Start of the thesis' procedure: the stated poses, or the two farthest apart of the poses with
+/// most solutions.
 fn begin(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -235,11 +238,11 @@ fn begin(
     let pose = |c: usize| observations[members[c][0]].pose;
     if !request.start.is_empty() {
         if let Some(unknown) = request.start.iter().find(|p| (0..members.len()).all(|c| pose(c) != **p)) {
-            return Err(Message::error(format!("there is no candidate pose {unknown} to start from")).into());
+            return Err(error!("start-pose-unknown", pose = *unknown).into());
         }
         let begin: Vec<usize> = (0..members.len()).filter(|&c| request.start.contains(&pose(c))).collect();
         if begin.len() > request.positions {
-            return Err(Message::error("the start has more candidates than are to be chosen").into());
+            return Err(error!("start-too-large", start = begin.len(), positions = request.positions).into());
         }
         return Ok(begin);
     }

@@ -25,13 +25,14 @@ impl Choice {
     }
 }
 
-/// What one more candidate makes of a set: the set is decomposed once, candidates come by updates of low rank.
+/// Value of a set with one more candidate: the set is decomposed once, candidates follow by
+/// low-rank updates.
 struct Base<'a> {
     pool: &'a Pool,
     criterion: Criterion,
     information: DMatrix<f64>,
     configurations: usize,
-    /// inverse, and (JᵀJ)⁻¹ W (JᵀJ)⁻¹ for the criteria that are variances
+    /// Inverse, and (JᵀJ)⁻¹ W (JᵀJ)⁻¹ for criteria that are variances.
     inverse: DMatrix<f64>,
     kernel: DMatrix<f64>,
     log_determinant: f64,
@@ -95,7 +96,8 @@ fn log_update(inverse: &DMatrix<f64>, candidate: &Candidate) -> f64 {
 
 /// Adds the best candidate to `start`, one after the other, until `count` are chosen (section 4.5).
 ///
-/// As long as those chosen do not determine all parameters, the determinant decides, whatever the criterion.
+/// As long as those chosen do not determine all parameters, the determinant decides, whatever the
+/// criterion.
 pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
     let mut chosen = start.to_vec();
     let mut gains = vec![f64::INFINITY; pool.candidates.len()];
@@ -115,8 +117,9 @@ pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
     Choice::of(pool, chosen)
 }
 
-/// As [`best_of`] for determinants, without looking at all: `gains` are what candidates brought to the logarithm when they
-/// were last looked at, and never bring again, as that falls with every candidate chosen (Minoux 1978).
+/// As [`best_of`] for determinants, without looking at all: `gains` are what candidates brought to
+/// the logarithm when they were last looked at, and never bring again, as that falls with every
+/// candidate chosen (Minoux 1978).
 fn best_determinant(base: &Base, chosen: &[usize], gains: &mut [f64]) -> Option<(f64, usize)> {
     let candidates = &base.pool.candidates;
     let value = |i: usize, gain: f64| base.with_determinant(&candidates[i], gain);
@@ -146,8 +149,8 @@ fn best_of(base: &Base, chosen: &[usize]) -> Option<(f64, usize)> {
     })
 }
 
-/// Exchanges one candidate at a time for a better one until none is left (Fedorov 1972, modified by Cook & Nachtsheim
-/// 1980: each place in turn).
+/// Exchanges one candidate at a time for a better one until none is left (Fedorov 1972, modified by
+/// Cook & Nachtsheim 1980: each place in turn).
 pub fn exchange(pool: &Pool, start: &Choice) -> Choice {
     let mut best = start.clone();
     let mut changed = true;
@@ -173,7 +176,8 @@ pub fn exchange(pool: &Pool, start: &Choice) -> Choice {
     best
 }
 
-/// The best exchange from `first` and from `starts` random sets of as many candidates; `ended` is called after each.
+/// The best exchange from `first` and from `starts` random sets of as many candidates; `ended` is
+/// called after each.
 pub fn exchange_from_many(pool: &Pool, first: &[Choice], starts: u64, seed: u64, ended: impl Fn() + Sync) -> Choice {
     let count = first.first().map_or(0, |c| c.chosen.len());
     let random = |trial: u64| {

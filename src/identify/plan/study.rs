@@ -1,10 +1,13 @@
-//! A simulated calibration with the chosen poses (thesis, section 4.6): how near parameters and positions come to the truth.
+//! A simulated calibration with the chosen poses (thesis, section 4.6): how near parameters and
+//! positions come to the truth.
 
 use super::{Criterion, Plan, pool_of, search::Choice};
 use crate::Result;
 use crate::{Observation, Settings, ToolPoint, identify_from};
-use etalon_base::message::Message;
+use etalon_base::catalogue::Phrase;
+use etalon_base::error;
 use etalon_base::noise::Noise;
+use etalon_base::phrase;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::middle_pair;
@@ -28,10 +31,10 @@ pub struct Setting<'a> {
 }
 
 /// The point whose errors a study has.
-pub fn point_of(robot: &dyn Robot) -> &'static str {
+pub fn point_of(robot: &dyn Robot) -> Phrase {
     match robot.platform() {
-        Some(_) => "the platform's centre C in the base frame",
-        None => "the targets in the world",
+        Some(_) => phrase!("platform-in-base"),
+        None => phrase!("targets-in-world"),
     }
 }
 
@@ -40,7 +43,7 @@ pub fn point_of(robot: &dyn Robot) -> &'static str {
 pub struct PlaceError {
     /// Name of the pose.
     pub pose: PoseName,
-    /// Where its first target is in the first configuration, nominal (mm).
+    /// Nominal position (mm) of its first target in the first configuration.
     pub at_mm: Vector,
     /// With nominal parameters (mm).
     pub before_mm: f64,
@@ -48,7 +51,7 @@ pub struct PlaceError {
     pub after_mm: f64,
 }
 
-/// What a number of positions comes to.
+/// Result for a number of positions.
 #[derive(Clone, Debug)]
 pub struct SizeStudy {
     /// Positions measured.
@@ -57,17 +60,18 @@ pub struct SizeStudy {
     pub configurations: usize,
     /// Mean of the parameters identified, of the first draw.
     pub identified: Vec<f64>,
-    /// Root mean square error of position over all configurations and targets, or of a platform's centre in the base frame, minus what is
-    /// commanded: nominal, and identified as the median of all draws (mm).
+    /// Root mean square error of position over all configurations and targets, or of a platform's
+    /// centre in the base frame, minus what is commanded: nominal, and identified as the median of
+    /// all draws (mm).
     pub rms_mm: (f64, f64),
     /// Largest error, likewise.
     pub max_mm: (f64, f64),
-    /// By pose, of the first draw.
+    /// Errors of the first draw by pose.
     pub places: Vec<PlaceError>,
 }
 
-/// One study for every number of positions from the least that identifies the robot to all of the plan, in the order in
-/// which the determinant grows fastest (tables 4.2 and 4.3).
+/// One study for every number of positions from the least that identifies the robot to all of the
+/// plan, in the order in which the determinant grows fastest (tables 4.2 and 4.3).
 pub fn study(
     robot: &dyn Robot,
     plan: &Plan,
@@ -108,7 +112,8 @@ fn middle(drawn: Vec<SizeStudy>) -> Option<SizeStudy> {
     Some(SizeStudy { rms_mm: (first.rms_mm.0, rms), max_mm: (first.max_mm.0, max), ..first })
 }
 
-/// Mean of the parameters identified in all runs of one draw; an error where they are not all identifiable.
+/// Mean of the parameters identified in all runs of one draw; an error where they are not all
+/// identifiable.
 fn calibrate(
     robot: &dyn Robot,
     chosen: &[Observation],
@@ -133,7 +138,7 @@ fn calibrate(
         let measured: Vec<Observation> = chosen.iter().map(&mut measure).collect();
         let found = identify_from(robot, &measured, settings, &robot.nominal())?;
         if found.groups.iter().any(|g| g.useless_uncertainty.is_some()) {
-            return Err(Message::error("too few positions to identify all parameters").into());
+            return Err(error!("study-too-few-positions", positions = chosen.len()).into());
         }
         mean.iter_mut().zip(&found.values).for_each(|(m, v)| *m += v / setting.runs as f64);
     }

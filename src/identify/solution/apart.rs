@@ -20,10 +20,11 @@ const ROUNDS: usize = 6;
 pub struct Placement {
     /// All parameters (mm, rad, 1).
     pub values: Vec<f64>,
-    /// Standard uncertainty (mm, rad) of each parameter that the readings determine, for residuals of 1 mm, or of the stated standard
-    /// uncertainty of a coordinate where there is one.
+    /// Standard uncertainty (mm, rad) of each parameter that the readings determine, for residuals
+    /// of 1 mm, or of the stated standard uncertainty of a coordinate where there is one.
     pub uncertainties: BTreeMap<usize, f64>,
-    /// Redundancy number of each measured target of each observation: the share of its error that the residual shows, 1 - h.
+    /// Redundancy number of each measured target of each observation: the share of its error that
+    /// the residual shows, 1 - h.
     pub observations: Vec<Vec<Option<f64>>>,
     /// Redundancy number of each condition.
     pub conditions: Vec<f64>,
@@ -43,7 +44,8 @@ impl Condition {
 }
 
 impl Known {
-    /// Indices of the parameters that the fact places in the world; a distance or a radius alone places nothing.
+    /// Indices of the parameters that the fact places in the world; a distance or a radius alone
+    /// places nothing.
     pub fn places(&self) -> Vec<usize> {
         match *self {
             Self::Place { point, .. } => three(point).collect(),
@@ -71,10 +73,11 @@ fn three(first: usize) -> std::ops::Range<usize> {
     first..first + 3
 }
 
-/// Places the parameters `places` of targets and fixtures by these readings, with all others at `values`.
+/// Places the parameters `places` of targets and fixtures by these readings, with all others at
+/// `values`.
 ///
-/// # Errors
-/// A robot without a free base has no such parameters: nothing is placed. Residuals that cannot be set up.
+/// # Errors A robot without a free base has no such parameters: nothing is placed. Residuals that
+/// cannot be set up.
 pub fn place_apart(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -123,8 +126,9 @@ pub fn place_apart(
     Ok(placed)
 }
 
-/// Of `places` those that the readings determine, and all values at the solution; `None` where they determine none, or the solver fails.
-/// Where directions to a point are alike at the start they need not be so at the solution: what is held is found anew there.
+/// Parameters of `places` that the readings determine, and all values at the solution; `None` if
+/// they determine none, or the solver fails. Held parameters are chosen again at the solution,
+/// because directions that coincide at the start may differ there.
 fn solved(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -1,5 +1,5 @@
-//! How much better a robot is made than by the usual tolerances, and how noisy its measurements are: the scale of tolerances and the
-//! standard deviation that make the measurements most probable.
+//! Scale of tolerances and standard deviation of measurements that make the measurements most
+//! probable.
 
 use crate::model::prior::{Nominal, Prior};
 use crate::model::residuals::Residuals;
@@ -10,13 +10,14 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 const STEPS: i32 = 13;
 /// Standard deviations that are tried: that which the residuals show, 1/2 of it ... 1/4096.
 const HALVES: i32 = 13;
-/// Rise of −2 ln L that is within one standard deviation of the most probable scale: chi-square of one parameter.
+/// Rise of −2 ln L that is within one standard deviation of the most probable scale: chi-square of
+/// one parameter.
 const AS_PROBABLE: f64 = 1.0;
 
-/// What makes the measurements most probable.
+/// Values that make the measurements most probable.
 pub(crate) struct MostProbable {
-    /// Scale of the tolerances that nobody stated, at most 1: the largest that is as probable as the best one but for chance, so that
-    /// nominal values do not outweigh what few poses show.
+    /// Scale of the tolerances that nobody stated, at most 1: the largest that is as probable as
+    /// the best one but for chance, so that nominal values do not outweigh what few poses show.
     pub scale: f64,
     /// Standard deviation of a residual, at most that which the residuals show.
     pub noise: f64,
@@ -24,7 +25,8 @@ pub(crate) struct MostProbable {
 
 /// A problem linearised at a solution: columns are divided by their norms.
 struct Linearised {
-    /// Triangular factor of the common columns, its right-hand side, and the sum of squares that no step changes.
+    /// Triangular factor of the common columns, its right-hand side, and the sum of squares that no
+    /// step changes.
     r: DMatrix<f64>,
     right: DVector<f64>,
     rest: f64,
@@ -39,7 +41,8 @@ struct Linearised {
 }
 
 impl Linearised {
-    /// Of residuals without nominal values at `x`; `start` are values at which unknowns without tolerance are expected.
+    /// Evidence of residuals without nominal values at `x`; `start` are expected values of unknowns
+    /// without tolerance.
     fn new(data: &Residuals, x: &[f64], start: &[f64]) -> Self {
         let rows = Nominal::rows(data.robot, Prior::TOLERANCES, &data.free, start);
         let mut residuals = vec![0.0; data.residual_count()];
@@ -62,8 +65,8 @@ impl Linearised {
         }
     }
 
-    /// −2 ln of the marginal likelihood of a scale of tolerances and a standard deviation of a residual (MacKay 1992, Bayesian
-    /// interpolation, eq. 2.7), but for a constant.
+    /// −2 ln of the marginal likelihood of a scale of tolerances and a standard deviation of a
+    /// residual (MacKay 1992, Bayesian interpolation, eq. 2.7), but for a constant.
     fn improbability(&self, scale: f64, noise: f64) -> Option<f64> {
         let by = |k: usize| noise * self.derivatives[k] / if self.scales[k] { scale } else { 1.0 };
         let d = DVector::from_fn(self.scales.len(), |k, _| by(k).powi(2));
@@ -79,9 +82,10 @@ impl Linearised {
     }
 }
 
-/// What makes the measurements most probable: `data` are the residuals without nominal values at the solution `x`, `start` the values at
-/// which unknowns without tolerance are expected, `shown` the standard deviation that the residuals show. Smaller ones down to `least` are
-/// tried where nominal values determine much: they may be what keeps the residuals large.
+/// Values that make the measurements most probable. `data` are the residuals without nominal values
+/// at the solution `x`, `start` the expected values of unknowns without tolerance, `shown` the
+/// standard deviation of the residuals. Where nominal values determine much, smaller ones down to
+/// `least` are tried: nominal values may keep the residuals large.
 pub(crate) fn most_probable(
     (data, start): (&Residuals, &[f64]),
     x: &[f64],

@@ -1,5 +1,5 @@
-//! Starting values of what conditions refer to: sockets, fixed points, planes and the orientations of bodies, each in closed form
-//! at the present base and joints.
+//! Starting values of what conditions refer to: sockets, fixed points, planes and the orientations
+//! of bodies, each in closed form at the present base and joints.
 
 use crate::model::kinds::{Condition, Contact, Kind, lay, meet, mount, onto, places, point, reach, stand};
 use crate::{Observation, Settings};
@@ -7,8 +7,8 @@ use etalon_base::pose::Vector;
 use etalon_robots::FreeBase;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Writes starting values of the fixtures and of the targets that no position shows, where they are `wanted`; of the base too, where
-/// only known places of sockets show it.
+/// Writes starting values of the fixtures and of the targets that no position shows, where they are
+/// `wanted`; of the base too, where only known places of sockets show it.
 pub(crate) fn place_fixtures(
     arm: &dyn FreeBase,
     observations: &[Observation],

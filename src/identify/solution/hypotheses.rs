@@ -1,7 +1,9 @@
-//! Hypotheses about a set-up: what a robot leaves of observations after all its parameters have followed them, beside their tolerances.
+//! Hypotheses about a set-up: what a robot leaves of observations after all its parameters have
+//! followed them, beside their tolerances.
 //!
-//! Hypotheses compete by the sum of squares of residuals and of deviations from nominal at one and the same standard deviation of a
-//! coordinate. Lengths are those of the robot: a change of the unit of points cannot shrink what is left.
+//! Hypotheses compete by the sum of squares of residuals and of deviations from nominal at one and
+//! the same standard deviation of a coordinate. Lengths are those of the robot: a change of the
+//! unit of points cannot shrink what is left.
 
 use crate::Observation;
 use crate::model::prior::DIFFUSE;
@@ -15,13 +17,16 @@ use std::f64::consts::TAU;
 
 /// Least standard deviation of a coordinate, mm: no instrument measures robots to less.
 pub(crate) const LEAST_MM: f64 = 1e-3;
-/// A hypothesis is contradicted where its sum of squares is this many times what it is expected to be.
+/// A hypothesis is contradicted where its sum of squares is this many times what it is expected to
+/// be.
 const CONTRADICTED: f64 = 4.0;
-/// A hypothesis is contradicted where a parameter is this many standard uncertainties of its tolerance from nominal: 2.3 tolerances.
+/// A hypothesis is contradicted where a parameter is this many standard uncertainties of its
+/// tolerance from nominal: 2.3 tolerances.
 const OFF: f64 = 4.0;
-/// A hypothesis leaves less than this share of the spread of the measured and of the predicted positions, whichever is smaller.
+/// A hypothesis leaves less than this share of the spread of the measured and of the predicted
+/// positions, whichever is smaller.
 const LEFT: f64 = 0.05;
-/// What a sum of squares falls by, at least, where parameters alone contradict a hypothesis.
+/// Minimum decrease of a sum of squares if parameters alone contradict a hypothesis.
 const FALLS_BY: f64 = 16.0;
 /// Iterations of one fit.
 const ITERATIONS: usize = 60;
@@ -40,7 +45,7 @@ pub(crate) struct Hypothesis<'a> {
     pub loose: Option<usize>,
 }
 
-/// What is left of observations after a fit.
+/// Residuals of observations after a fit.
 pub(crate) struct Fitted {
     /// All parameters.
     pub values: Vec<f64>,
@@ -48,7 +53,8 @@ pub(crate) struct Fitted {
     pub left_mm: f64,
     /// Standard deviation of a coordinate as the residuals show it, mm.
     pub noise_mm: f64,
-    /// Sum of squares of residuals over the standard deviation, and of deviations from nominal over that of the tolerance.
+    /// Sum of squares of residuals over the standard deviation, and of deviations from nominal over
+    /// that of the tolerance.
     pub cost: f64,
     /// Number of residuals.
     rows: usize,
@@ -59,7 +65,8 @@ pub(crate) struct Fitted {
 }
 
 impl Hypothesis<'_> {
-    /// Fits all parameters where a coordinate has the standard deviation `sigma_mm`; `None` where a pose is out of reach.
+    /// Fits all parameters where a coordinate has the standard deviation `sigma_mm`; `None` where a
+    /// pose is out of reach.
     pub fn fit(&self, sigma_mm: f64) -> Option<Fitted> {
         let parameters = self.robot.parameters();
         let all: Vec<usize> = (0..parameters.len()).collect();
@@ -132,7 +139,8 @@ impl Fitted {
         !self.is_contradicted() && self.is_near()
     }
 
-    /// `true` if the hypothesis explains the observations, and `stated`, the one without a change, cannot.
+    /// `true` if the hypothesis explains the observations, and `stated`, the one without a change,
+    /// cannot.
     pub fn explains_what(&self, stated: &Fitted) -> bool {
         let (per_row, stated_per_row) = (self.cost / self.rows as f64, stated.cost / stated.rows as f64);
         let falls = stated.cost - self.cost > FALLS_BY && stated_per_row > per_row;

@@ -1,12 +1,13 @@
-//! Which parameters are separately identifiable: rank of the scaled Jacobian, column by column in the model's order.
+//! Separately identifiable parameters: rank of the scaled Jacobian, column by column in the model's
+//! order.
 
 use crate::model::prior::Prior;
 use crate::model::residuals::Residuals;
 use etalon_math::{Factor, factor_at};
 
-/// A column of the scaled Jacobian that lies this near to the span of the columns before it adds nothing: far above
-/// rounding (1e-15), far below what any useful set of poses has (1/condition, about 1/100: Schröer, cited in
-/// Nahvi & Hollerbach 1996).
+/// A column of the scaled Jacobian that lies this near to the span of the columns before it adds
+/// nothing: far above rounding (1e-15), far below what any useful set of poses has (1/condition,
+/// about 1/100: Schröer, cited in Nahvi & Hollerbach 1996).
 pub const RANK_TOLERANCE: f64 = 1e-9;
 /// A column below this fraction of the largest is not seen by the data.
 const UNSEEN: f64 = 1e-12;
@@ -20,10 +21,11 @@ const CORRELATED: f64 = 0.5;
 pub struct Group {
     /// Index of the parameter that is held at its nominal value.
     pub held: usize,
-    /// Indices of the parameters it is not separable from; empty where the data do not depend on `held` at all.
+    /// Indices of the parameters it is not separable from; empty where the data do not depend on
+    /// `held` at all.
     pub with: Vec<usize>,
-    /// Standard uncertainty (mm, rad, 1) that `held` would have if it were identified, where that is merely useless: the
-    /// parameters would be separable with less noise.
+    /// Standard uncertainty (mm, rad, 1) that `held` would have if it were identified, where that
+    /// is merely useless: the parameters would be separable with less noise.
     pub useless_uncertainty: Option<f64>,
 }
 
@@ -32,27 +34,29 @@ pub(crate) struct Analysis {
     pub groups: Vec<Group>,
 }
 
-/// Which of columns that depend on each other is held.
+/// Rule that chooses the held one of linearly dependent columns.
 #[derive(Clone, Copy)]
 enum Choice<'a> {
     /// The last.
     Last,
-    /// The one that a nominal value knows best beside its effect: by the standard uncertainty of each column, infinite where it has no
-    /// nominal value.
+    /// The one that a nominal value knows best beside its effect: by the standard uncertainty of
+    /// each column, infinite where it has no nominal value.
     BestKnown(&'a [f64]),
 }
 
 impl Analysis {
-    /// Analyses the Jacobian of `problem`, without nominal values, at `values`. Of parameters that depend on each other the one is held
-    /// whose tolerance moves the targets least, so that holding it moves the others little; the last one where tolerances are alike.
+    /// Analyses the Jacobian of `problem`, without nominal values, at `values`. Of parameters that
+    /// depend on each other the one is held whose tolerance moves the targets least, so that
+    /// holding it moves the others little; the last one where tolerances are alike.
     pub fn by_prior(problem: &Residuals, values: &[f64]) -> Self {
         let s = |&i: &usize| Prior::TOLERANCES.uncertainty(problem.robot, i).unwrap_or(f64::INFINITY);
         let known: Vec<f64> = problem.free.iter().map(s).collect();
         Self::choosing(problem, values, 0.0, Choice::BestKnown(&known))
     }
 
-    /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), where a residual has the standard
-    /// deviation `noise` (in the residuals' own unit; 0 where it is not known).
+    /// Analyses the Jacobian of `problem` at `values` (all parameters of the robot), where a
+    /// residual has the standard deviation `noise` (in the residuals' own unit; 0 where it is not
+    /// known).
     pub fn at(problem: &Residuals, values: &[f64], noise: f64) -> Self {
         Self::choosing(problem, values, noise, Choice::Last)
     }
@@ -65,7 +69,8 @@ impl Analysis {
         let sizes: Vec<f64> = factor.column_norms().iter().zip(&norms).map(|(size, norm)| size * norm).collect();
         let largest = sizes.iter().copied().fold(0.0, f64::max);
         let unseen = |j: usize| sizes[j] <= UNSEEN * largest;
-        // columns of the factor: those of a block are independent by themselves, the common ones beside all of them
+        // columns of the factor: those of a block are independent by themselves, the common ones
+        // beside all of them
         let mut columns: Vec<usize> = (0..free.len()).collect();
         let mut groups = Vec::new();
         let group = |held: usize, with: Vec<usize>| Group {
@@ -114,8 +119,8 @@ impl Analysis {
     }
 }
 
-/// Columns that are independent of those before them, by their orthonormal basis, and those that are not, each with its share of
-/// independent ones.
+/// Columns that are independent of those before them, by their orthonormal basis, and those that
+/// are not, each with its share of independent ones.
 struct Independent {
     basis: Vec<(usize, Vec<f64>)>,
     dependent: Vec<(usize, Vec<(usize, f64)>)>,
@@ -124,7 +129,8 @@ struct Independent {
 /// Effects that differ by less, relatively, are alike.
 const ALIKE: f64 = 1e-6;
 
-/// Columns are taken by their `effect` beside those before, the largest first, and in their order where it is infinite or alike.
+/// Columns are taken by their `effect` beside those before, the largest first, and in their order
+/// where it is infinite or alike.
 fn independent(columns: &[Vec<f64>], unseen: impl Fn(usize) -> bool, effect: impl Fn(usize) -> f64) -> Independent {
     let mut found = Independent { basis: Vec::new(), dependent: Vec::new() };
     let mut left: Vec<usize> = (0..columns.len()).collect();
@@ -158,8 +164,8 @@ fn norm(column: &[f64]) -> f64 {
     column.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
-/// Of the columns `kept` of a factor, those whose parameters would be known worse than they are before: the worst is held, until none is
-/// left.
+/// Removes from the columns `kept` of a factor those whose parameters would be known worse than
+/// before, the worst first.
 fn useless(
     problem: &Residuals,
     (factor, columns): (&Factor, &[usize]),
@@ -189,7 +195,8 @@ fn useless(
     }
 }
 
-/// Shares of `column` along the orthonormal `basis` and what is left of it (Gram-Schmidt, done twice: Giraud et al. 2005).
+/// Shares of `column` along the orthonormal `basis` and what is left of it (Gram-Schmidt, done
+/// twice: Giraud et al. 2005).
 fn split(column: &[f64], basis: &[(usize, Vec<f64>)]) -> (Vec<f64>, Vec<f64>) {
     let mut rest = column.to_vec();
     let mut shares = vec![0.0; basis.len()];
@@ -203,7 +210,7 @@ fn split(column: &[f64], basis: &[(usize, Vec<f64>)]) -> (Vec<f64>, Vec<f64>) {
     (shares, rest)
 }
 
-/// The same column as a sum of the columns behind the basis: back substitution in their triangular matrix.
+/// This column as a sum of the columns of the basis: back substitution in their triangular matrix.
 fn weights(shares: &[f64], basis: &[(usize, Vec<f64>)], columns: &[Vec<f64>]) -> Vec<f64> {
     let element = |i: usize, k: usize| -> f64 { basis[i].1.iter().zip(&columns[basis[k].0]).map(|(q, r)| q * r).sum() };
     let mut weights = shares.to_vec();

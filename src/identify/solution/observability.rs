@@ -1,16 +1,18 @@
 //! Observability of the parameters: its indices, and parameters that are weakly identifiable.
 
+use crate::error::quoted;
 use crate::model::residuals::Residuals;
+use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::Message;
+use etalon_base::{phrase, warning};
 use etalon_math::statistics::mean;
 use etalon_math::{Factor, Problem, Svd, svd};
 use etalon_robots::{Quantity, Robot};
-use std::collections::BTreeSet;
 
 /// Singular values of the Jacobian and the indices made of them (eq. 1.19 to 1.25).
 ///
-/// The indices are those of the Jacobian in mm per mm and mm per rad, without weights; the condition number is that of
-/// the Jacobian with its columns divided by their norms.
+/// The indices are those of the Jacobian in mm per mm and mm per rad, without weights; the
+/// condition number is that of the Jacobian with its columns divided by their norms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observability {
     /// O1 to O5. O1 is (σ1…σm)^(1/m) / √n with m parameters and n poses (Sun & Hollerbach 2008).
@@ -19,23 +21,26 @@ pub struct Observability {
     pub condition: f64,
     /// Number of parameters that are separately identifiable.
     pub rank: usize,
-    /// How many of these are coordinates of unknown points that were eliminated, because they are many: indices and singular values are of
-    /// what they leave of the Jacobian of the others.
+    /// Number of coordinates of unknown points that were eliminated because they are many: indices
+    /// and singular values are those of the reduced Jacobian.
     pub eliminated: usize,
-    /// Singular values of the Jacobian with its columns divided by their norms, descending: the first over the last is the
-    /// condition number.
+    /// Singular values of the Jacobian with its columns divided by their norms, descending: the
+    /// first over the last is the condition number.
     pub singular_values: Vec<SingularValue>,
-    /// Of the same Jacobian with all parameters that were to be identified, the smallest, as many as are held: directions
-    /// that the data do not tell, or uselessly badly. Empty where none is held, and where nothing was measured yet.
+    /// Smallest singular values of the Jacobian with all parameters to be identified, as many as
+    /// are held: directions that the data do not show. Empty if none is held, and before a
+    /// measurement.
     pub held_singular_values: Vec<SingularValue>,
 }
 
-/// How strongly the residuals answer to a direction of the parameters, and which parameters make that up.
+/// Response of the residuals to a direction of the parameters, and the parameters of this
+/// direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SingularValue {
     /// The singular value.
     pub value: f64,
-    /// Indices of parameters with a share of more than 0.3 in its right singular vector, the largest first.
+    /// Indices of parameters with a share of more than 0.3 in its right singular vector, the
+    /// largest first.
     pub parameters: Vec<usize>,
 }
 
@@ -50,15 +55,17 @@ pub struct WeakGroup {
     pub correlation: f64,
 }
 
-/// Parameters are weakly identifiable where their uncertainty alone would move the targets by more than this many times
-/// what the instrument resolves (root mean square over the residuals, each pose measured once).
+/// Parameters are weakly identifiable where their uncertainty alone would move the targets by more
+/// than this many times what the instrument resolves (root mean square over the residuals, each
+/// pose measured once).
 const WEAK_EFFECT: f64 = 10.0;
 /// Share of a singular vector above which a parameter takes part.
 const MEMBER: f64 = 0.3;
 /// Correlation, by size, that binds two of them.
 const BOUND: f64 = 0.9;
 
-/// Observability at `x`, where the Jacobian with its columns divided by `scale` has this factor, and the groups of parameters that are weakly identifiable there.
+/// Observability at `x`, where the Jacobian with its columns divided by `scale` has this factor,
+/// and the groups of parameters that are weakly identifiable there.
 pub(crate) fn observe(
     problem: &Residuals,
     x: &[f64],
@@ -113,7 +120,8 @@ pub(crate) fn observe(
     Some((observability, weak))
 }
 
-/// The smallest singular values with all parameters of `problem`, as many as are not among the `identified` ones.
+/// The smallest singular values with all parameters of `problem`, as many as are not among the
+/// `identified` ones.
 pub(crate) fn held_singular_values(
     problem: &Residuals,
     values: &[f64],
@@ -151,8 +159,9 @@ fn plain(problem: &Residuals, x: &[f64]) -> (Factor, Vec<f64>) {
     (rows.factor(&vec![0.0; problem.residual_count()], &scale), scale)
 }
 
-/// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix what has nothing to do
-/// with each other. Where no two are bound, all of them are not identifiable together.
+/// Splits `members` into sets bound by correlation: vectors of nearly equal singular values mix
+/// what has nothing to do with each other. Where no two are bound, all of them are not identifiable
+/// together.
 fn bind(members: &[usize], correlation: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<usize>> {
     let mut sets: Vec<Vec<usize>> = Vec::new();
     for &j in members {
@@ -198,29 +207,25 @@ pub(crate) fn weak_message(robot: &dyn Robot, weak: &[WeakGroup]) -> Option<Mess
         Quantity::Ratio => format!("u({}) = {u:.2e}", parameters[i].name),
         quantity => format!("u({}) = {:.3} {}", parameters[i].name, quantity.outward(u), quantity.unit()),
     };
-    let names = |w: &WeakGroup| w.parameters.iter().map(|&i| parameters[i].name.as_str()).collect::<Vec<_>>();
-    let what = match weak {
+    let group = |w: &WeakGroup| {
+        let names = quoted(&w.parameters.iter().map(|&i| &parameters[i].name).collect::<Vec<_>>());
+        let rest = names.split_last().filter(|(_, rest)| !rest.is_empty());
+        rest.map_or_else(
+            || names.argument(),
+            |(second, first)| phrase!("parameter-group", first = first.to_vec(), second).argument(),
+        )
+    };
+    let groups: Vec<Argument> = weak.iter().map(group).collect();
+    let message = match weak {
         [] => return None,
-        [w] => format!(
-            "`{}` are weakly identifiable from these poses: predicted standard uncertainties {} (correlation {:.6})",
-            names(w).join("` and `"),
-            w.parameters.iter().zip(&w.standard_uncertainties).map(u).collect::<Vec<_>>().join(", "),
-            w.correlation
-        ),
-        several => {
-            let groups: Vec<String> = several.iter().map(|w| format!("`{}`", names(w).join("` and `"))).collect();
-            format!(
-                "{} groups of parameters are weakly identifiable from these poses: {}; their standard uncertainties are large, and cancel \
-                 each other where these poses are",
-                groups.len(),
-                groups.join("; ")
-            )
+        [w] => {
+            let uncertainties: Vec<String> = w.parameters.iter().zip(&w.standard_uncertainties).map(u).collect();
+            warning!("parameters-weakly-identifiable", groups, uncertainties, correlation = w.correlation)
         }
+        several => warning!("parameter-groups-weakly-identifiable", count = several.len(), groups),
     };
-    let remedies: BTreeSet<&str> = weak.iter().filter_map(|w| robot.remedy(&w.parameters)).collect();
-    let remedy = match remedies.is_empty() {
-        true => "measure poses in which these parameters act differently, or hold one of them".to_owned(),
-        false => remedies.into_iter().collect::<Vec<_>>().join("; "),
-    };
-    Some(Message::warning(what).hint(remedy))
+    let mut remedies: Vec<Phrase> = weak.iter().filter_map(|w| robot.remedy(&w.parameters)).collect();
+    remedies.dedup();
+    let hint = remedies.into_iter().next().unwrap_or_else(|| phrase!("separate-parameters"));
+    Some(message.hint(hint))
 }

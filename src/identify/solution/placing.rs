@@ -1,7 +1,8 @@
 //! Base and targets of an arm, wherever they are.
 //!
-//! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube, and the nominal one,
-//! are tried in closed form, the best few refined on a subset of the poses, and the best of those taken.
+//! With the rotation of the base given, positions are linear in the rest: 24 rotations of a cube,
+//! and the nominal one, are tried in closed form, the best few refined on a subset of the poses,
+//! and the best of those taken.
 
 use crate::Result;
 use crate::model::effects::Effects;
@@ -19,7 +20,8 @@ use std::f64::consts::FRAC_PI_2;
 const REFINED: usize = 4;
 /// Targets that suffice to find the base.
 pub(crate) const MOST_TARGETS: usize = 12;
-/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by millimetres.
+/// Share of the spread of the measurements that the nominal robot must explain: robots are wrong by
+/// millimetres.
 pub(crate) const UNEXPLAINED: f64 = 0.1;
 /// Coordinates of targets, unweighted.
 pub(crate) static PLAIN: Settings = Settings {
@@ -47,7 +49,8 @@ pub(crate) struct Placed {
     pub values: Vec<f64>,
 }
 
-/// Base and targets (the parameters `places`) of an arm whose other parameters are `nominal`; `None` where no solution is found.
+/// Base and targets (the parameters `places`) of an arm whose other parameters are `nominal`;
+/// `None` where no solution is found.
 ///
 /// Of many targets a few, those with the most readings, show where the base is.
 pub(crate) fn place(
@@ -142,10 +145,11 @@ fn place_all(
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = etalon_math::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
         let rms_mm = (solution.cost / points).sqrt();
-        let moved = solution.termination.is_success() || solution.termination == Termination::LostPatience;
+        let moved = solution.termination.is_success() || solution.termination == Termination::IterationLimit;
         if moved && best.as_ref().is_none_or(|b| rms_mm < b.rms_mm) {
             best = Some(Placed { rms_mm, values: problem.all(&solution.x) });
-            // a wrong minimum is off by much of the arm's reach, the right one by the robot's errors
+            // a wrong minimum is off by much of the arm's reach, the right one by the robot's
+            // errors
             if rms_mm < 0.01 * spread {
                 break;
             }
@@ -161,8 +165,8 @@ pub(crate) fn spread_mm(observations: &[Observation]) -> f64 {
     rms(all.iter().map(|p| norm(minus(*p, mean))))
 }
 
-/// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and the nominal one; held components
-/// keep their nominal values in all.
+/// Rotation vectors of the base to try: those of the 24 rotations that bring a cube to itself, and
+/// the nominal one; held components keep their nominal values in all.
 fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     let held = |mut angles: [f64; 3]| {
         for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {
@@ -193,7 +197,8 @@ struct Sighting {
 }
 
 impl Sighting {
-    /// All targets that were seen, of an arm whose own parameters are nominal: the flange is where the joints put it, wherever the base is.
+    /// All targets that were seen, of an arm whose own parameters are nominal: the flange is where
+    /// the joints put it, wherever the base is.
     fn of(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
         let mut in_base = nominal.to_vec();
         in_base[..6].fill(0.0);
@@ -269,8 +274,9 @@ fn unit_vector(axis: usize) -> Vector {
     [0, 1, 2].map(|i| f64::from(u8::from(i == axis)))
 }
 
-/// With the rotation of the base given by its angles, positions are linear in the place of the base and the targets; those of them not in
-/// `places` keep their nominal values. Gives the cost and all parameters.
+/// With the rotation of the base given by its angles, positions are linear in the place of the base
+/// and the targets; those of them not in `places` keep their nominal values. Gives the cost and all
+/// parameters.
 fn linear_start(
     sightings: &[Sighting],
     nominal: &[f64],

@@ -1,6 +1,7 @@
-//! Errors of the set-up: a reversed joint, a unit, exchanged columns, a convention. The changes that bring the nominal robot nearest to the
-//! measurements, with base and targets placed anew, are hypotheses; one is named that explains the measurements where they cannot be
-//! explained without it.
+//! Errors of the set-up: a reversed joint, a unit, exchanged columns, a convention. The changes
+//! that bring the nominal robot nearest to the measurements, with base and targets placed anew, are
+//! hypotheses; one is named that explains the measurements where they cannot be explained without
+//! it.
 
 use crate::Observation;
 use crate::model::residuals::Residuals;
@@ -8,9 +9,11 @@ use crate::solution::hypotheses::{Fitted, Hypothesis, LEAST_MM};
 use crate::solution::placing::{PLAIN, UNEXPLAINED, place, spread_mm, spread_over};
 use crate::solution::slips::{changes, shifted};
 use crate::warning::{Origin, SetUpError, Subject, Warning};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, phrase, warning};
 use etalon_math::statistics::{median, rms};
 use etalon_math::{Options, factor_at};
 use etalon_robots::{Quantity, Robot, Role};
@@ -21,26 +24,37 @@ const SUBSET: usize = 32;
 const FITS: usize = 12;
 /// Nominal values of which all parameters are fitted.
 const FITTED_VALUES: usize = 3;
-/// A change by a value found from the data is named where its sum of squares is less than this share of that of other changes.
+/// A change by a value found from the data is named where its sum of squares is less than this
+/// share of that of other changes.
 const FITTED: f64 = 0.5;
 /// Changes whose sums of squares come this near to the least one are named beside it.
 const AS_GOOD: f64 = 1.2;
-/// Standard uncertainties of a coordinate that noise may leave, where poses are few.
-const NOISE: f64 = 3.0;
+/// Largest residual of one coordinate that noise leaves where poses are few, in its standard
+/// uncertainties.
+const NOISE_COORDINATE: f64 = 3.0;
 /// Changes that are named.
 const NAMED: usize = 3;
 
-/// A message with the change of the set-up that explains it, where there is one, in place of its hint.
+/// A message with the change of the set-up that explains it, where there is one, in place of its
+/// hint.
 pub(crate) fn explained(message: Message, robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Warning {
     let Some(found) = set_up_error(robot, observations, noise_mm) else { return message.into() };
-    Warning { message: message.hint(found.hint(|_| "")), subject: Subject::SetUp(found) }
+    Warning {
+        message: {
+            let hint = found.to_check(|_| None);
+            message.hint(hint)
+        },
+        subject: Subject::SetUp(found),
+    }
 }
 
-/// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from nominal as their tolerances, taken
-/// as half-widths of rectangular distributions (GUM 4.3.7), allow; base and targets, at `values`, take up what they can.
+/// Root mean square, in mm, of the errors of a nominal robot whose parameters are as far from
+/// nominal as their tolerances, taken as half-widths of rectangular distributions (GUM 4.3.7),
+/// allow; base and targets, at `values`, take up what they can.
 ///
-/// `noise_mm` is the standard uncertainty of a coordinate. What is allowed is never more than a tenth of the spread of the
-/// measurements: with nominal values that are wrong themselves the Jacobian allows anything.
+/// `noise_mm` is the standard uncertainty of a coordinate. What is allowed is never more than a
+/// tenth of the spread of the measurements: with nominal values that are wrong themselves the
+/// Jacobian allows anything.
 pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64], noise_mm: f64) -> Option<f64> {
     let of = |role: fn(Role) -> bool| (0..values.len()).filter(move |&i| role(robot.parameters()[i].role));
     let places: Vec<usize> = of(|role| role != Role::Robot).collect();
@@ -55,13 +69,13 @@ pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64
     let variance = |k: usize| left(k) * robot.parameters()[free[common[k]]].tolerance.powi(2) / 3.0;
     let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
     let sum: f64 = (first..common.len()).map(variance).sum();
-    let noise = robot.dimension() as f64 * (NOISE * noise_mm).powi(2);
+    let noise = robot.dimension() as f64 * (NOISE_COORDINATE * noise_mm).powi(2);
     let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
     Some((sum / points.max(1) as f64 + noise).sqrt().min(most)).filter(|v| v.is_finite())
 }
 
-/// An error where no place of base and targets brings the nominal robot as near to the measurements as its tolerances allow, with the
-/// change of the set-up that would.
+/// An error where no place of base and targets brings the nominal robot as near to the measurements
+/// as its tolerances allow, with the change of the set-up that would.
 ///
 /// A few wrong readings are no wrong set-up: half of all readings must be as far.
 pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<Warning> {
@@ -73,30 +87,26 @@ pub fn set_up_problem(robot: &dyn Robot, observations: &[Observation], noise_mm:
     (median_mm > allowed_mm).then(|| far_from_nominal(robot, observations, [stated_mm, allowed_mm], noise_mm))
 }
 
-/// That the nominal robot misses the measurements by more than its tolerances allow: both in mm.
+/// Error that the nominal robot misses the measurements by more than its tolerances allow (mm).
 pub fn far_from_nominal(
     robot: &dyn Robot,
     observations: &[Observation],
     [left_mm, allowed_mm]: [f64; 2],
     noise_mm: f64,
 ) -> Warning {
-    let what = if left_mm.is_finite() {
-        format!(
-            "the nominal robot misses the measurements by {left_mm:.3} mm (root mean square), with base and targets where they explain \
-             them best; parameters within their tolerances explain {allowed_mm:.3} mm"
-        )
-    } else {
-        "the nominal robot cannot be where the joints put it".to_owned()
+    let message = match left_mm.is_finite() {
+        true => error!("nominal-robot-far", left_mm, allowed_mm),
+        false => error!("nominal-robot-not-at-joints"),
     };
-    let message = Message::error(what)
-        .hint("check signs, units and order of the joints, the nominal values, and how log and points are joined");
     explained(message, robot, observations, noise_mm)
 }
 
-/// The change of the set-up that explains the measurements, where they cannot be explained without a change.
+/// The change of the set-up that explains the measurements, where they cannot be explained without
+/// a change.
 ///
-/// Every hypothesis is judged after a fit of its own: by squares of residuals, over the standard deviation of a coordinate that the best
-/// one leaves or that is stated (`noise_mm`), and by squares of deviations from nominal over those of tolerances.
+/// Every hypothesis is judged after a fit of its own: by squares of residuals, over the standard
+/// deviation of a coordinate that the best one leaves or that is stated (`noise_mm`), and by
+/// squares of deviations from nominal over those of tolerances.
 pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f64) -> Option<SetUpError> {
     if observations.is_empty() {
         return None;
@@ -136,7 +146,7 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], noise_mm: f
     explaining.sort_by(|a, b| a.1.per_row().total_cmp(&b.1.per_row()));
     let (least, changed_mm) = explaining.first().map(|(_, fitted)| (fitted.per_row(), fitted.left_mm))?;
     let near = explaining.iter().take_while(|e| e.1.per_row() <= AS_GOOD * least).take(NAMED);
-    let changes = near.map(|(slip, fitted)| (slip.text(robot, fitted), slip.origin)).collect();
+    let changes = near.map(|(slip, fitted)| (slip.phrase(robot, fitted), slip.origin)).collect();
     Some(SetUpError { changes, stated_mm: unchanged.map_or(f64::INFINITY, |fitted| fitted.left_mm), changed_mm })
 }
 
@@ -171,7 +181,7 @@ impl Case {
 
 /// A change of the set-up.
 struct Slip {
-    what: String,
+    what: Phrase,
     origin: Origin,
     /// The robot by another convention.
     other: Option<Box<dyn Robot>>,
@@ -186,14 +196,15 @@ impl Slip {
     }
 
     /// The change with the value that was found.
-    fn text(&self, robot: &dyn Robot, fitted: &Fitted) -> String {
+    fn phrase(&self, robot: &dyn Robot, fitted: &Fitted) -> Phrase {
         let Some(i) = self.case.loose else { return self.what.clone() };
         let p = &robot.parameters()[i];
-        let (unit, outward) = (p.quantity.unit(), |v| p.quantity.outward(v));
-        format!("`{}` = {:.2} {unit} instead of {:.2} {unit}", p.name, outward(fitted.values[i]), outward(p.nominal))
+        let (found, nominal) = (p.quantity.outward(fitted.values[i]), p.quantity.outward(p.nominal));
+        phrase!("slip-nominal", parameter = p.name, found, unit = p.quantity.unit(), nominal)
     }
 
-    /// Changes that bring the nominal robot nearest to the measurements, which it misses by `stated_mm` without a change.
+    /// Changes that bring the nominal robot nearest to the measurements, which it misses by
+    /// `stated_mm` without a change.
     fn all(robot: &dyn Robot, observations: &[Observation], subset: &[Observation], stated_mm: f64) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         let new = |what, origin, case| Self { what, origin, other: None, case, beside: None };
@@ -201,20 +212,23 @@ impl Slip {
             let case = Case::placed(robot, &change.observations, change.anywhere);
             all.extend(case.map(|case| new(change.what, change.origin, case)));
         }
-        for (shift, which) in [(-1, "previous"), (1, "next")] {
+        for (shift, neighbour) in [(-1, "previous"), (1, "next")] {
             // the first or last pose has no neighbour: it must not be what was wrong
             let shifted = spread_over(&shifted(observations, shift), SUBSET);
             let is_same =
                 |s: &Observation, o: &Observation| o.pose == s.pose && o.cycle == s.cycle && o.targets == s.targets;
             let same = shifted.iter().filter_map(|s| observations.iter().find(|o| is_same(s, o))).cloned();
             let beside = Case::placed(robot, &same.collect::<Vec<_>>(), false);
-            let what = format!("the joints of each pose taken from the {which} one");
+            let what = phrase!("slip-neighbour", neighbour);
             let case = Case::placed(robot, &shifted, false).map(|case| new(what, Origin::Named, case));
             all.extend(case.map(|slip| Self { beside, ..slip }));
         }
-        for (what, other) in robot.other_conventions() {
+        for (convention, other) in robot.other_conventions() {
             let case = Case::placed(other.as_ref(), subset, false);
-            all.extend(case.map(|case| Self { other: Some(other), ..new(what, Origin::Named, case) }));
+            all.extend(case.map(|case| Self {
+                other: Some(other),
+                ..new(phrase!("slip-convention", convention), Origin::Named, case)
+            }));
         }
         let elsewhere = robot.free_base().is_none().then(|| elsewhere(robot, subset)).flatten();
         all.extend(elsewhere.map(|(what, case)| new(what, Origin::WorldFrame, case)));
@@ -226,26 +240,27 @@ impl Slip {
 }
 
 /// The base of a planar robot wherever the measurements have it.
-fn elsewhere(robot: &dyn Robot, observations: &[Observation]) -> Option<(String, Case)> {
+fn elsewhere(robot: &dyn Robot, observations: &[Observation]) -> Option<(Phrase, Case)> {
     let case = Case::placed(robot, observations, true)?;
     let (fit, _) = planar_fit(robot, observations, &robot.nominal(), &ANYWHERE)?;
-    let (angle_deg, [x, y]) = (fit.angle.to_degrees(), fit.shift);
-    Some((format!("the world frame turned by {angle_deg:.1} deg and shifted by ({x:.1}, {y:.1}) mm"), case))
+    let (angle_deg, [x_mm, y_mm]) = (fit.angle.to_degrees(), fit.shift);
+    Some((phrase!("slip-world-frame", angle_deg, x_mm, y_mm), case))
 }
 
-/// What the nominal robot leaves of the measurements.
+/// Residuals of the nominal robot.
 struct Misfit {
     /// Root mean square of the distances.
     rms_mm: f64,
     /// Their median.
     median_mm: f64,
     values: Vec<f64>,
-    /// Where a planar robot lies.
+    /// Pose of a planar robot.
     planar: Option<Similarity>,
 }
 
-/// Base and targets placed by the measurements, and what is left; `None` where the robot cannot be where the joints put it.
-/// With `anywhere` the base of a planar robot may be beyond its tolerances.
+/// Base and targets placed by the measurements, and what is left; `None` where the robot cannot be
+/// where the joints put it. With `anywhere` the base of a planar robot may be beyond its
+/// tolerances.
 fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anywhere: bool) -> Option<Misfit> {
     if let Some(arm) = robot.free_base() {
         let places: Vec<usize> = (0..nominal.len()).filter(|&i| robot.parameters()[i].role != Role::Robot).collect();
@@ -263,8 +278,9 @@ fn misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anyw
     planar_misfit(robot, observations, nominal, anywhere)
 }
 
-/// The same in the plane: predicted positions are brought to the measured ones by a shift, and by a turn where the base has an
-/// angle, both within the tolerances of the base; of two assembly modes the nearer is taken.
+/// Misfit in the plane: predicted positions are brought to the measured ones by a shift, and by a
+/// turn if the base has an angle, both within the tolerances of the base; the nearer assembly mode
+/// is taken.
 fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64], anywhere: bool) -> Option<Misfit> {
     let tolerance = |quantity: Quantity| {
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base && p.quantity == quantity);
@@ -277,7 +293,8 @@ fn planar_misfit(robot: &dyn Robot, observations: &[Observation], nominal: &[f64
     Some(Misfit { rms_mm, median_mm, values: nominal.to_vec(), planar: Some(fit) })
 }
 
-/// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and the distances that they leave, mm.
+/// Shift and turn that bring predicted positions to the measured ones, no further than `most`, and
+/// the distances that they leave, mm.
 fn planar_fit(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -345,7 +362,8 @@ impl Similarity {
         [cos * p[0] - sin * p[1] + self.shift[0], sin * p[0] + cos * p[1] + self.shift[1]]
     }
 
-    /// Gives observations the nearer assembly mode, and with `back` the frame in which the base is nominal.
+    /// Gives observations the nearer assembly mode, and with `back` the frame in which the base is
+    /// nominal.
     fn bring_near(&self, robot: &dyn Robot, nominal: &[f64], back: bool, observations: &mut [Observation]) {
         for o in observations {
             let pairs = |joints: &[f64]| -> Vec<[[f64; 2]; 2]> {
@@ -387,8 +405,9 @@ impl Similarity {
     }
 }
 
-/// Where, in the order of the observations, measured positions begin to lie elsewhere than the robot at `values`: base or measuring
-/// system has moved. A warning where one shift explains most of what is left, and chance would not.
+/// Pose from which on measured positions are shifted against the robot at `values`: base or
+/// measuring system has moved. Returns a warning if one shift explains most of the residuals and
+/// chance does not.
 pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<Message> {
     let left = |o: &Observation| centroid(&o.misses(robot, values).map(|(_, miss)| miss).collect::<Vec<_>>());
     let all: Vec<(PoseName, Vector)> = observations.iter().filter_map(|o| Some((o.pose, left(o)?))).collect();
@@ -411,28 +430,21 @@ pub fn moved_between(robot: &dyn Robot, observations: &[Observation], values: &[
     }
     let (explained, k, shift) = best;
     (explained > MOVED_SHARE).then(|| {
-        let what = format!(
-            "from pose {} on, the measured positions lie {:.3} mm off from those until pose {} ({:.3}, {:.3}, {:.3} mm): this one shift \
-             explains {:.0} % of what is left",
-            all[k].0,
-            norm(shift),
-            all[k - 1].0,
-            shift[0],
-            shift[1],
-            shift[2],
-            100.0 * explained
-        );
-        Message::warning(what).to_decide().hint("base or measuring system has moved in between: identify the parts by themselves, or measure again")
+        let (pose, previous) = (all[k].0, all[k - 1].0);
+        let vector_mm = shift.map(|v| (1e3 * v).round() / 1e3);
+        let (shift_mm, share_percent) = (norm(shift), 100.0 * explained);
+        warning!("reference-moved", pose, previous, shift_mm, vector_mm, share_percent).to_decide()
     })
 }
 
 /// Observations on either side of a move, at least.
 const FEWEST_ASIDE: usize = 5;
-/// Share of the squares that are left which one move must explain: of errors that follow no order it is a few percent.
+/// Share of the squares that are left which one move must explain: of errors that follow no order
+/// it is a few percent.
 const MOVED_SHARE: f64 = 0.4;
 
-/// Slips in one nominal value: each length and angle of the robot that the measurements put beyond its tolerance where it is free,
-/// with its fit.
+/// Slips in one nominal value: each length and angle of the robot that the measurements put beyond
+/// its tolerance where it is free, with its fit.
 fn wrong_nominal(robot: &dyn Robot, stated: &Case, sigma_mm: f64) -> Vec<(Slip, Fitted)> {
     let (parameters, placed) = (robot.parameters(), &stated.values);
     let places =
@@ -458,7 +470,7 @@ fn wrong_nominal(robot: &dyn Robot, stated: &Case, sigma_mm: f64) -> Vec<(Slip, 
         let fitted = case.fit(robot, sigma_mm, None)?;
         let p = &parameters[i];
         let beyond = (fitted.values[i] - p.nominal).abs() > p.tolerance;
-        let slip = Slip { what: String::new(), origin: Origin::Named, other: None, case, beside: None };
+        let slip = Slip { what: Phrase::new("slip-nominal"), origin: Origin::Named, other: None, case, beside: None };
         beyond.then_some((slip, fitted))
     };
     all.into_iter().filter_map(judged).collect()
@@ -470,7 +482,7 @@ mod tests {
     use etalon_base::noise::Noise;
     use etalon_robots::Prexyt;
 
-    /// Forty poses, measured with 3 um, from pose 22 on with a shift.
+    /// Forty poses, measured with 3 µm, shifted from pose 22 on.
     fn measured(robot: &Prexyt, shift_mm: f64) -> Vec<Observation> {
         let (nominal, mut noise) = (robot.nominal(), Noise::new(16, 4));
         let pose = |i: i64| {
@@ -493,7 +505,7 @@ mod tests {
             *p = [25.4 * p[0] + 900.0, 25.4 * p[1] - 700.0, 0.0];
         }
         let found = set_up_error(&robot, &observations, 0.003).expect("a slip");
-        assert_eq!(found.changes[0].0, "the measured points in millimetres instead of inches");
+        assert_eq!(found.changes[0].0, phrase!("slip-unit", quantity = "points", slip = "mm-inch"));
         assert!(found.changed_mm < 0.01 && found.stated_mm > 1.0, "{found:?}");
         // joints of another robot, and points that nothing explains
         let mut noise = Noise::new(16, 6);
@@ -507,8 +519,8 @@ mod tests {
     fn a_move_is_found_where_it_happens_and_nowhere_else() {
         let robot = Prexyt::default();
         let moved = moved_between(&robot, &measured(&robot, 0.05), &robot.nominal()).expect("moved");
-        assert!(moved.what.starts_with("from pose 22 on") && moved.what.contains("until pose 21"), "{}", moved.what);
-        assert!(moved.what.contains("lie 0.05") && moved.what.contains("(0.05"), "{}", moved.what);
+        assert!(moved.is("reference-moved", &[("pose", &"22"), ("previous", &"21")]), "{moved:?}");
+        assert!(moved.what.contains("by 0.05") && moved.what.contains("(0.05"), "{}", moved.what);
         assert_eq!(moved_between(&robot, &measured(&robot, 0.0), &robot.nominal()), None);
         // a single wrong reading, at an end or between others, is not a move
         for wrong in [0, 20, 39] {

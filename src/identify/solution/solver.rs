@@ -23,7 +23,8 @@ const ITERATIONS: usize = 600;
 const ANCHOR_MM: f64 = 0.01;
 /// Least noise beside which nominal values count.
 const LEAST_NOISE_MM: f64 = 1e-4;
-/// Share of the parameters that nominal values determine beyond which these may be what keeps residuals large.
+/// Share of the parameters that nominal values determine beyond which these may be what keeps
+/// residuals large.
 const BY_NOMINAL: f64 = 0.2;
 /// Relative change of the noise below which nominal values weigh as they should.
 const SETTLED: f64 = 0.02;
@@ -34,15 +35,15 @@ pub(crate) struct Identifiable {
     pub values: Vec<f64>,
     /// Indices of the free ones.
     pub free: Vec<usize>,
-    /// What was held, and why.
+    /// Held parameters, with reasons.
     pub groups: Vec<Group>,
     /// The solution in the free parameters.
     pub solution: Solution,
     /// Steps taken in all.
     pub iterations: usize,
-    /// What nominal values count for.
+    /// Weight of nominal values.
     pub prior: Prior,
-    /// What rows of stated shapes were multiplied by.
+    /// Factor of the rows of stated shapes.
     pub weight: f64,
 }
 
@@ -65,7 +66,8 @@ pub(crate) fn solve_identifiable(
     start: &[f64],
 ) -> Result<Identifiable> {
     let estimation = Estimation { robot, observations, settings, wanted };
-    // a subset of many poses brings the parameters near, all poses then take few steps; many targets are not all in one
+    // a subset of many poses brings the parameters near, all poses then take few steps; many
+    // targets are not all in one
     let mut near = None;
     let many = || Layout::new(robot, wanted, observations, settings).is_some();
     if observations.len() > 2 * SUBSET && !many() {
@@ -75,7 +77,8 @@ pub(crate) fn solve_identifiable(
     }
     let mut found = estimation.solve(start, near)?;
     if settings.prior == Prior::None && !settings.rigid.is_empty() {
-        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid beside them
+        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid
+        // beside them
         let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
         let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
         let held = found.groups.iter().map(|g| g.held).collect();
@@ -277,8 +280,8 @@ fn hold(robot: &dyn Robot, held: &[usize], start: &[f64], values: &mut [f64]) {
     }
 }
 
-/// Parameters of an arm in the order in which they take up what is not separately identifiable: fixtures and mountings, which come
-/// last in its list, before its own.
+/// Parameters of an arm in the order in which they take up what is not separately identifiable:
+/// fixtures and mountings, which come last in its list, before its own.
 fn by_rank(robot: &dyn Robot, wanted: &[usize]) -> Vec<usize> {
     let mut order = wanted.to_vec();
     if robot.free_base().is_some() {
@@ -291,7 +294,7 @@ fn without(wanted: &[usize], held: &[usize]) -> Vec<usize> {
     wanted.iter().copied().filter(|i| !held.contains(i)).collect()
 }
 
-/// What `groups` hold, in the model's order.
+/// Parameters that `groups` hold, in the model's order.
 fn held_by(groups: &[Group]) -> Vec<usize> {
     let mut held: Vec<usize> = groups.iter().map(|g| g.held).collect();
     held.sort_unstable();

@@ -1,4 +1,5 @@
-//! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not assumed.
+//! Starting values: a tracker may be anywhere, so base and targets of an arm are found, not
+//! assumed.
 
 use crate::solution::fixtures::place_fixtures;
 use crate::solution::placing::{
@@ -7,17 +8,18 @@ use crate::solution::placing::{
 use crate::solution::set_up::{explained, far_from_nominal};
 use crate::{Error, Result};
 use crate::{Observation, Settings};
-use etalon_base::message::Message;
+use etalon_base::error;
 use etalon_base::pose::shortest;
 use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
-/// Distances in standard uncertainties of a coordinate that noise leaves: √3 of them, and as much again.
-const NOISE: f64 = 3.5;
+/// Largest root mean square distance that noise of three coordinates leaves, in standard
+/// uncertainties of a coordinate: twice √3.
+pub const NOISE_DISTANCE: f64 = 3.5;
 
-/// Starting values of all parameters: nominal, for robots with a free base with those of base, targets and fixtures that are `wanted`
-/// found from what was observed.
+/// Starting values of all parameters: nominal, for robots with a free base with those of base,
+/// targets and fixtures that are `wanted` found from what was observed.
 pub(crate) fn start(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -38,7 +40,7 @@ pub(crate) fn start(
     Ok(values)
 }
 
-/// The same from positions of targets alone.
+/// Starting values from positions of targets alone.
 fn by_points(
     robot: &dyn Robot,
     arm: &dyn FreeBase,
@@ -63,12 +65,8 @@ fn by_points(
     }
     let spread = spread_mm(&subset);
     // where poses are near each other, noise is a large share of their spread
-    if rms_mm > (UNEXPLAINED * spread).max(NOISE * noise_mm) {
-        let what = format!(
-            "no place of base and targets explains the measurements: {rms_mm:.1} mm are left of {spread:.1} mm"
-        );
-        let message = Message::error(what)
-            .hint("check units, order, signs and offsets of the joints, and the nominal parameters of the robot");
+    if rms_mm > (UNEXPLAINED * spread).max(NOISE_DISTANCE * noise_mm) {
+        let message = error!("placement-unexplained", left_mm = rms_mm, spread_mm = spread);
         return Err(explained(message, robot, observations, noise_mm).into());
     }
     if (3..6).all(|i| places.contains(&i)) {

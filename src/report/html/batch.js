@@ -2,7 +2,7 @@
 (function () {
   "use strict";
   var data = JSON.parse(document.getElementById("data").textContent), rows = data.rows, quantities = data.quantities;
-  var CAMPAIGN = 0, REPORT = 1, ROBOT = 2, DATE = 3, ENDED = 4, MESSAGE = 5, VALUES = 6, OUTLIERS = 7, BADNESS = 8;
+  var CAMPAIGN = 0, REPORT = 1, ROBOT = 2, DATE = 3, ENDED = 4, MESSAGE = 5, VALUES = 6, OUTLIERS = 7, BADNESS = 8, CHECKS = 9;
   var COLOURS = ["#1f5fa8", "#f0a020", "#1d6b3a", "#8a3fa0", "#a3201d", "#2a8f9e", "#7a5a2a", "#5b6672"];
   // robots differ by more than their colour: outlines of about one area, in units of a mark's size
   var SHAPES = ["M-1 0a1 1 0 1 0 2 0a1 1 0 1 0 -2 0z", "M0 -1.25L1.25 0 0 1.25 -1.25 0z", "M-.89 -.89H.89V.89H-.89z", "M0 -1.35L1.35 1H-1.35z",
@@ -21,18 +21,20 @@
   }
   var mark = document.documentElement.lang === "en" ? "." : ",";
   function said(value) { return value === null || value === undefined ? value : String(value).replace(".", mark); }
+  // columns: campaign, verdict, cause, checks, robot, date, quantities
+  var FIRST = 3, checks = rows.length ? rows[0][CHECKS].length : 0, FIGURES = FIRST + checks + 2;
   function cell(row, column) {
-    var last = heads.length - 1;
     if (column < 0) return row[BADNESS];
-    if (column < 4) return row[[CAMPAIGN, ROBOT, DATE, ENDED][column]];
-    return column === last ? row[MESSAGE] : row[VALUES][column - 4];
+    if (column < FIRST) return [row[CAMPAIGN], row[ENDED][0], row[MESSAGE]][column];
+    if (column < FIRST + checks) return row[CHECKS][column - FIRST][0];
+    return column < FIGURES ? [row[ROBOT], row[DATE]][column - FIRST - checks] : row[VALUES][column - FIGURES];
   }
   function compare(a, b) {
     var x = cell(a, sorted.column), y = cell(b, sorted.column), sign = sorted.down ? -1 : 1;
     var none = function (v) { return v === null || v === undefined || v === ""; };
     // what is missing is last, whichever way
     if (none(x) || none(y)) return none(x) - none(y);
-    if (sorted.column < 0 || (sorted.column >= 4 && sorted.column < heads.length - 1)) return sign * (x - y);
+    if (sorted.column < 0 || sorted.column >= FIGURES) return sign * (x - y);
     return sign * String(x).localeCompare(String(y), undefined, { numeric: true });
   }
   function drawTable() {
@@ -40,13 +42,14 @@
     chosen.slice(0, shown).forEach(function (row) {
       var line = element("tr", body), head = element("th", line);
       element("bdi", row[REPORT] ? element("a", head, null, { href: row[REPORT] }) : head, row[CAMPAIGN]);
+      element("td", line, row[ENDED][0], { class: "grade " + row[ENDED][1] });
+      element("td", line, row[MESSAGE], { class: "long" });
+      row[CHECKS].forEach(function (check) { element("td", line, check[0], check[1] ? { class: "grade " + check[1] } : {}); });
       element("bdi", element("td", line), row[ROBOT]);
       element("td", line, row[DATE]);
-      element("td", line, row[ENDED]);
       row[VALUES].forEach(function (value, k) {
         element("td", line, said(value), { class: "num" + (row[OUTLIERS].indexOf(k) < 0 ? "" : " outlier") });
       });
-      element("td", line, row[MESSAGE], { class: "long" });
     });
     get("more").hidden = chosen.length <= shown;
     get("count").textContent = get("count").dataset.text.replace("{0}", chosen.length).replace("{1}", rows.length);
@@ -120,7 +123,7 @@
   function draw() {
     var asked = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
     chosen = rows.filter(function (row) {
-      var text = [row[CAMPAIGN], row[ROBOT], row[DATE], row[ENDED], row[MESSAGE]].join(" ").toLowerCase();
+      var text = [row[CAMPAIGN], row[ROBOT], row[DATE], row[ENDED][0], row[MESSAGE]].join(" ").toLowerCase();
       return asked.every(function (word) { return text.indexOf(word) >= 0; });
     }).sort(compare);
     shown = STEP;

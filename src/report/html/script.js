@@ -96,20 +96,44 @@
 
   // tables: sorted by a column, filtered by a text, copied and saved as they are shown
   function cells(row) { return Array.from(row.cells).map(function (cell) { return cell.textContent.trim(); }); }
+  // heads with what stands above several of them: "before: mean"
+  function fullHeads(table) {
+    var rows = Array.from(table.tHead.rows), heads = cells(rows.pop()), above = [];
+    if (rows.length) Array.from(rows[0].cells).forEach(function (cell) {
+      for (var i = 0; i < cell.colSpan; i += 1) above.push(cell.textContent.trim());
+    });
+    return heads.map(function (head, i) { return above[i] ? above[i] + ": " + head : head; });
+  }
   function shown(table) {
-    var head = table.tHead.rows[table.tHead.rows.length - 1];
-    return [head].concat(Array.from(table.tBodies[0].rows).filter(function (row) { return !row.hidden; })).map(cells);
+    return [fullHeads(table)].concat(Array.from(table.tBodies[0].rows).filter(function (row) { return !row.hidden; }).map(cells));
+  }
+  // a file is named by the words above its table: section, heading, what is folded, picture
+  var named = {};
+  function fileName(table) {
+    var section = table.closest("section"), figure = table.closest("figure"), folded = table.closest("details"), heading = null;
+    (section || document).querySelectorAll("h3").forEach(function (h) {
+      if (h.compareDocumentPosition(table) & Node.DOCUMENT_POSITION_FOLLOWING) heading = h;
+    });
+    var above = [section && section.querySelector("h2"), figure ? figure.querySelector("figcaption b") : folded ? folded.querySelector("summary") : heading];
+    var words = above.filter(Boolean).map(function (node) { return node.textContent; }).join(" ").toLowerCase();
+    var name = words.match(/[\p{L}\p{M}\p{N}]+/gu);
+    name = name ? name.join("-").slice(0, 100).replace(/-$/, "") : "table";
+    named[name] = (named[name] || 0) + 1;
+    return name + (named[name] > 1 ? "-" + named[name] : "") + ".csv";
   }
   var comma = document.documentElement.lang !== "en";
   function plain(text) { return comma && /^[-+−<> ]*\d+,\d+(e[-+]?\d+)?$/.test(text) ? text.replace(",", ".") : text; }
   function quoted(text) { return /[",\n]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text; }
-  function compare(a, b) {
-    var x = parseFloat(plain(a)), y = parseFloat(plain(b)), none = !a - !b;
-    return none || (x !== x || y !== y ? a.localeCompare(b, undefined, { numeric: true }) : x - y);
+  // what is missing is last, whichever way
+  function blank(text) { return !text || text === "—"; }
+  function compare(a, b, sign) {
+    var x = parseFloat(plain(a)), y = parseFloat(plain(b)), none = blank(a) - blank(b);
+    return none || sign * (x !== x || y !== y ? a.localeCompare(b, undefined, { numeric: true }) : x - y);
   }
-  document.querySelectorAll(".scroll > table").forEach(function (table, number) {
-    var body = table.tBodies[0], wide = table.tHead, name = "table-" + (number + 1) + ".csv";
+  document.querySelectorAll(".scroll > table").forEach(function (table) {
+    var body = table.tBodies[0], wide = table.tHead;
     if (!wide || body.rows.length < 3) return;
+    var name = fileName(table);
     var heads = Array.from(wide.rows[wide.rows.length - 1].cells), tools = element("div", null, "", { class: "tools" });
     table.parentNode.parentNode.insertBefore(tools, table.parentNode);
     heads.forEach(function (head, column) {
@@ -120,7 +144,7 @@
         heads.forEach(function (other) { other.removeAttribute("aria-sort"); });
         head.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
         var key = function (row) { return row.cells[column].textContent.trim(); };
-        Array.from(body.rows).sort(function (a, b) { return sign * compare(key(a), key(b)); })
+        Array.from(body.rows).sort(function (a, b) { return compare(key(a), key(b), sign); })
           .forEach(function (row) { body.appendChild(row); });
       });
     });
@@ -135,6 +159,13 @@
     button(tools, words[2], function () {
       save(name, "text/csv", shown(table).map(function (row) { return row.map(plain).map(quoted).join(","); }).join("\r\n"));
     });
+  });
+
+  // a long table in a frame is shown whole on request
+  document.querySelectorAll(".scroll.tall + .rows").forEach(function (note) {
+    var frame = note.previousElementSibling;
+    note.appendChild(document.createTextNode(" "));
+    button(note, words[9], function () { frame.classList.add("whole"); note.remove(); });
   });
 
   // what is wider than the window says so, as long as it is
@@ -162,6 +193,11 @@
       var whole = picture.cloneNode(true), style = document.createElementNS(picture.namespaceURI, "style");
       style.textContent = "text { font: 12px sans-serif } " + document.getElementById("picture").textContent;
       whole.insertBefore(style, whole.firstChild);
+      // programs that draw know the attribute, not the style
+      whole.querySelectorAll("[style]").forEach(function (node) {
+        node.setAttribute("transform", "translate(" + node.style.translate.replace(/px/g, "") + ")");
+        node.removeAttribute("style");
+      });
       marks(whole).forEach(function (mark) {
         var title = document.createElementNS(picture.namespaceURI, "title");
         title.textContent = text(mark);
@@ -189,7 +225,8 @@
       items.forEach(function (item) {
         var to = flat(item.a, at), from = flat(item.a, start), end = item.b.length ? flat(item.b, at) : null;
         if (end) ["x1", "y1", "x2", "y2"].forEach(function (key, i) { item.node.setAttribute(key, to.concat(end)[i].toFixed(1)); });
-        else item.node.setAttribute("transform", "translate(" + (to[0] - from[0]).toFixed(1) + " " + (to[1] - from[1]).toFixed(1) + ")");
+        // beside the scale of a mark, which the style sheet sets
+        else item.node.style.translate = (to[0] - from[0]).toFixed(1) + "px " + (to[1] - from[1]).toFixed(1) + "px";
       });
     }
     picture.turn = turn;

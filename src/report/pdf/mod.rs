@@ -15,14 +15,16 @@ use super::supervised::supervised;
 use super::words::{Words, tr};
 use super::{Attachment, TYPESET};
 use etalon_base::date::date;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::error;
+use etalon_base::message::{Problems, Result};
 use etalon_documents::Presentation;
 use printable::{Letters, printable, printable_picture};
 use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
 
-/// Date of a PDF if the campaign states none: the earliest date of a ZIP file.
+/// Date of a PDF if the campaign states no date of issue or measurement: the earliest date of a ZIP
+/// file.
 const UNDATED: (i32, u8, u8) = (1980, 1, 1);
 /// Maximum number of warnings before the results; further warnings are in an annex.
 const NOTICES: usize = 6;
@@ -41,13 +43,14 @@ pub(super) fn pdf(
     presentation: &Presentation,
     words: &Words,
 ) -> Result<Vec<u8>> {
-    let fail = |e: serde_json::Error| Message::error(format!("cannot typeset report.pdf: {e}"));
+    let fail = |e: serde_json::Error| error!("typesetting-failed", reason = e.to_string());
     let data = paper(contents, presentation, words).map_err(fail)?;
     let own = presentation.templates.get(TYPESET.0).cloned();
     let is_own = own.is_some();
     let template = Bytes::from_string(own.unwrap_or_else(|| TYPESET.1.to_owned()));
     let attached = Bytes::new(serde_json::to_vec(attachments).map_err(fail)?);
-    let date = contents.date.as_deref().and_then(day).unwrap_or(UNDATED);
+    let stated = [&contents.issued, &contents.date];
+    let date = stated.into_iter().flatten().find_map(|date| day(date)).unwrap_or(UNDATED);
     let typeset = |letters| {
         let mut data = data.clone();
         printable(&mut data, letters);

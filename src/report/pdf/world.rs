@@ -2,6 +2,7 @@
 //! clock.
 
 use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::{error, phrase};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
@@ -36,14 +37,14 @@ impl Desk {
     pub fn new(mut files: BTreeMap<String, Bytes>, date: (i32, u8, u8)) -> Result<Self> {
         files.insert(MAIN.to_owned(), Bytes::from_string(START));
         let (year, month, day) = date;
-        let date = Datetime::from_ymd(year, month, day)
-            .ok_or_else(|| Message::error(format!("{year}-{month}-{day} is not a date")))?;
+        let date = Datetime::from_ymd(year, month, day).ok_or_else(|| error!("date-invalid"))?;
         Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
     }
 
     /// Checks the syntax of a file.
     pub fn check(&self, name: &str) -> Result<()> {
-        let source = self.source(id(name)?).map_err(|e| Message::error(format!("{name}: {e}")))?;
+        let source =
+            self.source(id(name)?).map_err(|e| error!("typesetting-failed", reason = format!("{name}: {e}")))?;
         let (errors, _) = source.root().errors_and_warnings();
         let wrong = errors.into_iter().map(|e| self.message(&SourceDiagnostic::from(e)));
         Problems(wrong.collect()).check().map(|_| ())
@@ -61,7 +62,8 @@ impl Desk {
         let problems =
             |diagnostics: &[SourceDiagnostic]| Problems(diagnostics.iter().map(|d| self.message(d)).collect());
         let document = typst::compile::<PagedDocument>(self).output.map_err(|e| problems(&e))?;
-        let standards = PdfStandards::new(&[PdfStandard::A_3a]).map_err(|e| Message::error(e.message().as_str()))?;
+        let standards = PdfStandards::new(&[PdfStandard::A_3a])
+            .map_err(|e| error!("typesetting-failed", reason = e.message().as_str()))?;
         let options = PdfOptions {
             ident: Smart::Custom(ident.to_owned()),
             creator: Smart::Custom(Some(concat!("etalon ", env!("CARGO_PKG_VERSION")).to_owned())),
@@ -74,21 +76,21 @@ impl Desk {
 
     /// Converts a diagnostic to a message with its place in the template.
     fn message(&self, diagnostic: &SourceDiagnostic) -> Message {
-        let message = Message::error(format!("cannot typeset report.pdf: {}", diagnostic.message));
+        let message = error!("typesetting-failed", reason = diagnostic.message.as_str());
         let place = diagnostic.span.id().and_then(|id| {
             let (source, span) = (self.source(id).ok()?, self.range(diagnostic.span)?);
             Some(Place::span(id.vpath().get_without_slash(), source.text(), span))
         });
         let message = place.map_or(message.clone(), |place| message.at(place));
         match diagnostic.hints.first() {
-            Some(hint) => message.hint(hint.v.as_str()),
+            Some(hint) => message.hint(phrase!("own-hint", text = hint.v.as_str())),
             None => message,
         }
     }
 }
 
 fn id(name: &str) -> Result<FileId> {
-    let path = VirtualPath::new(name).map_err(|e| Message::error(format!("cannot name `{name}`: {e:?}")))?;
+    let path = VirtualPath::new(name).map_err(|e| error!("typesetting-failed", reason = format!("{name}: {e:?}")))?;
     Ok(RootedPath::new(VirtualRoot::Project, path).intern())
 }
 

@@ -1,6 +1,7 @@
 //! Errors after calibration against joint values and distance from the base.
 
 use super::layer::*;
+use etalon_documents::ResidualTrend;
 
 /// Quantity of a pose.
 type Quantity<'a> = Box<dyn Fn(&PointError) -> Option<f64> + 'a>;
@@ -8,49 +9,79 @@ type Quantity<'a> = Box<dyn Fn(&PointError) -> Option<f64> + 'a>;
 /// Quantity on the horizontal axis.
 struct Along<'a> {
     id: String,
+    /// Name in the tests of trends.
+    key: &'a str,
     name: String,
     of: Quantity<'a>,
 }
 
-/// One figure for each joint, and one for the distance from the base.
-pub(crate) fn pictures(
-    errors: &[&PointError],
-    joints: &[String],
-    base_mm: Option<Vector>,
-    limits: &[LimitVerdict],
-    words: &Words,
-) -> Vec<Figure> {
-    let of_joint = |(k, column): (usize, &String)| {
+/// Significance level of a trend.
+pub(crate) const SIGNIFICANCE: f64 = 0.05;
+
+/// Errors of a campaign with what they are drawn against.
+pub(crate) struct Data<'a> {
+    pub errors: &'a [&'a PointError],
+    /// Names of the joints' columns.
+    pub joints: &'a [String],
+    pub base_mm: Option<Vector>,
+    pub limits: &'a [LimitVerdict],
+    /// Tests of the errors against joints and distance.
+    pub trends: &'a [ResidualTrend],
+}
+
+/// One figure for each joint, and one for the distance from the base, with one scale of errors:
+/// figures with a significant trend, and the others.
+pub(crate) fn pictures(data: &Data, words: &Words) -> [Vec<Figure>; 2] {
+    let of_joint = |(k, column): (usize, &'_ String)| {
         let (name, unit) = column.rsplit_once('_').unwrap_or((column, ""));
         let name = tr!(words, "quantity-in-unit", quantity = name, unit);
-        Along { id: format!("joint-{k}"), name, of: Box::new(move |p| p.joints.get(k).copied()) }
+        (format!("joint-{k}"), name, k)
     };
-    let reach = base_mm.map(|base| Along {
+    let joints = data.joints.iter().enumerate().map(|joint| {
+        let (id, name, k) = of_joint(joint);
+        let of: Quantity = Box::new(move |p| p.joints.get(k).copied());
+        Along { id, key: joint.1, name, of }
+    });
+    let reach = data.base_mm.map(|base| Along {
         id: "reach".to_owned(),
+        key: "reach_mm",
         name: tr!(words, "distance-from-base-in-mm"),
         of: Box::new(move |p| Some(norm(minus(p.at_mm, base)))),
     });
-    let all = joints.iter().enumerate().map(of_joint).chain(reach);
-    all.filter_map(|along| picture(errors, &along, limits, words)).collect()
+    let up = Axis::from_zero("mm", largest(points::readable(data.errors).into_iter().map(points::after_mm)));
+    let trend = |along: &Along| {
+        data.trends.iter().find(|t| t.against == along.key && t.p_value < SIGNIFICANCE).map(|t| t.p_value)
+    };
+    let (mut significant, mut others) = (Vec::new(), Vec::new());
+    for along in joints.chain(reach) {
+        let p = trend(&along);
+        let figure = picture(data, &along, (&up, p), words);
+        if p.is_some() { significant.extend(figure) } else { others.extend(figure) }
+    }
+    [significant, others]
 }
 
-fn picture(errors: &[&PointError], along: &Along, limits: &[LimitVerdict], words: &Words) -> Option<Figure> {
+fn picture(data: &Data, along: &Along, (up, p): (&Axis, Option<f64>), words: &Words) -> Option<Figure> {
     let known: Vec<&PointError> =
-        errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
+        data.errors.iter().copied().filter(|p| (along.of)(p).is_some_and(f64::is_finite)).collect();
     let drawn = points::readable(&known);
     let ends = range(drawn.iter().filter_map(|p| (along.of)(p))).filter(|(low, high)| high > low)?;
-    let up = Axis::from_zero("mm", largest(drawn.iter().map(|p| points::after_mm(p))));
     let name = tr!(words, "position-error-in", unit = up.shown().unit);
-    let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up], [along.name.clone(), name]);
+    let mut chart = Chart::new(NARROW, [Axis::over("", ends, 0.02), up.clone()], [along.name.clone(), name]);
     for p in &drawn {
         let at = chart.at((along.of)(p)?, points::after_mm(p));
         chart.svg.mark(points::look(p), at, 2.4, &points::tooltip(p, words));
     }
     points::legend(&mut chart.svg, &drawn, words);
-    chart.limits(limits, ErrorQuantity::Position, false);
-    let title = tr!(words, "position-error-against", quantity = along.name);
+    chart.limit(data.limits, ErrorQuantity::Position, (false, words));
+    let title = tr!(words, "position-error-against", quantity = along.name.clone());
     let description = tr!(words, "errors-against-description");
-    let caption = description.clone() + &points::how_many(drawn.len(), known.len(), words);
+    let judged = match p {
+        Some(p) => tr!(words, "trend-in-picture", probability = number::p_value(p)),
+        None => String::new(),
+    };
+    let judged = if judged.is_empty() { judged } else { format!(" {judged}") };
+    let caption = description.clone() + &judged + &points::how_many(drawn.len(), known.len(), words);
     Some(Figure { caption, ..chart.figure(&format!("against-{}", along.id), title, description) })
 }
 
@@ -65,11 +96,38 @@ mod tests {
         errors.iter_mut().enumerate().for_each(|(i, p)| p.joints = vec![i as f64, 5.0]);
         let all: Vec<_> = errors.iter().collect();
         let joints = ["q1_deg", "q2_deg"].map(str::to_owned);
-        let figures = pictures(&all, &joints, Some([0.0; 3]), &[], &Words::default());
-        let titles: Vec<&str> = figures.iter().map(|f| f.title.as_str()).collect();
-        assert_eq!(titles.len(), 2, "a joint that stands still explains nothing: {titles:?}");
+        let mut data = Data { errors: &all, joints: &joints, base_mm: Some([0.0; 3]), limits: &[], trends: &[] };
+        let [significant, others] = pictures(&data, &Words::default());
+        let titles: Vec<&str> = others.iter().map(|f| f.title.as_str()).collect();
+        assert_eq!((significant.len(), titles.len()), (0, 2), "a joint that stands still explains nothing: {titles:?}");
         assert!(titles[0].ends_with("against q1 in deg") && titles[1].ends_with("distance from the base in mm"));
-        assert_eq!(figures[0].svg.matches("<circle").count(), 9 + 1);
-        assert!(pictures(&all, &[], None, &[], &Words::default()).is_empty());
+        assert_eq!(others[0].svg.matches("<circle").count(), 9 + 1);
+        let trend =
+            |against: &str, p_value| ResidualTrend { against: against.to_owned(), explained_mm: 0.01, f: 9.0, p_value };
+        let trends = [trend("q1_deg", 0.2), trend("reach_mm", 0.003)];
+        data.trends = &trends;
+        let [significant, others] = pictures(&data, &Words::default());
+        assert_eq!((significant.len(), others.len()), (1, 1));
+        assert!(significant[0].caption.contains("The model lacks a trend (p = 0.0030)."), "{}", significant[0].caption);
+        (data.joints, data.base_mm) = (&[], None);
+        assert!(pictures(&data, &Words::default()).iter().all(Vec::is_empty));
+    }
+
+    #[test]
+    fn all_pictures_have_one_scale() {
+        let mut errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [0.1; 3], [0.01 * i as f64, 0.0, 0.0])).collect();
+        // the largest errors lack the second joint
+        errors.iter_mut().enumerate().for_each(|(i, p)| p.joints = vec![i as f64, i as f64]);
+        errors[8].joints.pop();
+        let all: Vec<_> = errors.iter().collect();
+        let joints = ["q1_deg", "q2_deg"].map(str::to_owned);
+        let data = Data { errors: &all, joints: &joints, base_mm: None, limits: &[], trends: &[] };
+        let [_, others] = pictures(&data, &Words::default());
+        let labels = |figure: &Figure| {
+            let texts = figure.svg.lines().filter(|l| l.starts_with("<text class=\"end\""));
+            texts.map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert!(labels(&others[0]).len() > 3);
+        assert_eq!(labels(&others[0]), labels(&others[1]));
     }
 }

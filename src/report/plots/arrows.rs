@@ -8,9 +8,13 @@ const LIMIT: usize = 120;
 /// Length of the longest arrow relative to the workspace.
 const SHARE: f64 = 0.16;
 
-/// Figures before and after calibration for every plane of the workspace.
+/// Figures before and after calibration for every plane of the workspace: one axis and one
+/// magnification for both. A page can also show each with its own magnification.
 pub(crate) fn arrows(errors: &[&PointError], planar: bool, words: &Words) -> Vec<Figure> {
-    let of_plane = |&seen: &Seen| [false, true].map(|after| in_plane(errors, seen, after, words));
+    let of_plane = |&seen: &Seen| {
+        let plane = Plane::new(errors, seen);
+        [false, true].map(|after| plane.picture(after, words))
+    };
     let mut all: Vec<Figure> = Seen::planes(planar).iter().flat_map(of_plane).collect();
     if let Some(figure) = all.get_mut(1) {
         (figure.table_title, figure.header, figure.rows) = table(&points::thin(errors, LIMIT, points::after_mm), words);
@@ -18,46 +22,110 @@ pub(crate) fn arrows(errors: &[&PointError], planar: bool, words: &Words) -> Vec
     all
 }
 
-fn in_plane(errors: &[&PointError], seen: Seen, after: bool, words: &Words) -> Figure {
-    let drawn = points::thin(errors, LIMIT, points::size(after));
-    let error = |p: &PointError| if after { p.after_mm } else { p.before_mm };
-    let longest_mm = largest(drawn.iter().map(|p| seen.length(error(p))));
-    let factor = enlargement(&drawn, seen, longest_mm);
-    let tip_mm = |p: &PointError| [0, 1, 2].map(|i| p.at_mm[i] + factor * error(p)[i]);
-    let places: Vec<Vector> = drawn.iter().flat_map(|p| [p.at_mm, tip_mm(p)]).collect();
-    let mut map = Workspace::new(seen, &places, words);
-    for (class, validation) in [("arrow-cal", false), ("arrow-val", true)] {
-        let of_set = drawn.iter().filter(|p| points::is_validation(p) == validation);
-        let all: Vec<[Place; 2]> = of_set.map(|p| [p.at_mm, tip_mm(p)].map(|p| map.at(p).at)).collect();
-        map.svg.arrows(class, &all);
+/// Errors in a plane, before and after calibration.
+struct Plane<'a> {
+    seen: Seen,
+    errors: &'a [&'a PointError],
+    /// Drawn errors, length of the longest arrow (mm) and magnification of each side alone.
+    sides: [(Vec<&'a PointError>, f64, f64); 2],
+    /// Magnification of both.
+    common: f64,
+    /// Positions that both figures show (mm).
+    places: Vec<Vector>,
+}
+
+fn error(p: &PointError, after: bool) -> Vector {
+    if after { p.after_mm } else { p.before_mm }
+}
+
+fn tip_mm(p: &PointError, after: bool, factor: f64) -> Vector {
+    let error = error(p, after);
+    [0, 1, 2].map(|i| p.at_mm[i] + factor * error[i])
+}
+
+impl<'a> Plane<'a> {
+    fn new(errors: &'a [&'a PointError], seen: Seen) -> Self {
+        let sides = [false, true].map(|after| {
+            let drawn = points::thin(errors, LIMIT, points::size(after));
+            let longest_mm = largest(drawn.iter().map(|p| seen.length(error(p, after))));
+            let factor = enlargement(&drawn, seen, longest_mm);
+            (drawn, longest_mm, factor)
+        });
+        let common = if sides[0].1 > sides[1].1 { sides[0].2 } else { sides[1].2 };
+        let ends = |after: bool| {
+            let (drawn, _, own) = &sides[usize::from(after)];
+            drawn.iter().flat_map(move |p| [p.at_mm, tip_mm(p, after, common), tip_mm(p, after, *own)])
+        };
+        let places = ends(false).chain(ends(true)).collect();
+        Self { seen, errors, sides, common, places }
     }
-    for p in &drawn {
-        map.svg.mark(points::look(p), map.at(p.at_mm), 2.0, &points::tooltip(p, words));
+
+    fn picture(&self, after: bool, words: &Words) -> Figure {
+        let (drawn, longest_mm, own) = &self.sides[usize::from(after)];
+        let mut map = Workspace::new(self.seen, &self.places, words);
+        let y = map.svg.row();
+        for (class, factor) in [("common", self.common), ("own", *own)] {
+            let at: Vec<(bool, [Place; 2])> = drawn
+                .iter()
+                .map(|p| (points::is_validation(p), [p.at_mm, tip_mm(p, after, factor)].map(|p| map.at(p).at)))
+                .collect();
+            let scale = map.scale;
+            map.svg.group(class, |svg| {
+                for (class, validation) in [("arrow-cal", false), ("arrow-val", true)] {
+                    let of_set = at.iter().filter(|(set, _)| *set == validation);
+                    svg.arrows(class, &of_set.map(|(_, arrow)| *arrow).collect::<Vec<_>>());
+                }
+                scale_arrow(svg, y, factor * scale, if class == "own" { *longest_mm } else { self.longest_mm() });
+            });
+        }
+        for p in drawn {
+            map.svg.mark(points::look(p), map.at(p.at_mm), 2.0, &points::tooltip(p, words));
+        }
+        points::legend(&mut map.svg, self.errors, words);
+        let (name, times) = (self.seen.name(), number::significant(self.common, 1));
+        let title = match after {
+            true => tr!(words, "error-vectors-after", plane = name.clone()),
+            false => tr!(words, "error-vectors-before", plane = name.clone()),
+        };
+        let description = tr!(words, "arrows-description", factor = times.clone());
+        let shown = number::shown("mm", *longest_mm);
+        let longest = format!("{} {}", number::significant(longest_mm * shown.factor, 3), shown.unit);
+        let few = match drawn.len() < self.errors.len() {
+            true => {
+                format!(" {}", tr!(words, "points-drawn", drawn = drawn.len(), total = self.errors.len()))
+            }
+            false => String::new(),
+        };
+        let common = tr!(words, "arrows-common", factor = times, longest = longest.clone());
+        let of_own = number::significant(*own, 1);
+        let of_own = tr!(words, "arrows-longest", factor = of_own, longest);
+        let (pair, side) = (format!("arrows-{name}"), points::side(after));
+        Figure {
+            pair,
+            side,
+            scaled: true,
+            caption: common + &few,
+            caption_own: of_own + &few,
+            ..map.figure(&format!("arrows-{side}-{name}"), title, description)
+        }
     }
-    // scale arrow: a round length of about the size of the other arrows
-    let shown = number::shown("mm", longest_mm);
+
+    /// Length of the longest arrow of both figures (mm).
+    fn longest_mm(&self) -> f64 {
+        self.sides[0].1.max(self.sides[1].1)
+    }
+}
+
+/// Draws a round length of about the size of the longest arrow; `scale` is its units of the figure
+/// per mm.
+fn scale_arrow(svg: &mut Svg, y: f64, scale: f64, longest_mm: f64) {
     if longest_mm > 0.0 {
+        let shown = number::shown("mm", longest_mm);
         let round = round_down_125(longest_mm * shown.factor);
-        let (y, right) = (map.svg.row(), 30.0 + round / shown.factor * factor * map.scale);
-        map.svg.arrows("arrow-scale", &[[(30.0, y), (right, y)]]);
-        let length = format!("{} {}", number::significant(round, 1), shown.unit);
-        map.svg.text("start", (right + 6.0, y + 4.0), &length);
+        let right = 30.0 + round / shown.factor * scale;
+        svg.arrows("arrow-scale", &[[(30.0, y), (right, y)]]);
+        svg.text("start", (right + 6.0, y + 4.0), &format!("{} {}", number::significant(round, 1), shown.unit));
     }
-    points::legend(&mut map.svg, errors, words);
-    let (times, name) = (number::significant(factor, 1), seen.name());
-    let title = match after {
-        true => tr!(words, "error-vectors-after", plane = name),
-        false => tr!(words, "error-vectors-before", plane = name),
-    };
-    let description = tr!(words, "arrows-description", factor = times);
-    let longest = format!("{} {}", number::significant(longest_mm * shown.factor, 3), shown.unit);
-    let mut caption = tr!(words, "arrows-longest", factor = times, longest);
-    if drawn.len() < errors.len() {
-        caption += " ";
-        caption += &tr!(words, "points-drawn", drawn = drawn.len(), total = errors.len());
-    }
-    let (pair, side) = (format!("arrows-{name}"), points::side(after));
-    Figure { pair, side, caption, ..map.figure(&format!("arrows-{side}-{name}"), title, description) }
 }
 
 /// Round factor that makes the longest arrow a legible share of the workspace.
@@ -97,9 +165,24 @@ mod tests {
         let errors: Vec<_> = errors.iter().collect();
         let [before, after] = &arrows(&errors, true, &Words::default())[..] else { panic!() };
         // 16 % of 100 mm over 6 µm is 2667, over 141 µm 113
-        assert!(after.caption.starts_with("Arrows enlarged 2000 times; the longest is 6.00 µm."));
-        assert!(before.caption.starts_with("Arrows enlarged 100 times; the longest is 141 µm."), "{}", before.caption);
+        assert!(after.caption_own.starts_with("Arrows enlarged 2000 times; the longest is 6.00 µm."));
+        let common = "Arrows enlarged 100 times before and after; the longest is";
+        assert!(before.caption.starts_with(&format!("{common} 141 µm.")), "{}", before.caption);
+        assert!(after.caption.starts_with(&format!("{common} 6.00 µm.")), "{}", after.caption);
         assert!(after.svg.contains(">5 µm</text>"));
+        // one axis, one arrow of 100 µm and equal lengths of equal errors
+        let scale = |figure: &Figure| {
+            let group = figure.svg.split("<g class=\"common\">").nth(1).unwrap().split("</g>").next().unwrap();
+            let arrow = group.lines().find(|l| l.contains("arrow-scale")).unwrap().to_owned();
+            assert!(group.contains(">100 µm</text>"), "{group}");
+            arrow
+        };
+        assert_eq!(scale(before), scale(after));
+        let axes =
+            |figure: &Figure| figure.svg.lines().filter(|l| l.starts_with("<line") || l.starts_with("<circle")).count();
+        assert_eq!(axes(before), axes(after));
+        let first = |figure: &Figure| figure.svg.lines().find(|l| l.starts_with("<circle")).unwrap().to_owned();
+        assert_eq!(first(before), first(after), "the same position at the same place");
         assert_eq!((after.rows.len(), before.rows.len()), (2, 0));
         assert_eq!(after.rows[1][8], "6.00");
     }

@@ -59,7 +59,7 @@ fn picture(
     for (look, name) in points::sets(&drawn) {
         chart.svg.legend(look, &tr!(words, "after-named", name = words.tr(&name)));
     }
-    chart.limits(limits, quantity, false);
+    chart.limit(limits, quantity, (false, words));
     let (description, rule) = match logarithmic {
         true => (tr!(words, "errors-by-pose-logarithmic", unit), tr!(words, "error-axis-logarithmic", factor = RATIO)),
         false => (tr!(words, "errors-by-pose-linear", unit), tr!(words, "error-axis-linear", factor = RATIO)),
@@ -164,9 +164,10 @@ mod tests {
         let limit =
             LimitVerdict::of(etalon_documents::LimitQuantity::PositionMaxMm, 0.2, 0.17, None, Default::default());
         let svg = &drawn(&errors, std::slice::from_ref(&limit))[0].svg;
-        assert!(svg.contains("class=\"limit\"") && svg.contains(">position_max_mm</text>"));
+        assert!(svg.contains("class=\"limit\"") && svg.contains(">limit: largest position error 200 µm</text>"));
         // below the axis and its name, where there are no marks
-        let [name, pose] = [">position_max_mm<", ">pose<"].map(|text| svg.lines().find(|l| l.contains(text)).unwrap());
+        let [name, pose] = [">limit: largest position error 200 µm<", ">pose<"]
+            .map(|text| svg.lines().find(|l| l.contains(text)).unwrap());
         let [name, pose] = [name, pose].map(|line| numbers(line, "text", "y")[0]);
         assert!(name > pose, "{svg}");
         let far = LimitVerdict { limit: 20.0, ..limit };

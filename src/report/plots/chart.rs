@@ -1,21 +1,21 @@
-//! Common layer of figures with two axes: frame, grid, labels, names, limit lines and legend.
+//! Common layer of figures with two axes: frame, grid, labels, names, the limit and legend.
 //! Figures add their marks.
 
 use super::axis::Axis;
 use super::svg::{Look, NARROW, Place, ROW, Svg, widest, width};
 use crate::model::Figure;
+use crate::number;
+use crate::words::{Words, names, tr};
 use etalon_documents::{ErrorQuantity, LimitVerdict};
 
 /// Height of the frame.
 const HEIGHT: f64 = 240.0;
-/// Margin above the frame for the numbers of limits.
+/// Margin above the frame.
 const TOP: f64 = 16.0;
-/// Margin at the right of the frame for half of a label or the numbers of limits.
+/// Margin at the right of the frame for half of a label.
 const RIGHT: f64 = 20.0;
 /// Margin below the frame for the labels and the name of the axis.
 pub(super) const UNDER: f64 = 42.0;
-/// Minimum distance of the numbers at limit lines: height or width plus a gap.
-const APART: f64 = 12.0;
 
 /// Two axes with their positions.
 #[derive(Clone, Debug)]
@@ -147,32 +147,22 @@ impl Chart {
         self.svg.rect(look, (x, end.min(zero)), (width, (end - zero).abs().max(0.5)), tooltip);
     }
 
-    /// Draws the limits of a quantity, on the horizontal axis if `across`. Their names are in the
-    /// legend so that they cover no marks; several limits are numbered at the ends of their lines.
-    pub fn limits(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, across: bool) {
+    /// Draws the limit of single errors of a quantity, on the horizontal axis if `across`. Limits
+    /// of a mean or a root mean square are not drawn: the marks are single errors. The name is in
+    /// the legend so that it covers no marks.
+    pub fn limit(&mut self, limits: &[LimitVerdict], quantity: ErrorQuantity, (across, words): (bool, &Words)) {
         let axis = if across { &self.frame.across } else { &self.frame.up };
-        let of = |l: &LimitVerdict| l.name.of_errors().is_some_and(|(of, _)| of == quantity);
-        let drawn = |l: &&LimitVerdict| of(l) && l.limit.is_finite() && axis.contains(l.limit);
-        let all: Vec<&LimitVerdict> = limits.iter().filter(drawn).collect();
-        let place = |l: &LimitVerdict| if across { self.at(l.limit, 0.0).0 } else { self.at(0.0, l.limit).1 };
-        let mut order: Vec<(f64, usize)> = all.iter().enumerate().map(|(i, l)| (place(l), i + 1)).collect();
-        order.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (i, limit) in all.iter().enumerate() {
-            match across {
-                true => self.upright("limit", limit.limit),
-                false => self.level("limit", limit.limit),
-            }
-            let number = if all.len() > 1 { format!("{} ", i + 1) } else { String::new() };
-            self.svg.legend_line("limit", &format!("{number}{}", limit.name));
+        let drawn = |l: &&LimitVerdict| l.name.of_each_error() == Some(quantity) && axis.contains(l.limit);
+        let Some(limit) = limits.iter().find(drawn) else { return };
+        let shown = axis.shown();
+        match across {
+            true => self.upright("limit", limit.limit),
+            false => self.level("limit", limit.limit),
         }
-        let places = spread(order.iter().map(|(place, _)| *place).collect());
-        for (place, (_, number)) in places.into_iter().zip(order).filter(|_| all.len() > 1) {
-            let (class, at) = match across {
-                true => ("mid", (place, TOP - 3.0)),
-                false => ("start", (self.frame.right + 3.0, place + 4.0)),
-            };
-            self.svg.text(class, at, &number.to_string());
-        }
+        let unit = if shown.unit.is_empty() { &limit.unit } else { shown.unit };
+        let quantity = words.tr(&names::limit(limit.name));
+        let value = &number::derived(limit.limit * shown.factor);
+        self.svg.legend_line("limit", &tr!(words, "limit-of", quantity, value, unit));
     }
 
     /// Returns the figure with its description, which is also its caption.
@@ -193,61 +183,36 @@ fn upright_ticks(up: &Axis) -> Vec<(f64, String)> {
     up.ticks(if up.ends().0 < 0.0 { 6 } else { 5 })
 }
 
-/// Moves ascending positions apart so that the numbers at them are legible.
-fn spread(mut places: Vec<f64>) -> Vec<f64> {
-    for i in 1..places.len() {
-        let lack = APART - (places[i] - places[i - 1]);
-        if lack > 0.0 {
-            // half to either side of the first two, otherwise after the previous one
-            places[i - 1] -= if i == 1 { 0.5 * lack } else { 0.0 };
-            places[i] = places[i - 1] + APART;
-        }
-    }
-    places
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::svg::{WIDE, numbers};
+    use super::super::svg::numbers;
     use super::*;
     use etalon_documents::LimitQuantity;
 
-    fn limits(width: f64, names: &[LimitQuantity], across: bool) -> String {
-        let limits: Vec<_> = names
-            .iter()
-            .map(|&name| {
-                let limit = 0.001 * name.to_string().len() as f64;
-                LimitVerdict::of(name, limit, 0.0, None, Default::default())
-            })
-            .collect();
+    /// Limits of a mean, a root mean square and a largest error within an axis to 0.1 mm.
+    fn limits(across: bool, names: &[LimitQuantity]) -> String {
+        let limit = |name| LimitVerdict::of(name, 0.04, 0.0, None, Default::default());
+        let limits: Vec<_> = names.iter().copied().map(limit).collect();
         let axis = || Axis::from_zero("mm", 0.1);
-        let mut chart = Chart::new(width, [axis(), axis()], ["a", "b"]);
-        chart.limits(&limits, ErrorQuantity::Position, across);
+        let mut chart = Chart::new(NARROW, [axis(), axis()], ["a", "b"]);
+        chart.limit(&limits, ErrorQuantity::Position, (across, &Words::default()));
         chart.figure("p", String::new(), String::new()).svg
     }
 
     #[test]
-    fn close_limits_have_numbers_that_stay_apart_and_names_below_the_picture() {
-        let names = [LimitQuantity::PositionMeanMm, LimitQuantity::PositionRmsMm, LimitQuantity::PositionMaxMm];
+    fn a_limit_is_drawn_over_the_quantity_that_it_limits() {
+        let statistics =
+            [LimitQuantity::PositionMeanMm, LimitQuantity::PositionRmsMm, LimitQuantity::OrientationMaxDeg];
         for across in [false, true] {
-            let svg = limits(NARROW, &names, across);
-            let key = if across { "x" } else { "y" };
-            let texts: Vec<&str> = svg.lines().filter(|l| l.starts_with("<text")).collect();
-            let place = |text: &str| {
-                let line = texts.iter().rev().find(|l| l.contains(&format!(">{text}</text>"))).unwrap();
-                (numbers(line, "text", key)[0], numbers(line, "text", "y")[0])
-            };
-            let mut at = ["1", "2", "3"].map(|n| place(n).0);
-            at.sort_by(f64::total_cmp);
-            assert!(at.windows(2).all(|pair| pair[1] - pair[0] >= APART - 0.11), "{at:?}");
-            let below = |name: &str| place(name).1 > TOP + HEIGHT + UNDER;
-            assert!(below("1 position_mean_mm") && below("3 position_max_mm"), "{svg}");
+            assert!(!limits(across, &statistics).contains("class=\"limit\""), "marks are single errors");
+            let svg = limits(across, &[&statistics[..], &[LimitQuantity::PositionMaxMm]].concat());
+            // the line, and its mark in the legend
+            assert_eq!(svg.matches("class=\"limit\"").count(), 2, "{svg}");
+            assert!(svg.contains(">limit: largest position error 40 µm</text>") && !svg.contains("_max"), "{svg}");
+            // below the axis and its name, where there are no marks
+            let name = svg.lines().find(|l| l.contains(">limit: ")).unwrap();
+            assert!(numbers(name, "text", "y")[0] > TOP + HEIGHT + UNDER, "{svg}");
         }
-        let height = |svg: &str| svg.split(' ').nth(4).unwrap().trim_end_matches('"').parse::<f64>().unwrap();
-        let [none, narrow, wide] = [(NARROW, &names[..0]), (NARROW, &names[..]), (WIDE, &names[..])]
-            .map(|(width, names)| height(&limits(width, names, false)));
-        assert_eq!((narrow - none, wide - none), (2.0 * ROW, ROW));
-        assert!(!limits(NARROW, &names[..1], false).contains(">1 position"));
     }
 
     #[test]

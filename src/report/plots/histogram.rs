@@ -61,7 +61,7 @@ fn histogram(errors: &[&PointError], limits: &[LimitVerdict], after: bool, words
         }
         chart.svg.legend(look, &set.name);
     }
-    chart.limits(limits, ErrorQuantity::Position, true);
+    chart.limit(limits, ErrorQuantity::Position, (true, words));
     let title = match after {
         true => tr!(words, "error-sizes-after"),
         false => tr!(words, "error-sizes-before"),

@@ -1,6 +1,5 @@
-//! Errors over the workspace (thesis, figs. 3.8 to 3.10). The colour of a mark is its error on a
-//! common scale for before and after; its size is the error relative to the largest of the figure.
-//! A page can also show the colours on the figure's own scale.
+//! Errors over the workspace (thesis, figs. 3.8 to 3.10). Colour and size of a mark are its error
+//! on one scale, common to before and after. A page can also show both on the figure's own scale.
 
 use super::layer::*;
 use std::cmp::Reverse;
@@ -47,14 +46,10 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
     let (visible, drawn) = chosen(errors, size, |p| map.at(p.at_mm).at);
     for p in &drawn {
         let class = class([common, &own], size(p));
-        map.svg.mark(
-            Look::new(points::look(p).shape, &class),
-            map.at(p.at_mm),
-            radius(own.share(size(p))),
-            &points::tooltip(p, words),
-        );
+        let look = Look::new(points::look(p).shape, &class);
+        map.svg.mark(look, map.at(p.at_mm), radius(common.share(size(p))), &points::tooltip(p, words));
     }
-    scales(&mut map.svg, [common, &own]);
+    scales(&mut map.svg, Shape::Circle, [common, &own]);
     for (look, name) in points::sets(errors) {
         map.svg.legend(Look { class: "map", fill: "#ffffff", ..look }, &words.tr(&name));
     }
@@ -66,13 +61,9 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
         false => tr!(words, "position-error-before", plane = name),
         true => tr!(words, "position-error-after", plane = name),
     };
-    let description = tr!(
-        words,
-        "error-map-description",
-        colour = top(common),
-        size = top(&own),
-        largest = length(largest(errors.iter().map(|p| size(p))))
-    );
+    let (largest_mm, own_top) = (length(largest(errors.iter().map(|p| size(p)))), top(&own));
+    let description = tr!(words, "error-map-description", top = top(common), largest = largest_mm.clone());
+    let of_own = tr!(words, "error-map-own-scale", top = own_top, largest = largest_mm);
     let hidden = match visible < errors.len() && drawn.len() == visible {
         true => {
             format!(" {}", tr!(words, "largest-errors-drawn", total = errors.len(), places = visible))
@@ -85,6 +76,7 @@ fn map(errors: &[&PointError], seen: Seen, after: bool, common: &Axis, words: &W
         side,
         scaled: true,
         caption: description.clone() + &hidden,
+        caption_own: of_own + &hidden,
         ..map.figure(&format!("map-{side}-{key}"), title, description)
     }
 }
@@ -125,7 +117,7 @@ fn chosen<'a>(
 }
 
 /// Draws both scales. A page shows the selected scale, paper the common scale.
-pub(super) fn scales(svg: &mut Svg, [common, own]: [&Axis; 2]) {
+pub(super) fn scales(svg: &mut Svg, shape: Shape, [common, own]: [&Axis; 2]) {
     let y = svg.row();
     for (scale, class, letter) in [(common, "common", 'o'), (own, "own", 'w')] {
         svg.group(class, |svg| {
@@ -133,9 +125,8 @@ pub(super) fn scales(svg: &mut Svg, [common, own]: [&Axis; 2]) {
             let pitch = (NARROW - 60.0) / ticks.len().max(1) as f64;
             for (i, (value, label)) in ticks.iter().enumerate() {
                 let (x, share) = (30.0 + pitch * i as f64, scale.share(*value));
-                let size = if letter == 'w' { radius(share) } else { 5.0 };
                 let class = format!("map {letter}{}", level(share));
-                svg.mark(Look::new(Shape::Circle, &class), (x, y), size, "");
+                svg.mark(Look::new(shape, &class), (x, y), radius(share), "");
                 svg.text("start", (x + 10.0, y + 4.0), label);
             }
             svg.text("end", (NARROW - 4.0, y + 4.0), scale.shown().unit);
@@ -143,9 +134,9 @@ pub(super) fn scales(svg: &mut Svg, [common, own]: [&Axis; 2]) {
     }
 }
 
-/// Radius of a mark; its area grows with the error.
+/// Radius of a mark; its area grows with the error, in the steps of the colours.
 fn radius(share: f64) -> f64 {
-    1.8 + 5.0 * share.sqrt()
+    1.8 + 5.0 * (level(share) as f64 / (LEVELS - 1) as f64).sqrt()
 }
 
 #[cfg(test)]
@@ -153,17 +144,46 @@ mod tests {
     use super::*;
     use crate::tests::demo::point;
 
-    #[test]
-    fn larger_errors_are_darker_and_every_level_has_a_colour_on_both_scales() {
-        let css = include_str!("../html/picture.css");
-        let lightness = |i: usize| {
-            let hex = css.split(&format!(".o{i} {{ fill: #")).nth(1).expect("a colour");
-            assert!(include_str!("../html/style.html").contains(&format!(".w{i} {{ fill: #{}", &hex[..6])));
-            let c = u32::from_str_radix(&hex[..6], 16).unwrap();
-            0.2126 * f64::from(c >> 16) + 0.7152 * f64::from(c >> 8 & 255) + 0.0722 * f64::from(c & 255)
+    /// Colours of a palette of the page.
+    fn palette(css: &str, of: impl Fn(usize) -> String) -> Vec<[f64; 3]> {
+        let colour = |i: usize| {
+            let hex = &css.split(&of(i)).nth(1).expect("a colour")[..6];
+            let c = u32::from_str_radix(hex, 16).unwrap();
+            [c >> 16, c >> 8 & 255, c & 255].map(f64::from)
         };
-        let steps: Vec<_> = (0..LEVELS).map(lightness).collect();
-        assert!(steps.windows(2).all(|w| w[0] > w[1] + 1.0), "{steps:?}");
+        (0..LEVELS).map(colour).collect()
+    }
+
+    /// Relative luminance (WCAG 2.2).
+    fn luminance(rgb: &[f64; 3]) -> f64 {
+        let linear = |c: f64| if c <= 10.0 { c / 255.0 / 12.92 } else { ((c / 255.0 + 0.055) / 1.055).powf(2.4) };
+        0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2])
+    }
+
+    #[test]
+    fn larger_errors_stand_out_more_on_a_light_and_on_a_dark_page() {
+        let (picture, page) = (include_str!("../html/picture.css"), include_str!("../html/style.html"));
+        let (light, dark) = page.split_once("prefers-color-scheme: dark").unwrap();
+        let paper = palette(picture, |i| format!(".o{i} {{ fill: #"));
+        assert_eq!(paper, palette(light, |i| format!("--m{i}: #")), "paper and page have one palette");
+        let light: Vec<f64> = paper.iter().map(luminance).collect();
+        let dark: Vec<f64> = palette(dark, |i| format!("--m{i}: #")).iter().map(luminance).collect();
+        assert!(light.windows(2).all(|w| w[0] > w[1] + 0.001), "{light:?}");
+        assert!(dark.windows(2).all(|w| w[0] < w[1] - 0.001), "{dark:?}");
+        // graphics have a contrast of three or more (WCAG 2.2, 1.4.11)
+        let page = luminance(&[21.0, 24.0, 28.0]);
+        assert!(dark.iter().all(|colour| (colour + 0.05) / (page + 0.05) >= 3.0), "{dark:?}");
+        assert!((1.05 / (light[LEVELS - 1] + 0.05)) > 10.0);
+    }
+
+    #[test]
+    fn sizes_of_the_page_are_those_of_the_marks() {
+        let page = include_str!("../html/style.html");
+        for i in 0..LEVELS {
+            let size = radius(i as f64 / (LEVELS - 1) as f64);
+            let rule = format!(".o{i} {{ --c: {size:.2} }} .w{i} {{ --w: {size:.2} }}");
+            assert!(page.contains(&rule), "{rule}");
+        }
     }
 
     #[test]
@@ -186,9 +206,14 @@ mod tests {
         let maps = maps(&errors, false, &Words::default());
         assert_eq!(maps.len(), 8);
         for map in &maps {
-            assert!(map.caption.contains("colour from 0 to 2.5 mm"), "{}", map.caption);
+            assert!(map.caption.contains("colour and size from 0 to 2.5 mm"), "{}", map.caption);
         }
-        assert!(maps[1].caption.contains("size from 0 to 2.0 µm"), "{}", maps[1].caption);
+        assert!(maps[1].caption_own.contains("colour and size from 0 to 2.0 µm"), "{}", maps[1].caption_own);
+        let size = |map: &Figure, pose: i64| {
+            let mark = map.svg.lines().find(|l| l.contains(&format!("pose {pose}, "))).unwrap();
+            super::super::svg::numbers(mark, "circle", "r")[0]
+        };
+        assert!(size(&maps[0], 2) > 2.0 * size(&maps[1], 1), "sizes are on the scale of the colours");
         assert!(maps[3].title.contains("xz") && maps[5].title.contains("yz") && maps[7].title.contains("in space"));
         assert_eq!(maps[0].svg.matches("pose 1, cycle 1").count(), 1);
         // 2 µm has the lightest colour on the common scale, and the darkest on the figure's own

@@ -52,17 +52,26 @@ fn picture(
         let look = Look::new(Shape::Square, &class);
         map.svg.rect(look, (x - 0.5 * edge, y - 0.5 * edge), (edge, edge), &tooltip(node, words));
     }
-    scales(&mut map.svg, [common, &own]);
+    scales(&mut map.svg, Shape::Square, [common, &own]);
     let name = seen.name();
     let title = match identified {
         false => tr!(words, "prediction-difference-title", plane = name),
         true => tr!(words, "prediction-expected-title", plane = name),
     };
     let largest = length(super::axis::largest(nodes.iter().map(|n| size(n))));
-    let mut description =
-        tr!(words, "prediction-description", spacing = number::stated(spacing_mm), colour = top(common), largest);
+    let spacing = number::stated(spacing_mm);
+    let mut description = tr!(
+        words,
+        "prediction-description",
+        spacing = spacing.clone(),
+        colour = top(common),
+        largest = largest.clone()
+    );
+    let mut of_own = tr!(words, "prediction-own-scale", spacing, colour = top(&own), largest);
     if seen != XY || nodes.iter().any(|n| n.at_mm[2] != nodes[0].at_mm[2]) {
-        description += &format!(" {}", tr!(words, "prediction-behind"));
+        let behind = format!(" {}", tr!(words, "prediction-behind"));
+        description += &behind;
+        of_own += &behind;
     }
     let key = if identified { "identified" } else { "nominal" };
     Figure {
@@ -70,6 +79,7 @@ fn picture(
         side: points::side(identified),
         sides: Some([tr!(words, "nominal-minus-identified"), tr!(words, "expected")]),
         scaled: true,
+        caption_own: of_own,
         ..map.figure(&format!("prediction-{key}-{name}"), title, description)
     }
 }

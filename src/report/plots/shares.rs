@@ -1,34 +1,39 @@
-//! Contributions of the sources to the variance of each parameter, as bars.
+//! Contributions of the sources to the variance of each figure of the errors, as bars.
 
-use super::intervals::shortened;
 use super::layer::*;
-use etalon_documents::{ParameterEntry, ParametersDocument};
+use etalon_documents::{FigureBudget, UncertaintySource};
 
-/// Maximum number of parameters; base and targets are first in the list, and many.
-const MOST: usize = 40;
 /// Smallest share whose number is shown.
 const WRITTEN: f64 = 0.08;
+/// Smallest share of a second source that is worth a picture.
+const VISIBLE: f64 = 0.01;
 
-/// One bar for each parameter, `None` with a single source.
-pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Figure> {
-    let sources: Vec<_> = document.budget.iter().map(|s| (words.tr(&names::source(s.source)), s)).collect();
-    let all: Vec<(usize, &ParameterEntry)> = document.identified().enumerate().collect();
-    let all = &all[all.len().saturating_sub(MOST)..];
-    if sources.len() < 2 || sources.len() > COLOURS.len() || all.is_empty() {
+/// One bar for each figure, with sources by name; `None` if a single source is all that one would
+/// see.
+pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phrase, words: &Words) -> Option<Figure> {
+    let mut sources: Vec<_> = budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
+    sources.sort_unstable();
+    sources.dedup();
+    let share = |f: &FigureBudget, source: UncertaintySource| {
+        let square = |u: f64| u * u;
+        let whole: f64 = f.contributions.iter().map(|c| square(c.standard_uncertainty_mm)).sum();
+        let of = f.contributions.iter().filter(|c| c.source == source);
+        of.map(|c| square(c.standard_uncertainty_mm)).sum::<f64>() / whole
+    };
+    let parts = |f: &FigureBudget| sources.iter().filter(|s| share(f, **s) >= VISIBLE).count();
+    if sources.len() > COLOURS.len() || !budget.iter().any(|f| parts(f) > 1) {
         return None;
     }
-    let labels = all.iter().enumerate().map(|(i, (_, p))| (i as f64, shortened(&p.name))).collect();
-    let axes = [Axis::linear(0.0, 100.0), Axis::rows(all.len(), labels, 0.5)];
+    let labels = budget.iter().enumerate().map(|(i, f)| (i as f64, words.tr(&name_of(f)))).collect();
+    let axes = [Axis::linear(0.0, 100.0), Axis::rows(budget.len(), labels, 0.5)];
     let mut chart = Chart::new(WIDE, axes, ["%", ""]);
-    for (i, (k, p)) in all.iter().enumerate() {
-        let square = |j: usize| sources[j].1.standard_uncertainties.get(*k).map_or(0.0, |u| u * u);
-        let whole: f64 = (0..sources.len()).map(square).sum();
+    for (i, f) in budget.iter().enumerate() {
         let mut from = 0.0;
-        for j in (0..sources.len()).filter(|j| square(*j) > 0.0) {
-            let share = square(j) / whole;
+        for (j, source) in sources.iter().enumerate().filter(|(_, s)| share(f, **s) > 0.0) {
+            let share = share(f, *source);
             let (middle, right) = (from + 50.0 * share, from + 100.0 * share);
             let percent = format!("{:.0} %", 100.0 * share);
-            let tip = format!("{}: {} {percent}", p.name, sources[j].0);
+            let tip = format!("{}: {} {percent}", words.tr(&name_of(f)), words.tr(&names::source(*source)));
             chart.bar_along(Look::colour(COLOURS[j]), i, [from, right], &tip);
             if share >= WRITTEN {
                 let (x, y) = chart.at(middle, i as f64);
@@ -37,11 +42,40 @@ pub(crate) fn picture(document: &ParametersDocument, words: &Words) -> Option<Fi
             from = right;
         }
     }
-    for (j, (name, _)) in sources.iter().enumerate() {
-        chart.svg.legend(Look::colour(COLOURS[j]), name);
+    for (j, source) in sources.iter().enumerate() {
+        chart.svg.legend(Look::colour(COLOURS[j]), &words.tr(&names::source(*source)));
     }
     let title = tr!(words, "budget-shares-title");
     let description = tr!(words, "budget-shares-description");
-    let caption = tr!(words, "budget-shares-order");
-    Some(Figure { caption, ..chart.figure("shares", title, description) })
+    Some(chart.figure("shares", title, description))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_documents::{Figure as Statistic, FigureContribution};
+
+    fn figure(figure: Statistic, parts: &[(UncertaintySource, f64)]) -> FigureBudget {
+        let part = |&(source, standard_uncertainty_mm): &(UncertaintySource, f64)| FigureContribution {
+            source,
+            standard_uncertainty_mm,
+        };
+        FigureBudget { figure, standard_uncertainty_mm: 0.0, contributions: parts.iter().map(part).collect() }
+    }
+
+    #[test]
+    fn bars_show_every_figure_where_there_is_something_to_see() {
+        use UncertaintySource::{Instrument, Model};
+        let draw = |all: &[FigureBudget]| picture(all, |_| etalon_base::phrase!("position"), &Words::default());
+        // 3² and 4² of 5²
+        let mixed = [
+            figure(Statistic::Mean, &[(Instrument, 0.003), (Model, 0.004)]),
+            figure(Statistic::Max, &[(Instrument, 0.0), (Model, 0.004)]),
+        ];
+        let svg = draw(&mixed).unwrap().svg;
+        assert!(svg.contains(">36 %<") && svg.contains(">64 %<") && svg.contains(">100 %<"), "{svg}");
+        assert_eq!(svg.matches("<rect").count(), 3);
+        assert!(draw(&mixed[1..]).is_none(), "a bar of one source says nothing");
+        assert!(draw(&[]).is_none());
+    }
 }

@@ -39,13 +39,15 @@ pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option
     section.on_terminal().whole()
 }
 
-fn positions(poses: &[Named], words: &Words) -> Table {
+/// Accuracy of position of each pose.
+pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
     let columns = Columns::<Named>::new()
         .page_of(columns(), &["pose", "visits", "AP"])
         .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
         .page_of(columns(), &["AP x", "AP y", "AP z"])
         .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
-        .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words));
+        .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words))
+        .decisive();
     let commanded = poses.iter().filter(|n| n.pose.ap_mm.is_some());
     Table::of(words, commanded, columns).without_empty_columns()
 }

@@ -19,15 +19,17 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         return None;
     }
     let mut section = Section::new("budget", tr!(words, "uncertainty-budget"));
-    section.push(Block::note(tr!(words, "budget-note")));
-    section.push(Block::Table(table(parameters, words)));
+    let note = Block::note(tr!(words, "budget-note"));
+    section.push(note);
     let figures = figures(accuracy, words);
     if !figures.is_empty() {
         section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
+    section.figures(shares::picture(&accuracy.budget, figure, words));
     section.push(Block::facts(sources(parameters, words)));
-    section.figures(shares::picture(parameters, words));
+    let of_parameters = vec![Block::Table(table(parameters, words))];
+    section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
 }

@@ -1,44 +1,156 @@
-//! Certificate: one page of the report for the customer (ISO/IEC 17025:2017, 7.8.4), from the same
-//! facts, verdict and errors.
+//! Certificate: results for the customer (ISO/IEC 17025:2017, 7.8.4), from the facts, the verdict
+//! and the results of the report. Until all fields are stated it is a draft; results of synthetic data
+//! are no certificate.
 
-use super::{conditions, errors, limits};
+use super::{accuracy, checklist, conditions, errors, limits, messages, repeatability};
 use crate::Report;
 use crate::model::{Block, Contents, Section, Verdict};
 use crate::words::{Words, tr};
+use etalon_base::message::{Message, Rank};
 use etalon_documents::AccuracyDocument;
 
-/// Contents of the page, from the contents of the report.
+/// Contents of the certificate, from the contents of the report.
 pub(crate) fn contents(report: &Report, whole: Contents, words: &Words) -> Contents {
-    let title = match report.identified {
-        Some(_) => tr!(words, "calibration-certificate"),
-        None => tr!(words, "test-certificate"),
+    let missing = checklist::missing(report, words);
+    let is_draft = !missing.is_empty();
+    let (title, draft) = match (report.identified.is_some(), report.campaign.synthetic.is_some(), is_draft) {
+        (true, true, _) => (tr!(words, "calibration-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
+        (false, true, _) => (tr!(words, "test-of-synthetic-data"), Some(tr!(words, "synthetic-mark"))),
+        (true, false, true) => (tr!(words, "calibration-certificate-draft"), Some(tr!(words, "draft-mark"))),
+        (false, false, true) => (tr!(words, "test-certificate-draft"), Some(tr!(words, "draft-mark"))),
+        (true, false, false) => (tr!(words, "calibration-certificate"), None),
+        (false, false, false) => (tr!(words, "test-certificate"), None),
     };
     let mut facts = Section::new("conditions", tr!(words, "item-customer-traceability"));
     facts.push(Block::facts(conditions::of_certificate(report, words)));
-    let of_set = report.identified.and_then(|i| {
-        // from the decisive poses
-        let set = i.accuracy.sets.iter().rfind(|s| s.count > 0)?;
-        let accuracy = AccuracyDocument {
-            sets: vec![set.clone()],
-            tool: None,
-            map: None,
-            placed_apart: Vec::new(),
-            effects: Vec::new(),
-            validation_distance: None,
-            ..i.accuracy.clone()
-        };
-        let mut section = errors::of(&accuracy, &[], words);
-        section.title = tr!(words, "results-before-and-after");
-        Some(section)
-    });
+    let sections = [
+        checklist::of(&missing, words),
+        Some(facts),
+        of_set(report, words),
+        of_test(report, words),
+        limits::section(report, words),
+        Some(warnings(report, words)),
+    ];
     Contents {
         subtitle: format!("{}. {}", whole.title, whole.subtitle),
         title,
-        sections: [Some(facts), of_set, limits::section(report, words)].into_iter().flatten().collect(),
+        draft,
+        sections: sections.into_iter().flatten().collect(),
         statement: format!("{} {}", whole.statement, tr!(words, "certificate-reproduction")),
         // the table contains them
         verdict: Verdict { about: String::new(), headlines: Vec::new(), ..whole.verdict },
         compact: true,
         ..whole
+    }
+}
+
+/// Errors before and after at the poses that decide.
+fn of_set(report: &Report, words: &Words) -> Option<Section> {
+    let identified = report.identified?;
+    let set = identified.accuracy.sets.iter().rfind(|s| s.count > 0)?;
+    let accuracy = AccuracyDocument {
+        sets: vec![set.clone()],
+        tool: None,
+        map: None,
+        placed_apart: Vec::new(),
+        effects: Vec::new(),
+        validation_distance: None,
+        ..identified.accuracy.clone()
+    };
+    let mut section = errors::of(&accuracy, &[], words);
+    section.title = tr!(words, "results-before-and-after");
+    Some(section)
+}
+
+/// AP and RP of each pose, with measurement point, load and velocity.
+fn of_test(report: &Report, words: &Words) -> Option<Section> {
+    let poses = repeatability::named(report.tested.poses.as_ref()?, words);
+    let mut section = Section::new("characteristics", tr!(words, "iso9283-characteristics"));
+    section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
+    section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
+    section.whole().map(|section| super::of_point(section, report, words))
+}
+
+/// Warnings that a reader of the results should know.
+fn warnings(report: &Report, words: &Words) -> Section {
+    let known: Vec<&Message> = report.messages().into_iter().filter(|m| m.rank != Rank::Routine).collect();
+    messages::of(&known, words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::demo::Documents;
+    use crate::tests::demo_iso9283;
+
+    fn contents_of(documents: &Documents) -> Contents {
+        let (words, report) = (Words::default(), documents.report());
+        contents(&report, report.contents(&words), &words)
+    }
+
+    /// States every field.
+    fn complete() -> Documents {
+        let mut documents = Documents::demo();
+        let c = &mut documents.campaign;
+        let text = || Some("stated".to_owned());
+        (c.synthetic, c.decision_rule) = (None, Some(etalon_documents::DecisionRule::Guarded));
+        let issue = &mut c.issue;
+        (issue.number, issue.customer, issue.issued, issue.authorised_by) = (text(), text(), text(), text());
+        let given = &mut c.conditions;
+        (given.laboratory, given.robot_maker, given.robot_type) = (text(), text(), text());
+        (given.robot_serial_number, given.robot_state) = (text(), text());
+        (given.instrument_calibration, given.traceability) = (text(), text());
+        given.deviations = Some(Vec::new());
+        documents
+    }
+
+    #[test]
+    fn a_certificate_is_a_draft_until_every_field_is_stated() {
+        let whole = contents_of(&complete());
+        assert_eq!((whole.title.as_str(), &whole.draft), ("Calibration certificate", &None));
+        assert!(whole.sections.iter().all(|s| s.id != "checklist"));
+        let mut documents = complete();
+        documents.campaign.conditions.traceability = None;
+        let draft = contents_of(&documents);
+        assert_eq!(draft.draft.as_deref(), Some("DRAFT"));
+        assert!(draft.title.starts_with("Draft"), "{}", draft.title);
+        let list = serde_json::to_string(&draft.sections[0]).unwrap();
+        assert!(draft.sections[0].id == "checklist" && list.contains("conditions.traceability"), "{list}");
+        assert!(!list.contains("conditions.laboratory"), "{list}");
+        // blanks state nothing
+        documents.campaign.conditions.traceability = Some(" ".to_owned());
+        assert!(contents_of(&documents).draft.is_some());
+    }
+
+    #[test]
+    fn synthetic_data_make_no_certificate() {
+        let mut documents = complete();
+        documents.campaign.synthetic = Some("made with seed 7".to_owned());
+        let whole = contents_of(&documents);
+        assert!(whole.draft.is_some() && !whole.title.to_lowercase().starts_with("calibration certificate"));
+        assert!(whole.title.contains("not a certificate"), "{}", whole.title);
+    }
+
+    #[test]
+    fn warnings_and_characteristics_of_each_pose_are_on_the_certificate() {
+        let mut documents = complete();
+        documents.tested = demo_iso9283::whole();
+        documents.campaign.conditions.load_kg = Some(2.5);
+        documents.campaign.conditions.velocities_percent = Some(vec![100.0]);
+        let mut warning = Message::warning("the beam was broken".to_owned());
+        warning.rank = Rank::Decide;
+        documents.import.messages = vec![warning];
+        let whole = contents_of(&documents);
+        let section = |id: &str| {
+            let found = whole.sections.iter().find(|s| s.id == id);
+            serde_json::to_string(found.unwrap_or_else(|| panic!("no section {id}"))).unwrap()
+        };
+        assert!(section("messages").contains("the beam was broken"));
+        let tested = section("characteristics");
+        for text in ["Load: 2.5 kg.", "Velocity: 100 %.", "AP", "RP"] {
+            assert!(tested.contains(text), "{text}: {tested}");
+        }
+        let point = section("checklist");
+        assert!(point.contains("conditions.measurement_point") && !point.contains("conditions.load_kg"), "{point}");
     }
 }

@@ -190,7 +190,8 @@ fn changes(trends: &[&CompareTrend], words: &Words) -> Table {
         .page(phrase!("p-of-family"), "", |(.., w)| numbers(w.p_family.clone()))
         .sheet("p of the family", "", |(_, c, _)| c.p_family)
         .sheet("changed", "", |(_, c, _)| c.significant.map(|yes| if yes { "yes" } else { "no" }))
-        .page(phrase!("verdict"), "", move |(_, c, _)| judged(c));
+        .page(phrase!("verdict"), "", move |(_, c, _)| judged(c))
+        .decisive();
     Table::of(words, &rows, columns).on("Changes")
 }
 

@@ -1,8 +1,9 @@
 //! Checks of the model by its residuals: reliability of readings, influential poses, trends.
 
 use crate::Report;
-use crate::model::{Block, Cell, Columns, Section, Table, shown, significant, strong_term, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_term, term};
 use crate::number;
+use crate::plots::against::SIGNIFICANCE;
 use crate::plots::influence;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -10,8 +11,6 @@ use etalon_documents::{InfluenceEntry, ReliabilitySummary, ResidualTrend, Robust
 
 /// Maximum number of parameters in the table of a robust fit.
 const SHOWN: usize = 10;
-/// Significance level of a trend.
-const SIGNIFICANCE: f64 = 0.05;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     let (parameters, accuracy) = (report.identified?.parameters, report.identified?.accuracy);
@@ -147,7 +146,7 @@ fn trends(all: &[ResidualTrend], words: &Words) -> Table {
     let name = |t: &ResidualTrend| match t.against.as_str() {
         "reach_mm" => term(words, phrase!("distance-from-the-base")),
         "order" => term(words, phrase!("order-of-the-measurement")),
-        joint => joint.into(),
+        joint => Text::name(joint.rsplit_once('_').map_or(joint, |(name, _)| name)).into(),
     };
     let verdict = |t: &ResidualTrend| match t.p_value < SIGNIFICANCE {
         true => strong_term(words, phrase!("yes")),

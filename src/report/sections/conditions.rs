@@ -6,7 +6,6 @@ use crate::Report;
 use crate::model::{Block, Cell, Section};
 use crate::number;
 use crate::words::{Words, tr};
-use etalon_base::message::one_line;
 use etalon_documents::{CampaignSummary, Characteristics, DecisionRule, Iso9283Document};
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
@@ -88,7 +87,7 @@ pub(crate) fn robot_name(report: &Report) -> Option<String> {
 
 /// Method by which the results were obtained.
 fn method(report: &Report, words: &Words) -> String {
-    let model = report.identified.map(|i| one_line(&i.parameters.robot));
+    let model = report.identified.map(|i| words.model(&i.parameters.robot));
     let identified = model.map(|model| tr!(words, "method-identification", model));
     let tested = (!report.tested.is_empty()).then(|| tr!(words, "method-iso9283"));
     let program = format!("etalon {}", report.provenance().version);

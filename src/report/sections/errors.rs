@@ -1,6 +1,6 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use crate::model::{Block, Columns, ROWS, Section, Table, Text, fixed, shown, term};
+use crate::model::{Block, Columns, PAPER_ROWS, Section, Table, Text, fixed, shown, significant, term};
 use crate::number::{self, Shown};
 use crate::plots::points::{self, after_mm, before_mm};
 use crate::plots::{against, arrows, by_pose, histogram, map, prediction};
@@ -17,15 +17,31 @@ use etalon_documents::{
 use std::collections::BTreeMap;
 
 pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
-    let Identified { accuracy, errors, .. } = report.identified?;
-    of(accuracy, errors, words).whole()
+    let Identified { accuracy, errors, parameters } = report.identified?;
+    let robust = parameters.robust.as_ref();
+    let outliers = robust.map(|found| (&found.poses[..], found.critical_residual));
+    let flagged = outliers.into_iter().flat_map(|(poses, critical)| {
+        poses.iter().filter(move |p| p.residual_over_sigma > critical).map(|p| (p.pose, p.residual_over_sigma))
+    });
+    with_flagged(accuracy, errors, &flagged.collect(), words).whole()
 }
 
 /// Section of these errors.
 pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
+    with_flagged(accuracy, errors, &Flagged::new(), words)
+}
+
+/// Calibration poses that disagree with the others, with their residual over σ.
+type Flagged = BTreeMap<PoseName, f64>;
+
+fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Flagged, words: &Words) -> Section {
     let mut section = Section::new("errors", tr!(words, "errors-before-and-after"));
-    section.summarise(tr!(words, "definition-of-errors"), Text::document(&accuracy.definition, words), "");
-    section.push(Block::detail(Text::document(&accuracy.definition, words)));
+    section.summarise(
+        tr!(words, "definition-of-errors"),
+        Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words),
+        "",
+    );
+    section.push(Block::detail(Text::worded(&accuracy.definition, accuracy.definition_phrase.as_ref(), words)));
     if accuracy.sets.is_empty() {
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
@@ -40,7 +56,7 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
                     set = name,
                     poses = set.poses,
                     errors = set.count,
-                    point = words.named(point)
+                    point = words.worded(point, accuracy.point_phrase.as_ref())
                 )
             }
         };
@@ -112,12 +128,13 @@ pub(crate) fn of(accuracy: &AccuracyDocument, errors: &[PointError], words: &Wor
             largest = um(tool.expanded_max_mm),
             undetermined = um(tool.held_mm),
         )));
-        section.push(Block::detail(Text::document(&tool.definition, words)));
+        section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
     }
-    let table = poses(errors, words);
+    let table = poses(errors, flagged, words);
     if !table.is_empty() {
-        let title = match table.rows.len() > ROWS {
-            true => tr!(words, "largest-errors-of-poses"),
+        let title = match table.rows.len() > PAPER_ROWS {
+            true if flagged.is_empty() => tr!(words, "largest-errors-of-poses"),
+            true => tr!(words, "outliers-then-largest-errors"),
             false => tr!(words, "errors-of-each-pose"),
         };
         section.push(Block::Aside { title, blocks: vec![Block::Table(table)] });
@@ -144,16 +161,33 @@ pub(super) fn pictures(report: &Report, words: &Words) -> Option<Section> {
         let note = tr!(words, "errors-not-drawn", count = undrawn);
         section.push(Block::note(note));
     }
-    let mut figures = map::maps(&drawable, planar, words);
-    if let Some(predicted) = &identified.accuracy.map {
-        figures.extend(prediction::pictures(predicted, planar, words));
+    let accuracy = identified.accuracy;
+    let maps = map::maps(&drawable, planar, words);
+    let expected = accuracy.map.iter().flat_map(|map| prediction::pictures(map, planar, words)).collect();
+    let vectors = arrows::arrows(&drawable, planar, words);
+    // space, or the first plane; the other views are folded
+    let (mut figures, mut more) = (Vec::new(), Vec::new());
+    for (views, first) in [(maps, !planar), (expected, false), (vectors, false)] {
+        let shown = if first { views.len().saturating_sub(2) } else { 0 };
+        for (i, figure) in views.into_iter().enumerate() {
+            if (shown..shown + 2).contains(&i) { figures.push(figure) } else { more.push(figure) }
+        }
     }
-    figures.extend(arrows::arrows(&drawable, planar, words));
-    let (limits, joints) = (&identified.accuracy.limits, &identified.accuracy.joints);
-    figures.extend(histogram::histograms(&drawable, limits, words));
-    figures.extend(by_pose::pictures(&drawable, limits, words));
-    figures.extend(against::pictures(&drawable, joints, base_mm(identified.parameters), limits, words));
+    figures.extend(histogram::histograms(&drawable, &accuracy.limits, words));
+    figures.extend(by_pose::pictures(&drawable, &accuracy.limits, words));
+    let data = against::Data {
+        errors: &drawable,
+        joints: &accuracy.joints,
+        base_mm: base_mm(identified.parameters),
+        limits: &accuracy.limits,
+        trends: &accuracy.trends,
+    };
+    let [significant, others] = against::pictures(&data, words);
+    figures.extend(significant);
     section.figures(figures);
+    let folded = |figures| vec![Block::Figures { figures }];
+    section.push(Block::Aside { title: tr!(words, "other-planes"), blocks: folded(more) });
+    section.push(Block::Aside { title: tr!(words, "no-trend-pictures"), blocks: folded(others) });
     section.whole()
 }
 
@@ -257,18 +291,23 @@ impl OfPose<'_> {
     }
 }
 
-/// Mean and largest error of every pose; if not all fit on a page, the largest first.
-fn poses(errors: &[PointError], words: &Words) -> Table {
+/// Mean and largest error of every pose; if not all fit on paper, outliers and then the largest
+/// errors first, whatever their set.
+fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let mut by_pose: BTreeMap<(PoseSet, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {
         by_pose.entry((p.set, p.pose)).or_default().push(p);
     }
     let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
-    let validation = rows.iter().filter(|row| row.set == PoseSet::Validation).count();
-    if rows.len() > ROWS {
-        // all validation poses, then the largest of the others
+    // a pose that was left out of the fit cannot disagree with it
+    let over_sigma = |row: &OfPose| flagged.get(&row.pose).copied().filter(|_| row.set == PoseSet::Calibration);
+    if rows.len() > PAPER_ROWS {
         let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);
-        rows.sort_by(|a, b| b.set.cmp(&a.set).then(largest(b).total_cmp(&largest(a))));
+        let order = |row: &OfPose| (over_sigma(row).unwrap_or(0.0), largest(row));
+        rows.sort_by(|a, b| {
+            let (a, b) = (order(a), order(b));
+            b.0.total_cmp(&a.0).then(b.1.total_cmp(&a.1))
+        });
     }
     let largest = errors.iter().flat_map(|p| [before_mm(p), after_mm(p)]).fold(0.0, f64::max);
     let Shown { unit, factor } = number::shown("mm", largest);
@@ -286,9 +325,9 @@ fn poses(errors: &[PointError], words: &Words) -> Table {
         .both(phrase!("position-after-max"), "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
         .shown_in(unit)
         .both(phrase!("orientation-before-max"), "deg", move |r| angle(r.largest(|p| p.before_deg)))
-        .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)));
-    let most = ROWS.max(validation);
-    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns().showing(most)
+        .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)))
+        .both(phrase!("residual-over"), "", move |r| significant(over_sigma(r), 2));
+    Table::of(words, &rows, columns).on("Errors by pose").without_empty_columns()
 }
 
 fn residuals(errors: &[PointError], words: &Words) -> Table {
@@ -340,7 +379,9 @@ mod tests {
             trends: vec![],
             schema: String::new(),
             point: String::new(),
+            point_phrase: None,
             definition: String::new(),
+            definition_phrase: None,
             sets: vec![set.clone()],
             placed_apart: Vec::new(),
             effects: Vec::new(),
@@ -381,14 +422,17 @@ mod tests {
     #[test]
     fn a_pose_has_the_largest_of_its_errors_and_long_tables_are_cut() {
         let two = [point(1, [0.0; 3], [0.3, 0.0, 0.0], [0.02, 0.0, 0.0]), point(1, [0.0; 3], [0.2; 3], [0.01; 3])];
-        assert_eq!(page_of(&poses(&two, &Words::default())), [["1", "calibration", "2", "346", "20.0"]]);
+        assert_eq!(
+            page_of(&poses(&two, &Flagged::new(), &Words::default())),
+            [["1", "calibration", "2", "346", "20.0"]]
+        );
         let many: Vec<_> =
             (0..600u32).map(|i| point(i64::from(i), [0.0; 3], [0.1; 3], [1e-5 * f64::from(i); 3])).collect();
-        let table = poses(&many, &Words::default());
+        let table = poses(&many, &Flagged::new(), &Words::default());
         let page = serde_json::to_value(&table).unwrap();
         assert_eq!((table.rows.len(), page_of(&table).len(), page["left_out"].as_u64()), (600, 500, Some(100)));
         let [first, last] = [0, 499].map(|i: usize| page_of(&table)[i][0].clone());
         assert_eq!((first.as_str(), last.as_str()), ("599", "100"), "the largest are shown");
-        assert!(poses(&[], &Words::default()).is_empty());
+        assert!(poses(&[], &Flagged::new(), &Words::default()).is_empty());
     }
 }

@@ -26,7 +26,11 @@ pub(crate) fn of(document: &ParametersDocument, pictures: Vec<Figure>, words: &W
     if let Some(o) = &document.observability {
         section.push(Block::heading(tr!(words, "observability")));
         section.push(Block::Table(indices(o, words)));
-        section.push(Block::note(Text::from(tr!(words, "scaling-label") + " ").and(Text::document(&o.scaling, words))));
+        section.push(Block::note(Text::from(tr!(words, "scaling-label") + " ").and(Text::worded(
+            &o.scaling,
+            o.scaling_phrase.as_ref(),
+            words,
+        ))));
         section.push(Block::Table(singular_values(o, words)));
         section.figures(singular::picture(o, words));
     }

@@ -38,7 +38,7 @@ fn frame(world: &WorldFrame, words: &Words) -> Vec<(String, Cell)> {
         poses => (tr!(words, "measured"), tr!(words, "times-for-each-cycle", count = poses.len())),
     };
     vec![
-        (tr!(words, "definition"), Text::document(&world.definition, words).into()),
+        (tr!(words, "definition"), Text::worded(&world.definition, world.definition_phrase.as_ref(), words).into()),
         (tr!(words, "observations"), seen.into()),
         (tr!(words, "targets-from-their-places"), world.rms_mm.map(|v| format!("RMS {}", um(v))).into()),
         (tr!(words, "largest-distance"), world.max_mm.map(um).into()),
@@ -90,7 +90,7 @@ fn poses(world: &WorldFrame, words: &Words) -> Table {
 /// Errors that no reading would show.
 fn uncontrolled(all: &[Uncontrolled], words: &Words) -> Table {
     let columns = Columns::<Uncontrolled>::new()
-        .page(phrase!("what-no-reading-shows"), "", |u| Text::document(&u.what, words))
+        .page(phrase!("what-no-reading-shows"), "", |u| Text::worded(&u.what, u.what_phrase.as_ref(), words))
         .sheet("what no reading shows", "", |u| u.what.as_str())
         .both(phrase!("points"), "", |u| Text::name(&u.points.join(", ")))
         .both(phrase!("controlled-by"), "", |u| Text::name(&u.keys.join(", ")));

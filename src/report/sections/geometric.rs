@@ -21,7 +21,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     if report.identified.is_some() {
         section.push(Block::strong(sentence(document, words)));
     }
-    section.push(Block::note(Text::document(&document.definition, words)));
+    section.push(Block::note(Text::worded(&document.definition, document.definition_phrase.as_ref(), words)));
     section.push(Block::Table(quantities(document, words)));
     section.push(Block::note(tr!(words, "geometric-u-note")));
     for table in &document.tables {
@@ -60,7 +60,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
     section.table(tr!(words, "single-balls"), "", balls);
     section.table(tr!(words, "fits"), "", fits(document, words));
     let columns = Columns::<etalon_documents::Region>::new()
-        .both(phrase!("region-of-c"), "", |r| Text::document(&r.name, words))
+        .both(phrase!("region-of-c"), "", |r| Text::worded(&r.name, r.name_phrase.as_ref(), words))
         .both(phrase!("area"), "mm²", |r| fixed(r.area_mm2, 0))
         .both(phrase!("corners"), "", |r| r.corners_mm.len());
     let regions = Table::of(words, &document.workspace, columns).on("Geometry, workspace");
@@ -192,7 +192,7 @@ fn linearity(document: &GeometricDocument, words: &Words) -> Table {
 /// Quality of each fit.
 fn fits(document: &GeometricDocument, words: &Words) -> Table {
     let columns = Columns::<etalon_documents::GeometricStep>::new()
-        .both(phrase!("fit"), "", |s| Text::document(&s.name, words))
+        .both(phrase!("fit"), "", |s| Text::worded(&s.name, s.name_phrase.as_ref(), words))
         .both(phrase!("residuals"), "", |s| s.count)
         .both(phrase!("standard-deviation"), "mm", |s| fixed(s.standard_deviation_mm, 4))
         .both(phrase!("expected"), "mm", |s| fixed(s.expected_mm, 4))
@@ -212,9 +212,13 @@ fn drawing(document: &GeometricDocument, words: &Words) -> Option<Figure> {
     }
     let mut map = Workspace::new(XY, &corners, words);
     let title = tr!(words, "workspace-plane", plane = "xy");
-    let names = regions
-        .iter()
-        .map(|r| format!("{}: {} mm²", Text::document(&r.name, words).plain(), number::fixed(r.area_mm2, 0)));
+    let names = regions.iter().map(|r| {
+        format!(
+            "{}: {} mm²",
+            Text::worded(&r.name, r.name_phrase.as_ref(), words).plain(),
+            number::fixed(r.area_mm2, 0)
+        )
+    });
     for region in &regions {
         let last = document.workspace.last().is_some_and(|l| l.name == region.name);
         for (a, b) in region.corners_mm.iter().zip(region.corners_mm.iter().cycle().skip(1)) {

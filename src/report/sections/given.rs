@@ -14,7 +14,7 @@ pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Ver
     Verdict {
         met: document.verdict == VerificationVerdict::Valid,
         class: Grade::of(document.verdict == VerificationVerdict::Valid),
-        sentences: vec![Text::document(&document.meaning, words).plain()],
+        sentences: vec![Text::worded(&document.meaning, document.meaning_phrase.as_ref(), words).plain()],
         ..Verdict::default()
     }
 }
@@ -68,7 +68,9 @@ pub(crate) fn poses_to_verify(document: &VerificationPlanDocument, words: &Words
 /// Recommendation in sentences.
 pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> Verdict {
     let met = document.recommended.is_plausible();
-    let sentences = document.meaning.iter().map(|m| Text::document(m, words).plain()).collect();
+    let phrases = document.meaning_phrases.iter().map(Some).chain(std::iter::repeat(None));
+    let sentences = document.meaning.iter().zip(phrases).map(|(m, phrase)| Text::worded(m, phrase, words).plain());
+    let sentences = sentences.collect();
     Verdict { met, class: Grade::of(met), sentences, ..Verdict::default() }
 }
 
@@ -100,7 +102,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both(phrase!("verdict"), "", |s| match s.accepted {
             true => term(words, phrase!("accepted")),
             false => term(words, phrase!("not-accepted")),
-        });
+        })
+        .decisive();
     effects.push(Block::Table(Table::of(words, &document.steps, columns)));
     let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
     let change = |p: &ParameterVerdict| {
@@ -119,7 +122,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both(phrase!("verdict"), "", |p| match p.verdict {
             LoadVerdict::Load => term(words, phrase!("to-load")),
             LoadVerdict::Hold => term(words, phrase!("to-hold")),
-        });
+        })
+        .decisive();
     parameters.push(Block::Table(Table::of(words, &document.parameters, columns)));
     vec![effects, parameters]
 }

@@ -1,8 +1,8 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, significant, strong_term, term};
 use crate::number;
-use crate::words::{Words, tr};
+use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
 use etalon_base::phrase;
 use etalon_documents::{Characteristics, Conformity, DecisionRule, LimitVerdict};
@@ -14,12 +14,14 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
 /// Section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
-        .both(phrase!("limit"), "", |l| l.name.to_string())
+        .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))
+        .sheet("limit", "", |l| l.name.to_string())
         .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both(phrase!("reached"), "", |l| Cell::Number { value: l.value, shown: reached(l) })
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both(phrase!("unit"), "", |l| l.unit.as_str())
         .both(phrase!("verdict"), "", |l| judged(l.conformity, words))
+        .decisive()
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
     let mut section = Section::new("limits", tr!(words, "limits"));
     section.table("", "", Table::of(words, all, columns).on("Limits"));
@@ -80,6 +82,16 @@ fn reached(l: &LimitVerdict) -> String {
 mod tests {
     use super::*;
     use etalon_documents::LimitQuantity;
+
+    #[test]
+    fn the_verdict_is_beside_the_name_where_a_narrow_screen_shows_it() {
+        let limit = LimitVerdict::of(LimitQuantity::PositionMaxMm, 0.05, 0.04, Some(0.02), DecisionRule::Guarded);
+        let section = of(&[&limit], false, &Words::default()).unwrap();
+        let page = serde_json::to_value(&section).unwrap();
+        let heads = page["blocks"][0]["header"].as_array().unwrap();
+        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 6));
+        assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
+    }
 
     #[test]
     fn a_value_just_over_its_limit_does_not_look_equal_to_it() {

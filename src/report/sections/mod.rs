@@ -4,6 +4,7 @@ pub(super) mod accuracy;
 mod budget;
 pub(super) mod certificate;
 pub(super) mod changes;
+mod checklist;
 mod checks;
 mod compliance;
 pub(super) mod conditions;
@@ -36,7 +37,7 @@ type Make = fn(&Report, &Words) -> Option<Section>;
 
 /// Sections before and after the characteristics of ISO 9283, in the order of reading.
 const BEFORE: [Make; 5] = [conditions::section, limits::section, messages::section, errors::section, errors::pictures];
-const AFTER: [Make; 9] = [
+const AFTER: [Make; 10] = [
     parameters::section,
     controllers::section,
     budget::section,
@@ -46,6 +47,7 @@ const AFTER: [Make; 9] = [
     frames::section,
     import::section,
     provenance::section,
+    checklist::section,
 ];
 
 /// Characteristics in the order of ISO 9283:1998, by their clauses.

@@ -23,15 +23,20 @@ pub(crate) fn of(document: &ParametersDocument, words: &Words) -> Section {
     }
     section.push(Block::text(effective_values(document, words)));
     section.push(Block::Table(sheet(&document.parameters)));
-    section.table(tr!(words, "meanings-title"), "", meanings(&document.parameters, words).detail());
+    let meanings = vec![Block::Table(meanings(&document.parameters, words).detail())];
+    section.push(Block::Aside { title: tr!(words, "meanings-title"), blocks: meanings });
     section.figures(sketch::pictures(&document.sketches, words));
     section.push(Block::Table(matrix("Covariance", document, words, |c, i, j| c[i][j])));
     let correlated = |c: &[Vec<f64>], i: usize, j: usize| c[i][j] / (c[i][i] * c[j][j]).sqrt();
     section.push(Block::Table(matrix("Correlation", document, words, correlated)));
-    let mut figures: Vec<Figure> =
-        groups.iter().enumerate().flat_map(|(i, (title, of))| intervals::pictures(of, (i, title), words)).collect();
-    figures.extend(correlation::picture(document, words));
+    // without a nominal value there is no change to draw
+    let drawn = groups.iter().enumerate().filter(|(_, (_, of))| has_nominal(of));
+    let figures: Vec<Figure> = drawn.flat_map(|(i, (title, of))| intervals::pictures(of, (i, title), words)).collect();
     section.figures(figures);
+    if let Some(figure) = correlation::picture(document, words) {
+        let title = figure.title.clone();
+        section.push(Block::Aside { title, blocks: vec![Block::Figures { figures: vec![figure] }] });
+    }
     section.push(super::messages::routine(&document.messages, words));
     section
 }
@@ -62,20 +67,29 @@ fn change(p: &ParameterEntry) -> Cell {
     shown(p.value - p.nominal, |v| sign.to_owned() + &number::with_uncertainty(v, p.standard_uncertainty))
 }
 
-/// Change as a multiple of its standard uncertainty; `None` if that is zero or unknown.
+/// Change as a multiple of its standard uncertainty; `None` if that is zero or unknown, or if the
+/// nominal value is only a start: where the base stands and where targets are does not change.
 fn change_over_u(p: &ParameterEntry) -> Option<f64> {
-    Some((p.value - p.nominal) / p.standard_uncertainty?).filter(|ratio| ratio.is_finite())
+    let nominal = Some(p.nominal).filter(|_| p.role == Role::Robot || p.tolerance.is_some());
+    Some((p.value - nominal?) / p.standard_uncertainty?).filter(|ratio| ratio.is_finite())
+}
+
+/// `true` if nominal values of a group are stated: base and targets that are found from the
+/// measurements start at zero.
+fn has_nominal(parameters: &[&ParameterEntry]) -> bool {
+    parameters.iter().any(|p| p.role == Role::Robot || p.tolerance.is_some() || p.nominal != 0.0)
 }
 
 fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
     let moved = parameters.iter().any(|p| p.before != p.nominal);
+    let stated = has_nominal(parameters);
     let columns = Columns::<&ParameterEntry>::new()
         .page(phrase!("name"), "", |p| p.name.as_str())
         .page(phrase!("unit"), "", |p| p.unit.as_str())
-        .page(phrase!("nominal"), "", |p| with_uncertainty(p.nominal, p.standard_uncertainty))
+        .page(phrase!("nominal"), "", move |p| stated.then(|| with_uncertainty(p.nominal, p.standard_uncertainty)))
         .page(phrase!("before"), "", move |p| moved.then(|| with_uncertainty(p.before, p.standard_uncertainty)))
         .page(phrase!("identified"), "", |p| with_uncertainty(p.value, p.standard_uncertainty))
-        .page(phrase!("change"), "", |p| change(p))
+        .page(phrase!("change"), "", move |p| stated.then(|| change(p)))
         .page("u (k = 1)", "", |p| significant(p.standard_uncertainty, 2))
         .page("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
         .page(phrase!("change-by-u"), "", |p| shown(change_over_u(p), number::ratio))
@@ -200,5 +214,12 @@ mod tests {
         assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "0.0015", "0.0030", "-588", "identified"]);
         (p.standard_uncertainty, p.status) = (None, ParameterStatus::NotIdentifiable);
         assert_eq!(row(&p)[3..], ["299.1235", "-0.8765", "held: not separately identifiable"]);
+        // a base that was found from the measurements did not move there from zero
+        (p.role, p.nominal, p.before, p.value) = (Role::Base, 0.0, 448.63, 450.02);
+        (p.standard_uncertainty, p.status) = (Some(0.22), ParameterStatus::Identified);
+        assert_eq!(row(&p)[2..], ["448.63", "450.02", "0.22", "0.44", "identified"]);
+        assert_eq!(change_over_u(&p), None);
+        p.tolerance = Some(1.0);
+        assert_eq!(change_over_u(&p).map(|r| r.round()), Some(2046.0), "a stated place is a claim");
     }
 }

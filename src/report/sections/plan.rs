@@ -148,7 +148,7 @@ fn study(document: &StudyDocument, words: &Words) -> Section {
         identifications = document.runs,
         medians = document.draws,
         configurations = document.configurations,
-        point = words.named(&document.point)
+        point = words.worded(&document.point, document.point_phrase.as_ref())
     )));
     let columns = Columns::<StudiedParameter>::new()
         .both(phrase!("name"), "", |p| p.name.as_str())

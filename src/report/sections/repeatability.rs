@@ -100,7 +100,7 @@ fn spheres(poses: &[Named], words: &Words) -> Table {
 }
 
 /// RP with its intervals and further assessments.
-fn intervals(poses: &[Named], words: &Words) -> Table {
+pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
     let axes = |n: &Named| {
         let um = |mm: f64| number::fixed(1e3 * mm, 1);
         numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
@@ -110,7 +110,8 @@ fn intervals(poses: &[Named], words: &Words) -> Table {
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
         .page_of(columns(), &["RP without noise"])
         .page(phrase!("ellipsoid-semi-axes"), "µm", axes)
-        .page(phrase!("verdict"), "", |n| conformity(n.pose.rp_conformity, words));
+        .page(phrase!("verdict"), "", |n| conformity(n.pose.rp_conformity, words))
+        .decisive();
     let known = poses.iter().filter(|n| n.pose.rp_interval.is_some());
     Table::of(words, known, columns).without_empty_columns()
 }

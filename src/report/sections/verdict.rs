@@ -39,7 +39,9 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
     sentences.extend((identified.is_some() || limits.is_empty()).then(|| counted(&limits, words)));
-    let point = identified.map(|i| words.named(&i.accuracy.point)).filter(|point| !point.is_empty());
+    let point = identified
+        .map(|i| words.worded(&i.accuracy.point, i.accuracy.point_phrase.as_ref()))
+        .filter(|point| !point.is_empty());
     let about = set.map(|s| match &point {
         Some(point) => {
             tr!(words, "errors-before-after-of", point, set = words.tr(&names::set(s.name)))
@@ -59,8 +61,11 @@ pub(crate) fn verdict(identified: Option<&Identified>, tested: &Characteristics,
 /// Number of limits met, undecided limits, and decision rule.
 fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     let missed = limits.iter().filter(|l| l.conformity == Conformity::NotConforming).count();
-    let undecided: Vec<&str> =
-        limits.iter().filter(|l| l.conformity == Conformity::Neither).map(|l| l.name.into()).collect();
+    let undecided: Vec<String> = limits
+        .iter()
+        .filter(|l| l.conformity == Conformity::Neither)
+        .map(|l| words.tr(&names::limit(l.name)))
+        .collect();
     let sentence = match (limits.len(), missed) {
         (0, _) => return tr!(words, "the-campaign-states-no-limits"),
         (_, 0) if !undecided.is_empty() => String::new(),
@@ -180,7 +185,7 @@ fn alarm(document: &ParametersDocument, words: &Words) -> Option<String> {
     match termination.is_success() {
         true if document.is_plausible() => None,
         true => Some(tr!(words, "parameters-implausible")),
-        false => Some(tr!(words, "identification-failed", reason = termination.phrase())),
+        false => Some(tr!(words, "identification-ended", reason = termination.phrase())),
     }
 }
 
@@ -330,7 +335,7 @@ mod tests {
         );
         assert!(
             open.sentences[2]
-                .starts_with("Within its uncertainty it is undecided whether the limit is met: position_max")
+                .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error")
         );
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
@@ -352,7 +357,7 @@ mod tests {
             "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
              (ISO 14253-1): all 2 poses conform.",
             "The instrument is good enough for every pose.",
-            "Within its uncertainty it is undecided whether the limit is met: accuracy_max_mm. Decision rule: guarded acceptance \
+            "Within its uncertainty it is undecided whether the limit is met: largest accuracy AP. Decision rule: guarded acceptance \
              (ISO 14253-1).",
         ];
         assert_eq!(
@@ -374,7 +379,7 @@ mod tests {
     #[test]
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
-        documents.parameters.solver.termination = Termination::LostPatience;
+        documents.parameters.solver.termination = Termination::IterationLimit;
         let verdict = of(&documents);
         assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
     }

@@ -113,6 +113,8 @@ impl Documents {
                 trends: vec![],
                 schema: "etalon/accuracy/1".to_owned(),
                 point: "the platform's centre as the balls measure it".to_owned(),
+                point_phrase: Some(etalon_base::phrase!("platform-as-measured")),
+                definition_phrase: None,
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
@@ -216,6 +218,7 @@ fn frames() -> FramesDocument {
         schema: "etalon/frames/1".to_owned(),
         world: WorldFrame {
             definition: "plane rails, origin R_home, y axis from R_home to R_end".to_owned(),
+            definition_phrase: None,
             planar: true,
             poses: vec![FramePose { pose: None, cycle: None, export_T_world, covariance: None }],
             common_covariance: None,
@@ -307,6 +310,7 @@ fn observability() -> ObservabilitySummary {
         condition: 46.9,
         rank: 11,
         scaling: "columns in mm and degrees, as the parameters are".to_owned(),
+        scaling_phrase: None,
         singular_values: singular_values(),
         held_singular_values: vec![SingularValueEntry { value: 3e-13, parameters: vec!["x_c".to_owned()] }],
         rank_cut: 1e-9,

@@ -7,7 +7,7 @@ use etalon_base::message::Place;
 use etalon_documents::{Language, PoseSet, Refused, Statistics};
 
 fn html(report: &Report) -> Result<String> {
-    Ok(String::from_utf8(Faces::campaign(report)?.file("html")?).unwrap())
+    Ok(String::from_utf8(Renderer::campaign(report)?.file("html")?).unwrap())
 }
 
 /// Page alone.
@@ -40,9 +40,8 @@ fn the_demo_page_has_what_a_reader_needs() {
     {
         assert!(page.contains(&format!("<section id=\"{id}\">")) && page.contains(&format!("href=\"#{id}\"")), "{id}");
     }
-    // eight figures of errors, three of parameters, one of the budget, two of residuals, one of
-    // singular values
-    assert_eq!(page.matches("<svg").count(), 15);
+    // eight figures of errors, three of parameters, two of residuals, one of singular values
+    assert_eq!(page.matches("<svg").count(), 14);
 }
 
 /// A parameter is effective if residuals exceed the instrument's uncertainty, and if most of the
@@ -93,8 +92,43 @@ fn of_many_poses_the_page_has_the_worst_and_says_what_is_left_out() {
     documents.errors = (0..16_800).map(error).collect();
     let page = page(&documents);
     assert!(page.len() < 3_000_000, "{}", page.len());
-    assert!(page.contains("8400 more rows are left out: the workbook has all."));
-    assert!(page.contains("Errors of each pose, the largest first"));
+    assert!(page.contains("16300 more rows are left out: the workbook has all."));
+    assert!(page.contains("Errors of each pose: outliers, then the largest"));
+}
+
+/// Paper shows 200 rows: the outlier of the fit and the largest errors of both sets are among them.
+#[test]
+fn outliers_and_the_largest_errors_of_both_sets_are_first() {
+    let mut documents = Documents::demo();
+    let error = |i: i64| {
+        let size = 0.001 * (1 + i) as f64;
+        let mut error = point(i, [10.0 * i as f64, 0.0, 0.0], [0.9; 3], [size, 0.0, 0.0]);
+        error.set = if i % 3 == 0 { PoseSet::Validation } else { PoseSet::Calibration };
+        error
+    };
+    documents.errors = (0..300).map(error).collect();
+    let pose = |pose: i64, residual_over_sigma| etalon_documents::RobustPose {
+        pose: pose.into(),
+        weight: 0.01,
+        residual_over_sigma,
+    };
+    documents.parameters.robust = Some(etalon_documents::RobustSummary {
+        constant: 2.385,
+        sigma_mm: 0.01,
+        parameters: Vec::new(),
+        critical: 3.0,
+        poses: vec![pose(4, 6.2), pose(5, 2.0)],
+        critical_residual: 4.0,
+        disagreeing: 1,
+    });
+    let page = page(&documents);
+    let table = page.split("Errors of each pose: outliers, then the largest").nth(1).unwrap();
+    let first = |i: usize| table.split("<tr>").nth(2 + i).unwrap();
+    assert!(first(0).contains(">4<") && first(0).ends_with(">6.2"), "{}", first(0));
+    for (row, pose, set) in [(1, 299, "calibration"), (2, 298, "calibration"), (3, 297, "validation")] {
+        assert!(first(row).contains(&format!(">{pose}<")) && first(row).contains(set), "{}", first(row));
+    }
+    assert!(include_str!("../pdf/report.typ").contains(&format!("#let most = {}\n", crate::model::PAPER_ROWS)));
 }
 
 /// Puts a text wherever a campaign, a file or a person can put one.
@@ -206,7 +240,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
     assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
-    assert_eq!(page.matches("<svg").count(), 25);
+    assert_eq!(page.matches("<svg").count(), 24);
 }
 
 #[test]

@@ -66,3 +66,21 @@ fn what_a_cell_cannot_hold_is_cut_or_replaced() {
     let residuals = book.worksheet_range("Residuals").unwrap();
     assert_eq!(residuals.get((1, 1)), Some(&Data::String(i64::MAX.to_string())));
 }
+
+/// A plan has a sheet "Parameters" without changes, and Excel rejects a chart without series and
+/// two sheets of one name.
+#[test]
+fn sheets_of_one_name_with_other_columns_are_written() {
+    use crate::model::{Block, Columns, Contents, Section, Table};
+    let (words, names) = (Words::default(), ["a".to_owned(), "b".to_owned()]);
+    let table = |title| {
+        let columns = Columns::<String>::new().both("name", "", |n| n.as_str()).both(title, "", |n| n.len());
+        Block::Table(Table::of(&words, &names, columns).on("Parameters"))
+    };
+    let mut section = Section::new("parameters", "Parameters");
+    ["predicted u", "identified", "predicted u"].into_iter().for_each(|title| section.push(table(title)));
+    let contents = Contents { sections: vec![section], ..Contents::default() };
+    let mut book = only_texts_and_numbers(super::super::workbook::workbook(&contents, &words).unwrap());
+    assert_eq!(book.sheet_names(), ["Summary", "Parameters", "Parameters 2"]);
+    assert_eq!(book.worksheet_range("Parameters").unwrap().height(), 1 + 2 * names.len());
+}

@@ -2,7 +2,7 @@
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{Effect, ErrorQuantity, PoseSet, SourceKind, UncertaintySource};
+use etalon_documents::{Effect, ErrorQuantity, LimitQuantity, PoseSet, SourceKind, UncertaintySource};
 
 /// Name of a set of poses.
 pub(crate) fn set(set: PoseSet) -> Phrase {
@@ -20,6 +20,32 @@ pub(crate) fn quantity(quantity: ErrorQuantity) -> Phrase {
         ErrorQuantity::Y => phrase!("axis-y"),
         ErrorQuantity::Z => phrase!("axis-z"),
         ErrorQuantity::Orientation => phrase!("orientation"),
+    }
+}
+
+/// Kind of a robot, by the key of its model.
+pub(crate) fn model(key: &str) -> Option<Phrase> {
+    Some(match key {
+        "serial" => phrase!("model-serial"),
+        "urdf" => phrase!("model-urdf"),
+        "prexyt" => phrase!("model-prexyt"),
+        "five_bar" => phrase!("model-five-bar"),
+        "hexapod" => phrase!("model-hexapod"),
+        "delta" => phrase!("model-delta"),
+        "delta_linear" => phrase!("model-delta-linear"),
+        _ => return None,
+    })
+}
+
+/// Name of a limited quantity.
+pub(crate) fn limit(quantity: LimitQuantity) -> Phrase {
+    match quantity {
+        LimitQuantity::PositionMaxMm => phrase!("limit-position-max"),
+        LimitQuantity::PositionMeanMm => phrase!("limit-position-mean"),
+        LimitQuantity::PositionRmsMm => phrase!("limit-position-rms"),
+        LimitQuantity::OrientationMaxDeg => phrase!("limit-orientation-max"),
+        LimitQuantity::RepeatabilityMaxMm => phrase!("limit-repeatability-max"),
+        LimitQuantity::AccuracyMaxMm => phrase!("limit-accuracy-max"),
     }
 }
 
@@ -67,11 +93,10 @@ pub(crate) fn source(source: UncertaintySource) -> Phrase {
     }
 }
 
-/// Names that documents enumerate in texts: elements, methods, points, movements, quantities of a
+/// Names that documents enumerate in texts: elements, methods, movements, quantities of a
 /// comparison. `None` for any other text.
 pub(crate) fn of_document(name: &str) -> Option<Phrase> {
     Some(match name {
-        "zeros of the joints" => phrase!("zeros-of-the-joints"),
         "plane" => phrase!("plane"),
         "line" => phrase!("line"),
         "circle" => phrase!("circle"),
@@ -81,10 +106,6 @@ pub(crate) fn of_document(name: &str) -> Option<Phrase> {
         "identified" => phrase!("identified"),
         "base shift" => phrase!("base-shift"),
         "base rotation" => phrase!("base-rotation"),
-        "the platform's centre as the balls measure it" => phrase!("platform-as-measured"),
-        "the targets as measured" => phrase!("targets-as-measured"),
-        "the platform's centre C in the base frame" => phrase!("platform-in-base"),
-        "the targets in the world" => phrase!("targets-in-world"),
         "position" => phrase!("position"),
         "orientation" => phrase!("orientation"),
         "calibration" => phrase!("calibration"),

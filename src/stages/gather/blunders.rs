@@ -19,7 +19,7 @@ use std::f64::consts::FRAC_PI_2;
 enum Together {
     /// Pose (perhaps the number of the row) and cycle.
     Pose(PoseName, Option<i64>),
-    /// The same time stamp, as the bits of its seconds.
+    /// Equal time stamp, as the bits of its seconds.
     Time(u64),
 }
 
@@ -40,13 +40,14 @@ impl Together {
 /// Indices of the targets measured together, in the order of the rule.
 type Groups = BTreeMap<Together, Vec<Option<usize>>>;
 
-/// What is wrong with the rules themselves, whatever the files hold.
+/// Errors in the rules themselves, whatever the files hold.
 pub(super) fn check(campaign: &Campaign) -> Problems {
     let rules = campaign.file.rigid.iter().enumerate();
     Problems(rules.filter_map(|(i, rigid)| stated(campaign, rigid, i).err()).collect())
 }
 
-/// Refuses points whose distances to the others of their rigid part leave the median by more than the tolerance.
+/// Refuses points whose distances to the other targets of their rigid part differ from the median
+/// by more than the tolerance.
 pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &mut [Source]) -> Result<Vec<Message>> {
     let mut problems = Problems::default();
     for rigid in &campaign.file.rigid {
@@ -83,12 +84,12 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
     problems.check()
 }
 
-/// Where the campaign states the rule.
+/// Place of the rule in the campaign.
 fn place(campaign: &Campaign, rigid: &Rigid) -> Place {
     rigid.targets.first().map_or_else(|| Place::file(campaign.path.as_str()), |target| campaign.place(target))
 }
 
-/// A rule that means something: two targets or more, each once, and a tolerance that some distances exceed.
+/// Checks a rule: two targets or more, each once, and a positive tolerance.
 fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Result<(), Message> {
     let names: BTreeSet<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     if names.len() < 2 || names.len() < rigid.targets.len() {
@@ -122,7 +123,7 @@ fn stated(campaign: &Campaign, rigid: &Rigid, index: usize) -> std::result::Resu
     Ok(())
 }
 
-/// The targets of a rigid part as they were measured together; an error about the first row that cannot be found.
+/// Returns the targets of a rigid part as they were measured together.
 fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::Result<Groups, Message> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     let mut groups = Groups::new();
@@ -160,7 +161,8 @@ fn too_few(campaign: &Campaign, rigid: &Rigid, groups: &Groups) -> Option<Messag
     Some(message.at(place(campaign, rigid)))
 }
 
-/// A message where targets measured together are at other distances than `places_mm` states, beyond the uncertainty of both.
+/// Returns a message where targets measured together have other distances than `places_mm` states,
+/// beyond the uncertainty of both.
 fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &Groups) -> Option<Message> {
     let part = rigid.shape()?;
     let u_at = |i: usize| campaign.file.instrument.standard_uncertainty_at_mm(points[i].xyz_mm);
@@ -171,7 +173,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
         };
         let all: Vec<f64> = groups.values().filter_map(measured).collect();
         let middle = median(all.iter().copied())?;
-        // of one distance, by the instrument or as it scatters; that of a median is larger by π/2
+        // variance of one distance, by the instrument or as measured; of a median π/2 times more
         let scatter = OF_MEDIAN * median(all.iter().map(|d| (d - middle).abs()))?;
         let of_median = (2.0 * u_mm * u_mm).max(scatter * scatter) * FRAC_PI_2 / all.len() as f64;
         let variance = of_median + 2.0 * part.standard_uncertainty_mm.powi(2);
@@ -180,7 +182,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
     let pairs = part.pairs().count();
     let (pair, measured_mm, square) = part.pairs().filter_map(deviation).max_by(|a, b| a.2.total_cmp(&b.2))?;
     // the largest of several: no more often beyond than their sum
-    let message = || contradicted_places(&part.contradicted(pair, measured_mm, "measured together they are"));
+    let message = || contradicted_places(&part.contradicted(pair, measured_mm, "measurement"));
     chi_square_exceeds(square, pairs).then(|| message().at(place(campaign, rigid)))
 }
 

@@ -7,7 +7,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{Refused, Source, SourceKind};
 
-/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones, with their reasons.
+/// Leaves out the rows that `[[identify.exclude]]` names: they are listed among the refused ones,
+/// with their reasons.
 pub(super) fn leave_out(
     campaign: &Campaign,
     columns: &mut PointColumns,

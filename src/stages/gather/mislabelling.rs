@@ -13,7 +13,8 @@ use std::collections::BTreeMap;
 const BLOCKS: usize = 10;
 const FEWEST: usize = 3;
 
-/// How near two points lie that are one: ten times the instrument's expanded uncertainty, from 0.1 to 1 mm.
+/// Largest distance of two points that are one: ten times the instrument's expanded uncertainty,
+/// from 0.1 to 1 mm.
 fn near_mm(campaign: &Campaign) -> f64 {
     (10.0 * campaign.file.instrument.expanded_uncertainty_um / 1000.0).clamp(0.1, 1.0)
 }
@@ -23,9 +24,10 @@ fn name(point: &Point) -> &str {
     point.target.as_deref().unwrap_or(&point.label)
 }
 
-/// Warnings about rows that have the name of one point and lie where another is: in the same pose, or, of points that
-/// stand still, where no other row of their own name lies. One warning for each pair of names; none where most rows of
-/// one lie at rows of the other: these are repeats of the same places.
+/// Warnings about rows that have the name of one point and lie where another is: in the same pose,
+/// or, for points that stand still, where no other row of their own name lies. Each pair of names
+/// has one warning. There is none where most rows of one name lie at rows of the other: these are
+/// repeats of the same places.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);
     let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
@@ -72,8 +74,9 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     found.into_iter().filter_map(warning).collect()
 }
 
-/// Pairs of points of different names that lie near each other. Cells are twice as wide as that, so that whoever is near lies in
-/// the same cell or in the next on the nearer side of each axis.
+/// Returns pairs of points of different names that lie near each other. Cells are twice as wide as
+/// `near`, so that a near point lies in the same cell or in the next cell on the nearer side of
+/// each axis.
 fn neighbours(points: &[Point], near: f64) -> Vec<(&Point, &Point)> {
     let named = || points.iter().filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
     // by name: repeats of one point are many
@@ -105,13 +108,13 @@ fn distance(a: &Point, b: &Point) -> f64 {
     norm(minus(a.xyz_mm, b.xyz_mm))
 }
 
-/// Whether there are other rows of the point's name in its file, and none of them near it.
+/// `true` if its file has other rows of the point's name, and all are far from the point.
 fn strays(point: &Point, same: &[&Point], near: f64) -> bool {
     let own = || same.iter().copied().filter(|p| !std::ptr::eq(*p, point) && p.export == point.export);
     own().next().is_some() && own().all(|p| distance(p, point) > 10.0 * near)
 }
 
-/// Where points of one name usually lie, and how far from there.
+/// Usual place of the points of one name, and their usual distance from it.
 fn where_it_is(own: &[&Point]) -> (Vector, f64) {
     let usual = middle(&own.iter().map(|p| p.xyz_mm).collect::<Vec<_>>()).unwrap_or_default();
     let spread = median(own.iter().map(|p| norm(minus(p.xyz_mm, usual))));
@@ -134,7 +137,8 @@ pub(super) fn check(campaign: &Campaign) -> Problems {
     Problems(campaign.file.fixed.iter().enumerate().filter_map(wrong).collect())
 }
 
-/// Warnings about fixed targets that wander: medians of tenths of their rows lie apart by more than is stated.
+/// Warnings about fixed targets that drift: the medians of two tenths of their rows lie farther
+/// apart than stated.
 pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let mut warnings = Vec::new();
     for fixed in &campaign.file.fixed {
@@ -263,8 +267,8 @@ mod tests {
         };
         let found = drifting(&campaign, &rows(0.001));
         assert_eq!(found.len(), 1, "{found:?}");
-        let rows = [("first", &"1-10" as &dyn IntoArgument), ("second", &"91-100"), ("limit_mm", &0.02)];
-        assert!(found[0].is("reference-drifts", &rows), "{found:?}");
+        let drifts: [(&str, &dyn IntoArgument); 3] = [("first", &"1-10"), ("second", &"91-100"), ("limit_mm", &0.02)];
+        assert!(found[0].is("reference-drifts", &drifts), "{found:?}");
         assert!(found[0].arguments["moved_mm"] == 0.09, "{found:?}");
         assert!(drifting(&campaign, &rows(0.0001)).is_empty());
         assert!(drifting(&campaign, &rows(0.001)[..20])[0].is("drift-few-readings", &[("count", &20), ("least", &30)]));

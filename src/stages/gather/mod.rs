@@ -1,7 +1,8 @@
 //! Gather: the exports and logs of a campaign become points and joint values.
 //!
-//! No input is repaired in silence: a row that means "not measured" is refused by rule and listed, anything else that
-//! does not read as stated is an error with its place, and one run reports all of them.
+//! No input is repaired in silence: a row that means "not measured" is refused by rule and listed,
+//! anything else that does not read as stated is an error with its place, and one run reports all
+//! of them.
 
 mod blunders;
 mod excluded;
@@ -23,7 +24,7 @@ use points::PointColumns;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What a campaign's files hold.
+/// Points, joint values and tables of a campaign's files.
 #[derive(Clone, Debug, Default)]
 pub struct Gathered {
     /// Every measured point.
@@ -32,7 +33,7 @@ pub struct Gathered {
     pub logs: Vec<JointLog>,
     /// The table of observations, where the campaign has one.
     pub(crate) observations: Option<TableFile>,
-    /// What was read and refused.
+    /// Files that were read, and rows that were refused.
     pub document: ImportDocument,
 }
 
@@ -43,8 +44,8 @@ pub fn gather(campaign: &Campaign) -> Result<Gathered> {
     Ok(imported)
 }
 
-/// Reads what can be read of all exports and logs of a campaign, and reports everything that is wrong with them. Points
-/// with a coordinate that does not read are there without it.
+/// Reads all readable rows of the exports and logs of a campaign, and reports all errors. Points
+/// with an unreadable coordinate are kept without it.
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut problems = Problems::default();
     let mut sources = vec![
@@ -107,7 +108,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
             Err(more) => problems.0.extend(more.0),
         }
-        // of what is left
+        // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
     }

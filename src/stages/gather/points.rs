@@ -21,7 +21,7 @@ pub(super) struct PointColumns {
 }
 
 impl PointColumns {
-    /// Adds what can be read of the text of an export; gives what is wrong with it.
+    /// Adds the readable rows of the text of an export, and returns its errors.
     pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &Arc<str>, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
         let (mut rows, mut problems) = export.format.read(file, text, export.unit);
@@ -35,8 +35,8 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the rows of an export; rows that were not measured go to the source's list of refused ones. Gives what is
-    /// wrong with the rest.
+    /// Adds the rows of an export; rows that were not measured go to the refused rows of the
+    /// source. Returns the errors of the other rows.
     fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();
         let pattern = export.label.as_ref().and_then(|text| {

@@ -19,8 +19,8 @@ const LEAST_STEP: f64 = 1e-10;
 /// Most decimals of a step that is looked for.
 const MOST_DECIMALS: i32 = 4;
 
-/// A warning if columns of coordinates are rounded so that this alone is more uncertain than the instrument: a step has the
-/// standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
+/// Returns a warning if coordinates are rounded so coarsely that rounding alone is more uncertain
+/// than the instrument: a step has the standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
 pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Option<Message> {
     let dialect = &export.format.dialect;
     if dialect.angle_unit.is_some() || !dialect.types.is_empty() {

@@ -6,7 +6,9 @@ pub use labels::{Gathered, gather, label, labelled};
 
 use crate::stages::evaluate::Sets;
 use crate::stages::identification::Identified;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
+use etalon_base::phrase;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, warning};
@@ -22,8 +24,9 @@ use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
-/// Finds the robot by geometry alone, and sets it beside what was identified from the same campaign, where anything was; steps that
-/// are not stated are left out. `None` where the campaign has no `[geometric]`.
+/// Finds the robot by geometry alone, and compares it with the parameters identified from the same
+/// campaign, if any; steps that are not stated are left out. `None` if the campaign has no
+/// `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
     robot: &dyn Robot,
@@ -58,13 +61,12 @@ pub fn calibrate(
         definition.ball.iter().zip(&balls).map(|(d, b)| ball(campaign, d, b)).collect();
     Ok(Some(GeometricDocument {
         schema: "etalon/geometric/1".to_owned(),
-        definition: "thesis, chapter 2: each quantity from points measured for it, no optimisation of the robot's model; \
-                     gamma, beta and epsilon_theta are taken as zero; d3 is corrected for the leads of actuators 2 and 3. \
-                     Uncertainties are the points' own, carried through every fit and frame; where residuals scatter \
-                     more than the instrument states, theirs. Errors are means of measured minus predicted pose, nominal \
-                     and geometric in the base frame found geometrically"
-            .to_owned(),
-        quantities: quantities.iter().map(|q| quantity(q, &found.readings, robot, identified.map(|i| &i.found))).collect(),
+        definition: phrase!("geometric-definition").to_string(),
+        definition_phrase: Some(phrase!("geometric-definition")),
+        quantities: quantities
+            .iter()
+            .map(|q| quantity(q, &found.readings, robot, identified.map(|i| &i.found)))
+            .collect(),
         covariance: covariance(&quantities, &found.readings),
         messages: steps.iter().filter_map(scatter_message).chain(scale_bars.iter().filter_map(bar_message)).collect(),
         leads: leads(definition, &found),
@@ -80,7 +82,7 @@ pub fn calibrate(
 /// Name of a parameter, its value, and its repeats where it was repeated.
 type Quantity<'a> = (&'static str, &'a Uncertain, Option<&'a Repeated>);
 
-/// What the steps that were measured give.
+/// Quantities of the measured steps.
 fn quantities(found: &Steps) -> Vec<Quantity<'_>> {
     let mut all: Vec<Quantity> = Vec::new();
     if let Some(base) = &found.base {
@@ -103,23 +105,23 @@ fn quantities(found: &Steps) -> Vec<Quantity<'_>> {
 /// Residuals of every fit.
 fn fits(found: &Steps) -> Vec<GeometricStep> {
     let mut steps: Vec<GeometricStep> =
-        found.plane.iter().map(|plane| step("plane of the rails", &plane.scatter, None)).collect();
-    let base = found.base.as_ref().map(|base| ("arc of ball N about O", &base.arc));
-    let mobile = found.mobile.as_ref().map(|mobile| ("arc of ball I about C", &mobile.circle));
+        found.plane.iter().map(|plane| step(phrase!("step-plane-of-rails"), &plane.scatter, None)).collect();
+    let base = found.base.as_ref().map(|base| (phrase!("step-arc", ball = "N", about = "O"), &base.arc));
+    let mobile = found.mobile.as_ref().map(|mobile| (phrase!("step-arc", ball = "I", about = "C"), &mobile.circle));
     let arcs = base.into_iter().chain(mobile);
     steps.extend(arcs.map(|(name, arc)| step(name, &arc.scatter, Some(arc.coverage_deg))));
     for (i, pair) in found.shafts.iter().enumerate() {
         for (k, shaft) in pair.iter().enumerate() {
-            steps.push(step(&format!("shaft, repeat {}, position {}", i + 1, k + 1), &shaft.scatter, None));
+            steps.push(step(phrase!("step-shaft", repeat = i + 1, position = k + 1), &shaft.scatter, None));
         }
     }
     for (i, lead) in found.leads.iter().enumerate() {
-        steps.extend(lead.iter().map(|lead| step(&format!("travel of actuator {}", i + 1), &lead.scatter, None)));
+        steps.extend(lead.iter().map(|lead| step(phrase!("step-travel", actuator = i + 1), &lead.scatter, None)));
     }
     steps
 }
 
-/// What a scale bar says of the instrument; `None` without a distance.
+/// Result of a scale bar; `None` without a distance.
 fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64) -> Option<ScaleBarResult> {
     let bar = scale_bar(definition.length_mm, pairs)?;
     // a distance has the uncertainty of two points along it
@@ -148,10 +150,11 @@ fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64)
     })
 }
 
-/// The permissible error over the certificate's expanded uncertainty is to be at least this (the 4:1 rule of ANSI/NCSL Z540).
+/// Least ratio of the permissible error to the expanded uncertainty of the certificate (the 4:1
+/// rule of ANSI/NCSL Z540).
 const LEAST_RATIO: f64 = 4.0;
 
-/// What stands against the instrument or its verification.
+/// Warning about the instrument or its verification.
 fn bar_message(bar: &ScaleBarResult) -> Option<Message> {
     let name = &bar.name;
     match bar.verdict {
@@ -206,7 +209,7 @@ fn covariance(quantities: &[Quantity], readings: &Readings) -> Vec<Vec<f64>> {
     quantities.iter().map(|a| quantities.iter().map(|b| entry(a, b)).collect()).collect()
 }
 
-/// How a single ball repeats.
+/// Repeatability of a single ball.
 fn ball(campaign: &Campaign, definition: &BallDefinition, readings: &[Vector]) -> Result<BallResult> {
     let found = pose_repeatability(readings).map_err(|problems| problems.at(&campaign.place(&definition.label)))?;
     Ok(BallResult {
@@ -218,20 +221,21 @@ fn ball(campaign: &Campaign, definition: &BallDefinition, readings: &[Vector]) -
     })
 }
 
-fn step(name: &str, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricStep {
+fn step(name: Phrase, scatter: &Scatter, coverage_deg: Option<f64>) -> GeometricStep {
     GeometricStep {
-        name: name.to_owned(),
+        name: name.to_string(),
+        name_phrase: Some(name),
         count: scatter.count,
         standard_deviation_mm: scatter.standard_deviation_mm,
         expected_mm: scatter.expected_mm,
         max_mm: scatter.max_mm,
         norm_mm: scatter.norm_mm,
-        enlarged_by: scatter.enlarged_by,
+        enlarged_by: scatter.inflation_factor,
         coverage_deg,
     }
 }
 
-/// Where residuals and the instrument's statement differ.
+/// Warning where residuals exceed the stated uncertainty of the instrument.
 fn scatter_message(step: &GeometricStep) -> Option<Message> {
     let (found_mm, stated_mm) = (step.standard_deviation_mm, step.expected_mm);
     (step.enlarged_by > 1.0).then(|| warning!("step-scatters", step = step.name, found_mm, stated_mm))
@@ -261,20 +265,22 @@ fn workspace(definition: &GeometricDefinition, robot: &dyn RailTable, parameters
     };
     let (deg, theta) = (wanted.theta_deg, wanted.theta_deg.to_radians());
     let regions = [
-        ("orientation 0 deg".to_owned(), reached.at(0.0)),
-        (format!("orientation {deg} deg"), reached.at(theta)),
-        (format!("orientation {} deg", -deg), reached.at(-theta)),
-        (format!("every orientation from {} to {deg} deg", -deg), reached.within(theta)),
+        (phrase!("region-of-orientation", orientation = 0), reached.at(0.0)),
+        (phrase!("region-of-orientation", orientation = deg), reached.at(theta)),
+        (phrase!("region-of-orientation", orientation = -deg), reached.at(-theta)),
+        (phrase!("region-of-orientations", from = -deg, to = deg), reached.within(theta)),
     ];
-    let region = |(name, polygon): (String, Vec<[f64; 2]>)| Region {
-        name,
+    let region = |(name, polygon): (Phrase, Vec<[f64; 2]>)| Region {
+        name: name.to_string(),
+        name_phrase: Some(name),
         area_mm2: geometric::area_mm2(&polygon),
         corners_mm: polygon.into_iter().map(|[x, y]| [x, y, 0.0]).collect(),
     };
     regions.map(region).into_iter().collect()
 }
 
-/// Tables 2.2 to 2.4, mean errors of repeated poses: one for each selection of poses; the three sets of parameters are nominal, geometric and identified.
+/// Tables 2.2 to 2.4, mean errors of repeated poses: one for each selection of poses. The three
+/// sets of parameters are nominal, geometric and identified.
 fn tables(
     campaign: &Campaign,
     definition: &GeometricDefinition,

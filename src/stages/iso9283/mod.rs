@@ -1,4 +1,5 @@
-//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become characteristics.
+//! Tests of a campaign by ISO 9283: tables, labelled points and recorded motions become
+//! characteristics.
 
 pub mod load;
 pub mod pose;
@@ -38,8 +39,8 @@ pub struct TestData {
     pub sources: Vec<Source>,
 }
 
-/// Reads the tables and recordings of all tests, and reports everything that is wrong with them and with what is stated of
-/// them. Labels are not looked at.
+/// Reads the tables and recordings of all tests, and reports all errors in them and in their
+/// statements. Labels are not checked.
 pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     let file = &campaign.file;
     let mut problems = drift_sets(campaign);
@@ -88,7 +89,7 @@ pub fn evaluate(
     Ok(Characteristics { poses, streams, compliance: data.compliance.clone() })
 }
 
-/// Everything that is wrong with the labels of `[repeatability]`; where the world is does not matter to them.
+/// Errors of the labels of `[repeatability]`; they do not depend on the world frame.
 pub fn label_problems(campaign: &Campaign, data: &TestData, gathered: &Gathered) -> Problems {
     let Some(labelled) = &campaign.file.repeatability else { return Problems::default() };
     let commanded = data.commanded.as_ref();
@@ -152,7 +153,7 @@ fn of_tables(
     Ok(document)
 }
 
-/// What the campaign states for all tests of poses.
+/// Settings of the campaign for all tests of poses.
 fn settings(campaign: &Campaign) -> PoseTestSettings {
     let instrument = &campaign.file.instrument;
     PoseTestSettings {

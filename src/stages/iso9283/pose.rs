@@ -42,7 +42,7 @@ impl PoseTables {
         Self { attained, commanded, reference }
     }
 
-    /// Those of a campaign; everything that does not read is reported.
+    /// Tables of a campaign; all tables that do not read are reported.
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         let mut problems = Problems::default();
         let mut read = |file: &Spanned<String>, holds: &str| {
@@ -92,7 +92,8 @@ fn scatter_mm(test: &PoseTest) -> f64 {
     (squares / f64::max(count, 1.0)).sqrt()
 }
 
-/// Compensation that makes poses scatter more than this many times as much does not follow the set-up.
+/// Compensation that makes poses scatter more than this many times as much does not follow the
+/// set-up.
 const WORSE: f64 = 1.1;
 
 /// A warning where the compensation of the set-up's drift makes poses scatter more.
@@ -100,7 +101,8 @@ fn worse(before_mm: f64, after_mm: f64) -> Option<Message> {
     (after_mm > WORSE * before_mm).then(|| warning!("compensation-scatters", before_mm, after_mm))
 }
 
-/// The reference targets' own shape differs by more than this many expanded uncertainties where one of them was measured wrongly.
+/// The reference targets' own shape differs by more than this many expanded uncertainties where one
+/// of them was measured wrongly.
 const MISSHAPEN: f64 = 2.0;
 
 /// A warning where reference targets do not lie to each other as they did first.
@@ -128,7 +130,7 @@ impl PreparedTest {
         Ok(document)
     }
 
-    /// Whether there are enough cycles for the drift over sets of so many.
+    /// Checks that there are enough cycles for the drift over sets of this size.
     pub fn drifts(&self, set: usize) -> Result<()> {
         drifts(&self.test, set).map(|_| ())
     }

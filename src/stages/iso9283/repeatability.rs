@@ -1,4 +1,5 @@
-//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of ISO 9283 out.
+//! The test of repeatability of a campaign (thesis 2.4): labelled points in, the characteristics of
+//! ISO 9283 out.
 
 use crate::stages::iso9283::{COVERAGE_FACTOR, settings};
 use crate::stages::labelled_points::{LabelledPoints, PointGroup};
@@ -19,7 +20,8 @@ use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTes
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
-/// The characteristics of the campaign's labelled visits, in its world frame, and the files beside the exports that they are of.
+/// The characteristics of the campaign's labelled visits, in its world frame, and the files beside
+/// the exports that they are of.
 pub fn evaluate(
     campaign: &Campaign,
     definition: &RepeatabilityDefinition,
@@ -55,7 +57,7 @@ pub fn evaluate(
     Ok(document)
 }
 
-/// What the labels of a campaign bring.
+/// Visits that the labels of a campaign name.
 #[derive(Clone, Debug)]
 pub struct Gathered {
     /// Visits of the trajectory's poses.

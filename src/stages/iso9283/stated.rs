@@ -1,4 +1,4 @@
-//! What a command or a campaign states of a recorded motion, checked the same for both.
+//! Statements of a command or a campaign on a recorded motion, checked alike for both.
 
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
@@ -9,7 +9,8 @@ use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::path::weaving::Weave;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
-/// Statements under the names that they have in `campaign.toml`; options of the command are named alike.
+/// Statements under the names that they have in `campaign.toml`; options of the command are named
+/// alike.
 #[derive(Clone, Debug)]
 pub struct TestStatement<'a> {
     /// Sampling rate, instead of time stamps.
@@ -18,11 +19,12 @@ pub struct TestStatement<'a> {
     pub still_mm: f64,
     /// Standing: for at least this time.
     pub still_s: f64,
-    /// How near a standstill is to its pose, and an attained path to the commanded one.
+    /// Largest distance (mm) of a standstill from its pose, and of an attained path from the
+    /// commanded one.
     pub near_mm: f64,
     /// Limit band.
     pub band_mm: Option<f64>,
-    /// Whether a commanded path is stated.
+    /// `true` if a commanded path is stated.
     pub path: bool,
     /// Command points on it.
     pub path_points: usize,
@@ -83,7 +85,7 @@ impl TestStatement<'_> {
         problems.check().map(|_| ())
     }
 
-    /// What was stated, with the poses and the path that were read.
+    /// Settings of the statements, with the poses and the path that were read.
     pub fn settings(
         &self,
         poses: Option<Vec<CommandedPose>>,

@@ -22,7 +22,8 @@ pub(super) struct Ready {
     settings: MotionSettings,
 }
 
-/// Reads all recordings with what they are compared with; reports everything that is wrong with them.
+/// Reads all recordings with what they are compared with; reports everything that is wrong with
+/// them.
 pub(super) fn read(files: &mut CampaignTables) -> (Vec<Ready>, Problems) {
     let campaign = files.campaign;
     let mut problems = Problems::default();
@@ -93,7 +94,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
     Ok(Ready { recording, settings })
 }
 
-/// What the campaign states of a motion.
+/// Statements of the campaign on a motion.
 fn stated(stream: &StreamDefinition) -> TestStatement<'_> {
     TestStatement {
         rate_hz: stream.rate_hz,

@@ -17,7 +17,8 @@ type Keys = BTreeMap<Key, Vec<usize>>;
 /// Keys without a partner that a message lists.
 const SHOWN: usize = 8;
 
-/// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a warning.
+/// Joins on equal keys. A key that occurs twice in the log is an error, one without a partner a
+/// warning.
 pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks: &mut Remarks) -> Result<Vec<Row>> {
     let number = |key: &str, [row, file]: [i64; 2], pose: Option<PoseName>, cycle: Option<i64>| match key {
         "row" => Some(row.into()),
@@ -77,8 +78,8 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     Ok(pairs.map(|(target, met)| Row::of(target, met)).collect())
 }
 
-/// An error where measured points and the log both have keys without a partner, and a pose among these is a text that the other does not
-/// have: a misspelling.
+/// An error where measured points and the log both have keys without a partner, and a pose among
+/// these is a text that the other does not have: a misspelling.
 fn misspelt(keys: &[&str], (targets, measured): (&[Target], &Keys), (log, logged): (&JointLog, &Keys)) -> Result<()> {
     let alone = |here: &Keys, there: &Keys| -> Vec<(PoseName, usize)> {
         let lone = here.iter().filter(|(key, _)| !there.contains_key(*key));

@@ -1,4 +1,5 @@
-//! The log states which measured point the robot touches: a plate measured once, then encoders alone.
+//! The log states which measured point the robot touches: a plate measured once, then encoders
+//! alone.
 
 use super::unmatched::At;
 use super::{Remarks, Row, own_covariance};
@@ -13,8 +14,9 @@ use etalon_math::statistics;
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// One observation for every row of the log: the robot's only target is at the point that the row names. The mean counts
-/// of a point that was measured several times; all its observations then have the very same coordinates.
+/// One observation for every row of the log: the robot's only target is at the point that the row
+/// names. The mean counts of a point that was measured several times; all its observations then
+/// have the very same coordinates.
 pub(super) fn by_label(
     campaign: &Campaign,
     points: &[Point],
@@ -71,7 +73,7 @@ pub(super) fn by_label(
 /// The mean of the points of one label, in the coordinates of the exports.
 struct Mean {
     at_mm: Vector,
-    /// Of its coordinates, where all of the points have one.
+    /// Covariance of the coordinates, if all of the points have one.
     covariance_mm2: Option<Covariance>,
 }
 

@@ -1,4 +1,5 @@
-//! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or between two rows.
+//! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or
+//! between two rows.
 
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
@@ -8,26 +9,27 @@ use etalon_documents::Unmatched;
 use etalon_formats::{DIRECTION, JointLog};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How times meet.
+/// Settings of a join by time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clocks {
     /// Time of the measurement minus time of the log.
     pub offset_s: f64,
-    /// How far apart a point and the rows that it meets may be.
+    /// Largest time between a point and its rows (s).
     pub tolerance_s: f64,
     /// Joint values are those between the row before and the row after.
     pub interpolate: bool,
 }
 
-/// The rows of the log that a point meets: the nearer one, and with a share of the other where it lies between two.
+/// The rows of the log that a point meets: the nearer one, and with a share of the other where it
+/// lies between two.
 #[derive(Clone, Copy)]
 struct Met {
     row: usize,
     other: Option<(usize, f64)>,
 }
 
-/// Joins each point with what the log states of its time; where no label names a pose, the log's row becomes the pose, or
-/// between rows the number of the time.
+/// Joins each point with what the log states of its time; where no label names a pose, the log's
+/// row becomes the pose, or between rows the number of the time.
 pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;
     let times = nanoseconds(targets.iter().map(|t| t.point.time_s), clocks.offset_s, "export")?;
@@ -57,7 +59,7 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
     Ok(joined(targets, log, &times, &met, clocks.interpolate))
 }
 
-/// First and last time of each row of the log in nanoseconds: the same, but for standstills.
+/// First and last time of each row of the log (ns); they differ for standstills only.
 fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
     let span = |end: usize| log.rows.iter().map(move |row| row.standing_s.map(|s| s[end]).or(row.time_s));
     let (from, to) = (nanoseconds(span(0), 0.0, "log")?, nanoseconds(span(1), 0.0, "log")?);
@@ -74,7 +76,7 @@ fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, offset_s: f64, of: &s
     Ok(times.ok_or_else(|| error!("times-missing", of))?)
 }
 
-/// How far a time is from a row.
+/// Time between a row and a time (ns).
 fn apart((from, to): &(i64, i64), t: i64) -> i64 {
     from.saturating_sub(t).max(t.saturating_sub(*to)).max(0)
 }
@@ -183,11 +185,12 @@ fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>]
         row.line = None;
         for ((value, other), name) in row.joints.iter_mut().zip(&log.rows[other].joints).zip(&log.joints) {
             let step = other - *value;
-            // a direction is that of the nearer row
+            // directions are taken from the nearer row
             if name.ends_with(DIRECTION) {
                 continue;
             }
-            // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from one row to the next
+            // from 179.9 to -179.9 degrees it is a fifth of a degree; no joint turns so far from
+            // one row to the next
             let turned = name.ends_with("_deg") && step.abs() > 270.0;
             *value += share * if turned { step - 360.0 * step.signum() } else { step };
         }

@@ -15,11 +15,12 @@ pub struct OffsetRange {
     pub half_width_s: f64,
 }
 
-/// The only range of offsets (time of the measurement minus time of the log) at which every time lies within one of the
-/// standstills `(from_s, to_s)`, which are in order and apart.
+/// The only range of offsets (time of the measurement minus time of the log) at which every time
+/// lies within one of the standstills `(from_s, to_s)`, which are in order and apart.
 ///
-/// An offset suits a time t if it is within [t - to, t - from] of some standstill; one that suits all is in what the sets of
-/// all times share. No such offset, or several ranges of them, are errors.
+/// An offset suits a time t if it is within [t - to, t - from] of some standstill; one that suits
+/// all is in what the sets of all times share. No such offset, or several ranges of them, are
+/// errors.
 pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetRange, Message> {
     let suits =
         |t: &f64| -> Vec<(f64, f64)> { standstills.iter().rev().map(|(from, to)| (t - to, t - from)).collect() };
@@ -46,7 +47,7 @@ pub fn offset(times_s: &[f64], standstills: &[(f64, f64)]) -> Result<OffsetRange
     }
 }
 
-/// What two lists of ranges, in order, share.
+/// Returns the intersection of two ordered lists of ranges.
 fn both(one: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let (mut i, mut j, mut shared) = (0, 0, Vec::new());
     while let (Some(a), Some(b)) = (one.get(i), other.get(j)) {

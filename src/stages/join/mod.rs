@@ -1,4 +1,5 @@
-//! Measurements meet joint values: measured positions per log, and every row without a partner reported.
+//! Measurements meet joint values: measured positions per log, and every row without a partner
+//! reported.
 
 mod by_key;
 mod by_label;
@@ -33,23 +34,23 @@ use unmatched::At;
 /// Observations by log, and what found no partner.
 #[derive(Clone, Debug)]
 pub struct Joined {
-    /// Name of each log and its observations, or those of the table.
+    /// Name of each log and its observations, or the observations of the table.
     pub observations: Vec<(String, Observations)>,
-    /// What found no partner or two, in short.
+    /// Summary of the rows without a partner, or with two.
     pub messages: Vec<Message>,
-    /// The same row by row.
+    /// Rows without a partner, or with two.
     pub unmatched: Vec<Unmatched>,
 }
 
 impl Joined {
-    /// Observations that need no join: those of a table.
+    /// Observations of a table, which need no join.
     pub fn of_table(table: DataFrame) -> Self {
         let observations = vec![("observations".to_owned(), Observations::Table(table))];
         Self { observations, messages: Vec::new(), unmatched: Vec::new() }
     }
 }
 
-/// What a join states beside its observations.
+/// Remarks of a join beside its observations.
 #[derive(Default)]
 struct Remarks {
     messages: Vec<Message>,
@@ -82,7 +83,7 @@ struct Row {
     world_mm: Vector,
     covariance_mm2: Option<Covariance>,
     orientation: Option<[f64; 4]>,
-    /// of the export or, where it has none, of the log
+    /// Time of the export or, if the export has none, of the log (s).
     time_s: Option<f64>,
     assembly: Option<f64>,
     joints: Vec<f64>,
@@ -223,7 +224,8 @@ fn offset_s(
     Ok(found.offset_s)
 }
 
-/// The smallest difference of the times of a point and of a row of the log, clocks set by the campaign's offset.
+/// The smallest difference of the times of a point and of a row of the log, clocks set by the
+/// campaign's offset.
 fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
     let offset_s = join.stated_offset_s().unwrap_or(0.0);
     let mut logged: Vec<f64> = log.rows.iter().filter_map(|row| row.time_s).collect();
@@ -236,7 +238,7 @@ fn apart_s(join: &Join, targets: &[Target], log: &JointLog) -> Option<f64> {
     targets.iter().filter_map(|t| nearest(t.point.time_s? - offset_s)).min_by(f64::total_cmp)
 }
 
-/// What the counts of rows state against a join by row, before anything is known of targets and frames.
+/// Compares the counts of rows for a join by row, before targets and frames are known.
 pub fn counts(campaign: &Campaign, imported: &Gathered, robot: &dyn Robot) -> Result<()> {
     if campaign.file.join_by() != Some(JoinBy::Row) {
         return Ok(());
@@ -293,7 +295,8 @@ fn targets_in_world<'a>(
     targets
 }
 
-/// The covariance of a point along the axes of its export, where its row states one or the instrument measures range and angles.
+/// The covariance of a point along the axes of its export, where its row states one or the
+/// instrument measures range and angles.
 fn own_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
     let Some(u) = point.standard_uncertainty_mm.as_deref() else {
         return campaign.file.instrument.covariance_mm2(point.xyz_mm);
@@ -325,7 +328,8 @@ fn contradictions<'a>(log: &JointLog, pairs: impl Iterator<Item = (&'a Point, &'
     problems.check().map(|_| ())
 }
 
-/// A join by row is only allowed where every export that brings targets has as many data rows as the log.
+/// A join by row is only allowed where every export that brings targets has as many data rows as
+/// the log.
 fn equal_counts<'a>(
     campaign: &Campaign,
     imported: &Gathered,
@@ -349,10 +353,11 @@ fn equal_counts<'a>(
     problems.check().map(|_| ())
 }
 
-/// Motions of a joint by less are those of its encoder at rest, mm or deg.
+/// Largest motion (mm or deg) that the encoder of a standing joint shows.
 const STILL: f64 = 0.01;
 
-/// A log with the directions from which the joints with backlash came: as it states them, or by the order of its times.
+/// A log with the directions from which the joints with backlash came: as it states them, or by the
+/// order of its times.
 fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, JointLog>> {
     let mut log = Cow::Borrowed(log);
     for joint in robot.approached().iter().map(|&k| &robot.joints()[k]) {
@@ -410,10 +415,12 @@ fn joint_rows(campaign: &Campaign, rows: &[Row], log: &JointLog, robot: &dyn Rob
     rows.iter().filter(|row| !left_out(row)).map(joint_row).collect()
 }
 
-/// Targets of a planar robot differ in height by less: more is a tilt against the world's plane that spoils what is projected, mm.
+/// Targets of a planar robot differ in height by less: more is a tilt against the world's plane
+/// that spoils what is projected, mm.
 const OUT_OF_PLANE_MM: f64 = 0.5;
 
-/// A warning where the targets of a planar robot do not move parallel to the plane of the world frame.
+/// A warning where the targets of a planar robot do not move parallel to the plane of the world
+/// frame.
 fn out_of_plane(rows: &[Row], robot: &dyn Robot) -> Option<Message> {
     let heights = rows.iter().filter(|_| robot.dimension() == 2).map(|row| row.world_mm[2]);
     let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);

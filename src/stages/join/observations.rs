@@ -1,4 +1,5 @@
-//! Observations of a campaign: measured positions with the joint values of a log, or a table of any kinds.
+//! Observations of a campaign: measured positions with the joint values of a log, or a table of any
+//! kinds.
 
 use super::{Row, listed};
 use crate::stages::kinds::{self, Observed, RowDefaults};
@@ -32,7 +33,7 @@ pub struct JoinedLog {
     logged: Vec<Vec<f64>>,
     /// Orientations of the bodies at each position, in the world, where they were measured.
     orientations: Vec<Option<[f64; 4]>>,
-    /// Columns of these.
+    /// Columns of the joint values.
     joints: Vec<String>,
     targets: Vec<String>,
     dimension: usize,
@@ -53,8 +54,8 @@ pub struct ObservationTime {
 }
 
 impl Observations {
-    /// Observations of `robot` and settings of their identification; what the rows of a table refer to is added to the
-    /// parameters of `robot`.
+    /// Observations of `robot` and settings of their identification; what the rows of a table refer
+    /// to is added to the parameters of `robot`.
     pub fn observed(
         &self,
         robot: &mut dyn Robot,

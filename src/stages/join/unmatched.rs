@@ -12,22 +12,22 @@ pub(super) struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// Of a measured point.
+    /// Row of a measured point.
     pub fn point(point: &'a Point) -> Self {
         Self { file: &point.export, line: point.line }
     }
 
-    /// Of a row of a log.
+    /// Row of a log.
     pub fn log(log: &'a JointLog, row: &LogRow) -> Self {
         Self { file: &log.file, line: row.line }
     }
 
-    /// The row with its key in words and what is wrong with it.
+    /// The row with its key in words and the reason.
     pub fn unmatched(self, key: String, reason: &str) -> Unmatched {
         Unmatched { file: self.file.to_owned(), line: self.line, key, reason: reason.to_owned() }
     }
 
-    /// Where the row is.
+    /// Place of the row.
     pub fn place(self) -> Place {
         Place { line: Some(self.line), ..Place::file(self.file) }
     }

@@ -51,7 +51,7 @@ fn joint(cells: &Cells, robot: &dyn Robot) -> Result<usize> {
     Ok(names().position(|other| other == name).ok_or_else(unknown)?)
 }
 
-/// What the joint moves by at logged joint values, mm or rad.
+/// Motion of the joint at logged joint values (mm or rad).
 fn value(robot: &dyn Robot, values: &[f64], joints: &[f64], joint: usize) -> Result<f64> {
     let value = robot.free_base().and_then(|arm| arm.joint_value(values, joints, joint, &mut |_, _| ()));
     Ok(value.ok_or_else(|| not_of("joints", robot))?)

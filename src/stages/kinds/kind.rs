@@ -10,14 +10,14 @@ use etalon_formats::table::XYZ;
 use etalon_identify::{Fixture, Kind, Known};
 use etalon_robots::Robot;
 
-/// What is the same in all rows of a kind.
+/// Facts that are common to all rows of a kind.
 #[derive(Default)]
 pub struct Facts {
     /// Name in the column `kind`.
     pub name: &'static str,
     /// Columns of numbers beside positions and uncertainties.
     pub numbers: Vec<&'static str>,
-    /// The columns of these that a truth states; the others are simulated.
+    /// Columns of numbers that a truth states; the others are simulated.
     pub stated: &'static [&'static str],
     /// A row contains the position of its target.
     pub has_position: bool,
@@ -29,21 +29,23 @@ pub struct Facts {
 
 /// A kind of rows: its columns, the conditions that a row states, and how a row is simulated.
 pub trait RowKind: Sync {
-    /// What is the same in all its rows.
+    /// Facts that are common to all rows of the kind.
     fn facts(&self) -> Facts;
 
-    /// What a row with a pose observed beside a position in the world, each with a standard uncertainty (mm or rad); NaN for that of the row.
+    /// Conditions of a row with a pose, beside a position in the world, each with a standard
+    /// uncertainty (mm or rad); NaN for the uncertainty of the row.
     fn observed(&self, row: &Row, robot: &mut dyn Robot) -> Result<Vec<(Kind, f64)>>;
 
-    /// What a row without a pose states of fixed things, with its standard uncertainty (mm).
+    /// Statement of a row without a pose on fixed things, with its standard uncertainty (mm).
     fn known(&self, _row: &Row, _u_mm: f64, _robot: &mut dyn Robot) -> Result<Known> {
         Err(error!("row-without-pose", kind = self.facts().name).into())
     }
 
-    /// How a row with a pose is simulated; what it refers to is added to the parameters of `robot`.
+    /// Simulation of a row with a pose; the fixed things that it refers to become parameters of
+    /// `robot`.
     fn simulated(&self, cells: &Cells, robot: &mut dyn Robot) -> Result<Simulated>;
 
-    /// How a row without a pose is simulated; `near_mm` is about where a place on a surface is.
+    /// Simulation of a row without a pose; `near_mm` is near the place on a surface.
     fn known_simulated(&self, _: &Cells, _near_mm: Option<Vector>, _: &mut dyn Robot) -> Result<Simulated> {
         Err(no_known(self.facts().name).into())
     }
@@ -58,7 +60,7 @@ pub fn no_known(kind: &str) -> Message {
 pub type Numbers = Vec<(&'static str, f64)>;
 type Measure = dyn Fn(&mut Measurement) -> Result<Numbers>;
 
-/// How a row is simulated.
+/// Simulation of a row.
 pub struct Simulated {
     /// The condition that joint values have to meet, where the target touches something.
     pub touches: Option<Kind>,
@@ -109,7 +111,8 @@ pub struct Measurement<'a> {
     pub sigma_rad: std::result::Result<f64, Message>,
     /// The order of three angles of an orientation, where it is written in angles.
     pub order: Option<AngleOrder>,
-    /// An orientation without an order of angles is written as a rotation vector, not as a quaternion.
+    /// An orientation without an order of angles is written as a rotation vector, not as a
+    /// quaternion.
     pub is_vector: bool,
 }
 

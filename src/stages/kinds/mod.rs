@@ -1,6 +1,8 @@
-//! Tables of observations of several kinds: positions, poses, distances, contacts, surfaces and joints, a row each.
+//! Tables of observations of several kinds: positions, poses, distances, contacts, surfaces and
+//! joints, a row each.
 //!
-//! The column `kind` names them; rows without a pose are about fixed points alone: their places and distances.
+//! The column `kind` names them; rows without a pose are about fixed points alone: their places and
+//! distances.
 
 mod cells;
 mod contact;
@@ -31,7 +33,8 @@ use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
 use row::{fixed_rows, partial_rows, row_poses};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of names also in [`table::TEXTS`].
+/// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of
+/// names also in [`table::TEXTS`].
 const KINDS: [&dyn RowKind; 8] = [
     &point::Point,
     &pose::Body,
@@ -57,18 +60,19 @@ pub fn kind(name: &str) -> Result<&'static dyn RowKind> {
 
 /// Poses at which the station of the world sees the robot, at least.
 const FEWEST_SEEN: usize = 3;
-/// What is stated of all rows: standard uncertainties of those that have none, and the order of angles.
+/// Statements on all rows: standard uncertainties of rows without their own, and the order of
+/// angles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RowDefaults {
-    /// Of a coordinate, a distance, a contact, mm.
+    /// Standard uncertainty of a coordinate, a distance or a contact (mm).
     pub length_mm: Option<f64>,
-    /// Of a rotation about any axis, rad.
+    /// Standard uncertainty of a rotation about any axis (rad).
     pub rotation_rad: Option<f64>,
     /// The order of three angles of an orientation.
     pub order: Option<AngleOrder>,
 }
 
-/// What was observed, and what is identified from it.
+/// Observations, and the settings of their identification.
 #[derive(Clone, Debug)]
 pub struct Observed {
     /// Positions of targets.
@@ -85,7 +89,8 @@ impl Observed {
     }
 }
 
-/// The names in the column `target` that are on the robot, each once, in their order: those of rows with a pose.
+/// The names in the column `target` that are on the robot, each once, in their order: those of rows
+/// with a pose.
 pub fn targets(observations: &DataFrame) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
     let fixed = fixed_rows(observations)?;
@@ -103,14 +108,16 @@ pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
     Ok(row_poses(observations)?.into_iter().flatten().collect())
 }
 
-/// Columns of names of what many rows share, and the most rows that do not determine more than a place of their own.
+/// Columns of names of what many rows share, and the most rows that do not determine more than a
+/// place of their own.
 const SHARED: [(&str, usize); 7] =
     [("target", 1), ("socket", 1), ("other", 2), ("plane", 2), ("line_name", 2), ("sphere", 2), (STATION, 2)];
 /// Rows of the name that is meant, at least.
 const MEANT_ROWS: usize = 6;
 
-/// Errors about names that a row or two bear, and that are spelt almost as one of many rows: what they name would be identified from these
-/// rows alone, which then say nothing of the robot. Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
+/// Errors about names that a row or two bear, and that are spelt almost as one of many rows: what
+/// they name would be identified from these rows alone, which then say nothing of the robot. Names
+/// that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
 fn misspelt(observations: &DataFrame) -> Result<Problems> {
     let mut problems = Problems::default();
     let line = table::lines(observations)?;
@@ -129,7 +136,8 @@ pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Res
     Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
 }
 
-/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a place, and need no more rows.
+/// Errors about the names of rows that at most `most` rows bear; those of `fixed` rows state a
+/// place, and need no more rows.
 fn misspelt_names(
     names: &[&str],
     most: usize,
@@ -149,7 +157,8 @@ fn misspelt_names(
     few.filter_map(error).collect()
 }
 
-/// How many letters are wrong in a name that is another one but for these, a few that are no counter.
+/// Number of wrong letters in a name that resembles another; `None` where more letters or a counter
+/// differ.
 fn letters_wrong(name: &str, meant: &str) -> Option<usize> {
     let wrong = strsim::damerau_levenshtein(&name.to_lowercase(), &meant.to_lowercase());
     let words = |name: &str| -> Vec<String> {
@@ -167,8 +176,9 @@ pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     (!joints.is_empty()).then(|| warning!("base-moves", joints).to_decide())
 }
 
-/// Observations of `robot` from a table of any kinds; what they refer to is added to its parameters, and what is not the position of
-/// a target to `settings`. What was taken from the measurement is in `messages`.
+/// Observations of `robot` from a table of any kinds; what they refer to is added to its
+/// parameters, and what is not the position of a target to `settings`. What was taken from the
+/// measurement is in `messages`.
 pub fn observed(
     robot: &mut dyn Robot,
     observations: &DataFrame,
@@ -228,7 +238,8 @@ pub fn observed(
     }
 }
 
-/// An error about a few rows without a station, which would be the world, beside many that have one.
+/// An error about a few rows without a station, which would be the world, beside many that have
+/// one.
 fn unnamed_station(rows: &[Row]) -> Option<Message> {
     let points = rows
         .iter()

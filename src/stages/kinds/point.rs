@@ -1,4 +1,5 @@
-//! The position of a target, of which single coordinates and those of further stations are conditions; the place of a fixed point.
+//! The position of a target, of which single coordinates and those of further stations are
+//! conditions; the place of a fixed point.
 
 use super::kind::xyz;
 use super::{Cells, Facts, Row, RowKind, Simulated};

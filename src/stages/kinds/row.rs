@@ -13,7 +13,7 @@ use etalon_identify::{Condition, Settings};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 
-/// Columns of numbers beside those of positions and of single kinds.
+/// Columns of uncertainties.
 const UNCERTAINTIES: [&str; 2] = ["u_mm", "urot_deg"];
 
 /// Columns of numbers of single kinds, in the order in which they are written.
@@ -26,7 +26,7 @@ pub fn numbers() -> Vec<&'static str> {
     all
 }
 
-/// Columns of all kinds beside those of positions, to which the target belongs.
+/// Columns of all kinds beside the columns of positions (the target is one).
 pub fn columns<'a>() -> Vec<&'a str> {
     ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES).collect()
 }
@@ -34,7 +34,8 @@ pub fn columns<'a>() -> Vec<&'a str> {
 /// A row of a table; numbers that it does not state are NaN, and names empty.
 pub struct Row {
     pub(super) line: Option<usize>,
-    /// What the row refers to; its kind as stated, or `pose` and `point` with and without an orientation.
+    /// References of the row; its kind as stated, or `pose` and `point` with and without an
+    /// orientation.
     pub(super) cells: Cells,
     /// `None` for rows about fixed things alone.
     pub(super) pose: Option<PoseName>,
@@ -47,7 +48,7 @@ pub struct Row {
     pub(super) orientation: Written,
     /// The order of three angles of an orientation.
     pub(super) order: Option<AngleOrder>,
-    /// Standard uncertainty of a length: the row's, or that of rows that state none.
+    /// Standard uncertainty of a length (mm): the row's own, or the one stated for all rows.
     pub(super) u_mm: f64,
     pub(super) u_axes_mm: Vector,
     /// Standard uncertainty of a rotation, likewise.
@@ -161,7 +162,8 @@ impl Row {
         Ok(())
     }
 
-    /// An error where a row of another station is not a point with all coordinates and one uncertainty.
+    /// An error where a row of another station is not a point with all coordinates and one
+    /// uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;
         let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
@@ -210,7 +212,8 @@ pub(super) fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
     Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
 }
 
-/// The stations of rows that are not in the frame of the world: that of coordinates without a station, or else of the first with one.
+/// The stations of rows that are not in the frame of the world: that of coordinates without a
+/// station, or else of the first with one.
 fn other_stations(rows: &[ByColumn]) -> Vec<Option<String>> {
     let measured = |row: &&ByColumn| matches!(row.get(table::XYZ[0]), Some(Cell::Number(x)) if !x.is_nan());
     let of_points = || rows.iter().filter(measured).map(|row| text(row, STATION));

@@ -137,7 +137,7 @@ fn an_input_that_changes_while_it_is_read_stops_the_run() {
     let text = std::fs::read_to_string(scratch.path().join("robot.toml")).unwrap();
     std::fs::write(scratch.path().join("robot.toml"), text + "\n").unwrap();
     let problems = etalon::run::pipeline::run(&campaign).unwrap_err().to_string();
-    assert!(problems.contains("`robot.toml` has changed while the campaign was run"), "{problems}");
+    assert!(problems.contains("[input-changed]: `robot.toml`"), "{problems}");
     assert_eq!(files(&scratch.path().join("out")), out);
     assert_eq!(litter(&scratch), Vec::<String>::new());
 }
@@ -210,7 +210,7 @@ fn no_output_is_written_over_an_input() {
     for folder in ["exports", "./exports", ".", if cfg!(unix) { "link" } else { "exports" }] {
         let stated = format!("robot = \"robot.toml\"\noutput = \"{folder}\"");
         scratch.replace("campaign.toml", "robot = \"robot.toml\"", &stated);
-        ends(&scratch, "run", 2, &["the output folder holds the input"]);
+        ends(&scratch, "run", 2, &["[input-in-output-folder]"]);
         scratch.replace("campaign.toml", &stated, "robot = \"robot.toml\"");
     }
 }
@@ -268,7 +268,7 @@ fn control_characters_reach_no_terminal() {
     let scratch = copy_sample("prexyt-cmm");
     let forged = "\\u001b[31mred\\n  --> forged.toml:1\\u2069\\u202e";
     scratch.replace("campaign.toml", "towards = \"rail3_a\"", &format!("towards = \"{forged}\""));
-    let said = ends(&scratch, "check", 2, &["no point or feature is called"]);
+    let said = ends(&scratch, "check", 2, &["[point-or-feature-unknown]"]);
     assert!(!said.contains('\u{1b}') && !said.contains("\n  --> forged") && !said.contains('\u{202e}'), "{said}");
     scratch.replace("campaign.toml", forged, "rail3_a");
     scratch.replace("campaign.toml", "name = \"", &format!("name = \"{forged} "));
@@ -304,7 +304,7 @@ fn a_template_that_does_not_end_is_stopped() {
     scratch.replace("campaign.toml", "[instrument]", "[report]\ntemplates = \"own\"\n\n[instrument]");
     let template = |name: &str, text: &str| {
         std::fs::write(scratch.path().join("own").join(name), text).unwrap();
-        ends(&scratch, "run", 2, &[&format!("the template `{name}` takes more than 2 GiB of memory")]);
+        ends(&scratch, "run", 2, &[&format!("[template-failed]: the template `{name}` takes more than 2 GiB")]);
         assert!(!scratch.path().join("out").exists());
         std::fs::remove_file(scratch.path().join("own").join(name)).unwrap();
     };

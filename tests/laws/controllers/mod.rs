@@ -1,4 +1,6 @@
 //! Laws of compensation and of controller files.
 
-pub(super) mod compensation;
-pub(super) mod files;
+mod compensation;
+mod drawn;
+mod files;
+mod readers;

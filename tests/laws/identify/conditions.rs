@@ -653,7 +653,7 @@ fn slips_in_orientations_do_not_pass() {
         let output = identified(&rows.collect::<String>(), &["--standard-uncertainty-um", "50"]);
         let error = String::from_utf8_lossy(&output.stderr);
         assert!(matches!(output.status.code(), Some(1 | 2)), "{what}: {:?}\n{error}", output.status);
-        let named = error.contains("observed orientations differ") && error.contains(cause);
+        let named = error.contains("error[orientations-off]") && error.contains(cause);
         assert!(named, "{what}: {error}");
     }
 }

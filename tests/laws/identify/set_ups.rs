@@ -270,7 +270,7 @@ pub(super) fn spoilt(bench: &Bench) -> Vec<(String, Vec<Observation>, Vec<String
     });
     // a base that is mounted, not free, and drawn lengths show what is beyond their own deviations
     if bench.robot.dimension() == 2 {
-        add("a scale of 1.01", vec!["this is a scale error".to_owned()], &|all| {
+        add("a scale of 1.01", vec!["a scale error of the measuring system".to_owned()], &|all| {
             all.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(|p| *p = p.map(|v| 1.01 * v));
         });
     }

@@ -3,7 +3,7 @@
 recording-unit = eine Aufzeichnung mit `format` braucht `unit`, und nur dann
     .hint = beide angeben; ohne beide ist es eine Tabelle time_s,x_mm,y_mm,z_mm, deren Kopf die Einheiten angibt
 
-campaign-missing = es gibt keine Kampagne `{ $file }`
+campaign-missing = die Kampagnendatei `{ $file }` ist nicht vorhanden
     .hint = `etalon init ORDNER` schreibt eine zum Anfangen
 
 joints-need-delimited-text = `joints` werden aus getrenntem Text mit höchstens einer Namenszeile gelesen
@@ -248,3 +248,22 @@ joint-unit-open = die Einheit der Gelenke ist offen{ $more ->
        *[other] ; { $more } weitere zu ergänzen
     }
     .hint = deg, rad, mm oder m für UNIT einsetzen
+
+kind-expected = { $kind ->
+        [text] ein Text
+        [number] eine Zahl
+        [whole] eine ganze Zahl{ $limit ->
+            [none] {""}
+           *[other] {" "}ab { $limit }
+        }
+        [list] eine Liste{ $limit ->
+            [none] {""}
+           *[other] {" "}von { $limit }
+        }
+       *[table] eine Tabelle
+    }
+
+alternatives = { $first ->
+        [none] {""}
+       *[other] { $first } oder{" "}
+    }{ $last }

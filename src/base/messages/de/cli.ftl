@@ -1,6 +1,6 @@
 ### Meldungen von cli; Erklärungen in en/cli.ftl.
 
-message-unknown = es gibt keine Meldung `{ $id }`
+message-unknown = `{ $id }` ist nicht die Kennung einer Meldung
 
 option-not-positive = { $option } muss positiv sein
     .hint = eine positive Zahl angeben
@@ -199,3 +199,28 @@ nothing-recognised = in `{ $name }` wird nichts erkannt
 table-to-evaluate-missing = die auszuwertende Tabelle fehlt
 
 option-of-call-refused = { $reason }
+
+table-options-refused = { $fault ->
+        [axes] eine Tabelle hat eine Basisachse oder zwei verschiedene
+        [positions] die Tabelle hat mehr als { $most } Positionen
+        [zero] --zero-at braucht eine Position je Basisachse
+        [numbers] --numbers braucht eine Nummer je Achse
+        [sign-missing] der Hersteller veröffentlicht das Vorzeichen der Werte dieser Tabelle nicht: --sign fehlt
+        [sign-known] --sign gilt für Tabellen, deren Vorzeichen nicht veröffentlicht ist
+        [plane] eine Ebene braucht zwei Basisachsen
+        [one-axis] diese Tabelle hat eine Basisachse
+       *[own-axis] diese Tabelle hat eine Basisachse, die korrigierte Achse
+    }
+    .hint = { $fault ->
+        [sign-missing] --sign add oder --sign subtract angeben, nach einem Versuch an einer Position der Maschine
+       *[other] die Option berichtigen; `etalon axis-table --help` beschreibt sie
+    }
+
+deviation-unknown = keine Abweichung bei { $position }: { $reason ->
+        [not-measured] die Steigung wurde dort nicht gemessen
+        [no-error] `{ $axis }` hat in diesem Modell keine eigenen Fehler
+       *[other] { $reason }
+    }
+    .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
+
+robot-file-of-run = die Kampagne noch einmal ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde

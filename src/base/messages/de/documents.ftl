@@ -45,3 +45,12 @@ zone-proved-locally = die Minimumzone ist nur unter benachbarten Elementen ({ $e
 
 zone-unproved = es wurde nicht bewiesen, dass kein anderes Element { $element } eine engere Zone hat
     .hint = mehr von der Fläche messen: so gestreute Punkte zeigen das Element kaum
+
+hold-another = um einen anderen Parameter einer solchen Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; Vorgabe ist der letzte des Modells
+
+set-up-origin = { $origin ->
+        [unit] `unit` des Exports
+       *[world-frame] `unit` und Bezeichnungen der Punkte, die es bestimmen
+    }
+
+check-rigid-part = Einheit und Namen in `places_mm` prüfen und ob das Teil seit ihrer Bestimmung verändert wurde

@@ -274,7 +274,7 @@ channel-scale-not-number = `{ $key }` von Kanal `{ $channel }` ist `{ $value }`,
 delimiter-differs = der Export ist durch { $separator } getrennt
     .hint = `delimiter` dieses Protokolls entfernen: der Export gibt es an
 
-coordinates-differ = Istposen und Sollposen haben verschiedene Koordinaten
+coordinates-differ = Ist- und Sollpositionen haben verschiedene Koordinaten
     .expected = die Koordinaten von `{ $file }`
     .hint = ebene Roboter lassen `z_mm` in beiden Tabellen weg
 
@@ -373,7 +373,11 @@ file-without-points = das ist { $kind ->
        *[xml] ein XML-Dokument unbekannter Art
     }
     .expected = Messpunkte oder ein Protokoll, als Texttabelle oder Arbeitsmappe
-    .hint = die Zahlen als CSV schreiben: eine Zeile je Satz, darüber die Namen der Spalten
+    .hint = { $kind ->
+        [certificate] die Datei der Messpunkte angeben
+        [roughness] die Datei der Messpunkte angeben
+       *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
+    }
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat

@@ -70,3 +70,8 @@ sketch-legs = Der Roboter in der Mitte seiner Gelenkbereiche, mit den Parametern
 sketch-link-dh = Ein Glied und seine Denavit-Hartenberg-Parameter (Standard).
 sketch-link-mdh = Ein Glied und seine modifizierten Denavit-Hartenberg-Parameter.
 sketch-table = Der Tisch von oben, mit vergrößerten Neigungen: Schienen, Schlitten, Plattform C und Kugeln K und L.
+
+
+measure-all-working-modes = jede Position in allen Arbeitsmodi messen, die sie erreichen, und Positionen rund um den Arbeitsraum
+
+measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 0 und dem größten, das der Tisch erreicht

@@ -184,7 +184,7 @@ column-empty = die Spalte `{ $column }` ist leer oder fehlt
 targets-missing = Zielmarken fehlen bei Pose { $poses }
     .hint = ihre übrigen Zielmarken zählen; eine Pose oder Orientierung braucht alle
 
-key-in-lines = { $key } in den Zeilen { $lines }
+key-in-lines = { $key } (Zeilen { $lines })
 
 log-key-twice = Protokoll `{ $log }` hat { $count ->
         [one] 1 Schlüssel
@@ -451,7 +451,7 @@ joints-of-pose-differ = seine Zeilen haben verschiedene Gelenkwerte
 target-repeated = die Zielmarke `{ $target }` kommt zweimal vor
     .hint = Wiederholungen in der Spalte `cycle` nummerieren
 
-no-observations = es gibt keine Beobachtungen
+table-without-observations = es gibt keine Beobachtungen
     .hint = Datei und Ausschlüsse prüfen
 
 arms-apart = mit Nennparametern treffen sich die Arme bei diesen Gelenkwerten nicht
@@ -479,7 +479,7 @@ coordinate-uncertainty-missing = die Zeile gibt eine Unsicherheit an, aber `{ $c
 coordinate-uncertainty-unusable = `{ $column }` = { $value } ist nicht die Unsicherheit einer Koordinate
     .expected = von 0,00002 bis 100 mm, oder alle leer
 
-covariance-not-positive-definite = die Kovarianz der Zeile ist nicht positiv definit
+position-covariance-invalid = die Kovarianz der Zeile ist nicht positiv definit
     .hint = Reihenfolge und Einheit der Spalten `cxx_mm2` .. prüfen
 
 unplaced = { $kind ->
@@ -503,15 +503,15 @@ placed-by-validation = { $unplaced }; die Statistik berücksichtigt das
 placed-by-validation-unjudged = { $unplaced }; Ablesungen ohne Redundanz werden nicht beurteilt: { $names }
     .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen sind, nach `calibration` verschieben
 
-candidates-unreachable = keine Kandidatenposition wird vom `{ $model }` erreicht, oder das Modell hat keine Inverse
+candidate-positions-unreachable = keine Kandidatenposition wird vom `{ $model }` erreicht, oder das Modell hat keine Inverse
     .hint = Gelenkwerte angeben, eine Spalte je Gelenk mit ihrer Einheit
 
 check-readings = dort nach vertauschten Bezeichnungen und falschen Ablesungen suchen; neu messen oder mit `exclude` in [identify] auslassen
 
-robust-fit-differs = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
+robust-fit-disagrees = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 
-robust-fit-differs-at-poses = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); Posen, die den anderen widersprechen: { $poses }
+robust-fit-disagrees-at-poses = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenze { FIXED($limit, 1) }); Posen, die den anderen widersprechen: { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] 1 Position
@@ -671,7 +671,7 @@ step-scatters = { $step }: Residuen streuen um { FIXED($found_mm, 4) } mm, das M
 table-without-poses = an keiner Pose der Tabelle `{ $title }` sind K und L zusammen gemessen
     .hint = beide Kugeln im selben Zyklus messen oder andere Posen wählen
 
-parameters-without-covariance = die Parameter haben keine Kovarianz
+given-without-covariance = die Parameter haben keine Kovarianz
     .hint = aus Daten neu identifizieren, die Freiheitsgrade lassen
 
 calibrated-targets-missing = den Parametern fehlen { $names }: andere Basis oder andere Zielmarken
@@ -765,7 +765,7 @@ parameters-unstable = nicht stabil und festgehalten: Werte aus einem Teil der Po
 
 hold-unknown = `hold` nennt `{ $pattern }`, das kein Parameter dieses Roboters ist
 
-pose-residuals-not-planar = `residuals = "pose"` ist für ebene Roboter, nicht für `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` ist für ebene Roboter, nicht für `{ $model }`
     .hint = `residuals = "targets"` verwenden
 
 remedy = { $remedy ->
@@ -848,6 +848,8 @@ undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nenn
 
 undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
 
+undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso zu ihnen; mehr Kalibrierposen messen, im Arbeitsraum verteilt
+
 undescribed-other-poses = die Kalibrierposen passen, und keine Bewegung des Systems erklärt die anderen: prüfen, ob Protokoll und Exporte der Validierungsposen dieselben Posen sind (Protokoll einer anderen Kampagne oder anders nummerierte Posen)
 
 prior-of-nominal = Nennparameter haben keine Kovarianz für `--frames prior`
@@ -913,3 +915,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } Parameter liegen
     } außerhalb der Toleranz des Roboters: { $parameters }
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Systeme prüfen; ist der Roboter anders gezeichnet, `tolerance` in der Roboterdatei angeben
+
+format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }

@@ -11,7 +11,7 @@ recording-unit = a recording with a `format` needs its `unit`, and only then one
 # Matters: A command on a campaign starts from this file.
 # Do: Check the path, or write a campaign with `etalon init`.
 # Example: `etalon run nowhere`
-campaign-missing = there is no campaign `{ $file }`
+campaign-missing = the campaign file `{ $file }` does not exist
     .hint = `etalon init FOLDER` writes one to start from
 
 # Means: `joints` of an export is stated for a file that is not delimited text with one row of names
@@ -509,3 +509,22 @@ joint-unit-open = the unit of the joints is open{ $more ->
        *[other] ; { $more } more to complete
     }
     .hint = write deg, rad, mm or m for UNIT
+
+kind-expected = { $kind ->
+        [text] a text
+        [number] a number
+        [whole] a whole number{ $limit ->
+            [none] {""}
+           *[other] {" "}from { $limit }
+        }
+        [list] a list{ $limit ->
+            [none] {""}
+           *[other] {" "}of { $limit }
+        }
+       *[table] a table
+    }
+
+alternatives = { $first ->
+        [none] {""}
+       *[other] { $first } or{" "}
+    }{ $last }

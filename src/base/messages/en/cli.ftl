@@ -4,7 +4,7 @@
 # Matters: Only ids of the catalogue have an explanation.
 # Do: Copy the id from the brackets of the message, or list all ids with `etalon explain`.
 # Example: `etalon explain parameter-twise`
-message-unknown = there is no message `{ $id }`
+message-unknown = `{ $id }` is not the id of a message
 
 # Means: An option that needs a positive number has zero, a negative number or NaN.
 # Matters: The value has no meaning.
@@ -462,3 +462,36 @@ table-to-evaluate-missing = the table to evaluate is missing
 # Do: Correct the option; `etalon COMMAND --help` lists all.
 # Example: `etalon.plan(robot, table, positions="many")` in Python
 option-of-call-refused = { $reason }
+
+# Means: Options of `etalon axis-table` contradict each other or the format.
+# Matters: The table would be wrong, or its format cannot hold it.
+# Do: Correct the option that the message names.
+# Example: `--to sinumerik-cec` without `--sign`
+table-options-refused = { $fault ->
+        [axes] a table has one base axis or two different ones
+        [positions] the table has more than { $most } positions
+        [zero] --zero-at needs one position for each base axis
+        [numbers] --numbers needs one number for each axis
+        [sign-missing] the vendor does not publish the sign of the values in this table: --sign is missing
+        [sign-known] --sign is for tables whose sign is not published
+        [plane] a plane needs two base axes
+        [one-axis] this table has one base axis
+       *[own-axis] this table has one base axis, which is the corrected axis
+    }
+    .hint = { $fault ->
+        [sign-missing] state --sign add or --sign subtract, after a trial at one position of the machine
+       *[other] correct the option; `etalon axis-table --help` describes them
+    }
+
+# Means: The deviation of an axis cannot be computed at a position of the table.
+# Matters: A table of corrections needs a value at each position.
+# Do: Use positions that the robot reaches, or that were measured.
+# Example: `--axis rho1_mm=0:500:10` where the lead was measured to 400 mm
+deviation-unknown = no deviation at { $position }: { $reason ->
+        [not-measured] the lead was not measured there
+        [no-error] `{ $axis }` has no errors of its own in this model
+       *[other] { $reason }
+    }
+    .hint = use positions that the robot reaches, or that were measured
+
+robot-file-of-run = run the campaign again, or name the robot.toml that it was run with

@@ -101,3 +101,12 @@ zone-proved-locally = the minimum zone is proved the narrowest among neighbourin
 # Example: points that hardly show the element
 zone-unproved = it was not proved that no other { $element } has a narrower zone
     .hint = measure more of the surface: points this scattered hardly show the element
+
+hold-another = to hold another parameter of such a group, name it under `hold` in [identify]; by default the last one of the model is held
+
+set-up-origin = { $origin ->
+        [unit] `unit` of the export
+       *[world-frame] `unit` and labels of the points that define it
+    }
+
+check-rigid-part = check unit and names in `places_mm`, and whether the part was changed since they were determined

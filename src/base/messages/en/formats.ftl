@@ -530,7 +530,7 @@ delimiter-differs = the export is separated by { $separator }
 # Matters: Errors are differences of the same coordinates.
 # Do: Give both tables the same coordinates; planar robots leave z out in both.
 # Example: attained poses with x, y, z and commanded poses with x, y
-coordinates-differ = attained and commanded poses have different coordinates
+coordinates-differ = attained and commanded positions have different coordinates
     .expected = the coordinates of `{ $file }`
     .hint = planar robots leave `z_mm` out in both tables
 
@@ -724,7 +724,8 @@ file-empty = the file is empty
 
 # Means: The file is recognised as a document that holds no measured points and no joint values.
 # Matters: No reading is proposed for it.
-# Do: Export the points, or write the numbers as CSV: one row each, names of the columns above.
+# Do: Export the points, or write the numbers as CSV: one row for each point or pose, the names of
+# the columns above.
 # Example: `etalon formats robot.yaml`
 file-without-points = this is { $kind ->
         [json] a JSON document
@@ -735,7 +736,11 @@ file-without-points = this is { $kind ->
        *[xml] an XML document of an unknown kind
     }
     .expected = measured points or a log, as a table of text or a workbook
-    .hint = write the numbers as CSV: one row each, names of the columns above
+    .hint = { $kind ->
+        [certificate] name the file of the measured points
+        [roughness] name the file of the measured points
+       *[other] write the numbers as CSV: one row for each point or pose, the names of the columns above
+    }
 
 # Means: No delimiter and decimal mark split the file into rows with at least two numbers.
 # Matters: The file holds neither points nor joint values in a form that can be read.

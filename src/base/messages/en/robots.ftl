@@ -70,3 +70,8 @@ sketch-legs = The robot in the middle of its joints, with the parameters of leg 
 sketch-link-dh = A link and its standard Denavit-Hartenberg parameters.
 sketch-link-mdh = A link and its modified Denavit-Hartenberg parameters.
 sketch-table = The table seen from above, with tilts drawn large: rails, carriages, platform C and balls K and L.
+
+
+measure-all-working-modes = measure every position in all working modes that reach it, and positions all around the workspace
+
+measure-different-angles = measure poses with different |theta|, for example 0 and the largest that the table reaches

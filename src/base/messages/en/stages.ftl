@@ -385,7 +385,7 @@ column-empty = the column `{ $column }` is empty or missing
 targets-missing = targets are missing at pose { $poses }
     .hint = their other targets still count; a pose or an orientation needs all of them
 
-key-in-lines = { $key } in lines { $lines }
+key-in-lines = { $key } (lines { $lines })
 
 # Means: Several rows of the log have the same pose, or pose and cycle.
 # Matters: It is unknown which joint values belong to the measured points.
@@ -940,7 +940,7 @@ target-repeated = target `{ $target }` occurs twice
 # Matters: There is nothing to identify from.
 # Do: Check the file and its exclusions.
 # Example: a table that holds a header alone
-no-observations = there are no observations
+table-without-observations = there are no observations
     .hint = check the file and the exclusions
 
 # Means: The arms of the nominal robot are too short, or too far apart, to meet at these joint
@@ -1009,7 +1009,7 @@ coordinate-uncertainty-unusable = `{ $column }` = { $value } is not the uncertai
 # unit.
 # Do: Check the columns `cxx_mm2` ..
 # Example: a correlation above 1
-covariance-not-positive-definite = the covariance of the row is not positive definite
+position-covariance-invalid = the covariance of the row is not positive definite
     .hint = check order and unit of the columns `cxx_mm2` ..
 
 unplaced = { $kind ->
@@ -1054,7 +1054,7 @@ placed-by-validation-unjudged = { $unplaced }; readings without redundancy are n
 # Matters: There are no configurations to choose from.
 # Do: State joint values instead of positions.
 # Example: candidates in metres
-candidates-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
+candidate-positions-unreachable = no candidate position is reached by the `{ $model }`, or the model has no inverse
     .hint = state joint values, one column per joint with its unit
 
 check-readings = look there for exchanged labels and wrong readings; measure them again, or leave them out with `exclude` in [identify]
@@ -1065,7 +1065,7 @@ check-readings = look there for exchanged labels and wrong readings; measure the
 # Do: Look for errors of the robot that the model does not describe, and check the stated
 # uncertainty.
 # Example: a robot with gear errors that are not modelled
-robust-fit-differs = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
+robust-fit-disagrees = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
     .hint = the robot has errors that the model does not describe, or the stated uncertainty is too small
 
 # Means: A robust fit gives other parameters than least squares, by more than chance, and gives some
@@ -1073,7 +1073,7 @@ robust-fit-differs = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1
 # Matters: These poses pull the parameters away from what the other poses show.
 # Do: Look at these poses for exchanged labels and wrong readings.
 # Example: a pose whose log row belongs to another pose
-robust-fit-differs-at-poses = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); poses that disagree with the others: { $poses }
+robust-fit-disagrees-at-poses = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); poses that disagree with the others: { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] 1 position
@@ -1409,7 +1409,7 @@ table-without-poses = at no pose of the table `{ $title }` were K and L measured
 # Matters: Whether new measurements contradict the parameters cannot be judged.
 # Do: Identify again from data that leave some degrees of freedom.
 # Example: parameters identified from as many coordinates as parameters
-parameters-without-covariance = the parameters have no covariance
+given-without-covariance = the parameters have no covariance
     .hint = identify again from data that leave some degrees of freedom
 
 # Means: The observations have a base or targets that the given parameters do not contain.
@@ -1585,7 +1585,7 @@ hold-unknown = `hold` names `{ $pattern }`, which is not a parameter of this rob
 # Matters: Pose residuals are defined for the platform of a planar robot.
 # Do: Use `residuals = "targets"`.
 # Example: `residuals = "pose"` with a six-axis arm
-pose-residuals-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` is for planar robots, not for `{ $model }`
     .hint = use `residuals = "targets"`
 
 remedy = { $remedy ->
@@ -1727,6 +1727,8 @@ undescribed-readings = { $readings }: { $remedy }
 undescribed-set-up = check units, order and signs of the joints, the nominal parameters, and how log and points are joined
 
 undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm leaves { FIXED($left_mm, 3) } mm: base or measuring system has moved between calibration and validation poses
+
+undescribed-unchecked = the calibration poses leave no coordinate to check: other places of base and targets fit them as well; measure more calibration poses, spread over the workspace
 
 undescribed-other-poses = the calibration poses fit, and no motion of the frame explains the others: check whether log and exports of the validation poses are of the same poses (a log of another campaign, or poses that are numbered otherwise)
 
@@ -1870,3 +1872,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } parameters are
     } beyond the tolerance of the robot: { $parameters }
     .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file
+
+format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }

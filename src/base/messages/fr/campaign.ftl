@@ -3,7 +3,7 @@
 recording-unit = un enregistrement avec `format` a besoin de `unit`, et seulement alors
     .hint = indiquer les deux ; sans les deux, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
 
-campaign-missing = il n’y a pas de campagne `{ $file }`
+campaign-missing = le fichier de campagne `{ $file }` n’existe pas
     .hint = `etalon init DOSSIER` en écrit une pour commencer
 
 joints-need-delimited-text = `joints` se lit dans un texte délimité avec au plus une ligne de noms
@@ -248,3 +248,22 @@ joint-unit-open = l’unité des articulations reste à indiquer{ $more ->
        *[other] {" "}; { $more } de plus à compléter
     }
     .hint = écrire deg, rad, mm ou m au lieu de UNIT
+
+kind-expected = { $kind ->
+        [text] un texte
+        [number] un nombre
+        [whole] un nombre entier{ $limit ->
+            [none] {""}
+           *[other] {" "}à partir de { $limit }
+        }
+        [list] une liste{ $limit ->
+            [none] {""}
+           *[other] {" "}de { $limit }
+        }
+       *[table] un tableau
+    }
+
+alternatives = { $first ->
+        [none] {""}
+       *[other] { $first } ou{" "}
+    }{ $last }

@@ -1,6 +1,6 @@
 ### Messages de cli ; explications dans en/cli.ftl.
 
-message-unknown = il n’existe pas de message `{ $id }`
+message-unknown = `{ $id }` n’est pas l’identifiant d’un message
 
 option-not-positive = { $option } doit être positif
     .hint = indiquer un nombre positif
@@ -199,3 +199,28 @@ nothing-recognised = rien n’est reconnu dans `{ $name }`
 table-to-evaluate-missing = il manque le tableau à évaluer
 
 option-of-call-refused = { $reason }
+
+table-options-refused = { $fault ->
+        [axes] un tableau a un axe de base ou deux différents
+        [positions] le tableau a plus de { $most } positions
+        [zero] --zero-at demande une position par axe de base
+        [numbers] --numbers demande un numéro par axe
+        [sign-missing] le constructeur ne publie pas le signe des valeurs de ce tableau : --sign manque
+        [sign-known] --sign est pour les tableaux dont le signe n’est pas publié
+        [plane] un plan demande deux axes de base
+        [one-axis] ce tableau a un axe de base
+       *[own-axis] ce tableau a un axe de base, qui est l’axe corrigé
+    }
+    .hint = { $fault ->
+        [sign-missing] indiquer --sign add ou --sign subtract, après un essai à une position de la machine
+       *[other] corriger l’option ; `etalon axis-table --help` les décrit
+    }
+
+deviation-unknown = pas d’écart à { $position } : { $reason ->
+        [not-measured] le pas n’y a pas été mesuré
+        [no-error] `{ $axis }` n’a pas d’erreurs propres dans ce modèle
+       *[other] { $reason }
+    }
+    .hint = utiliser des positions que le robot atteint, ou qui ont été mesurées
+
+robot-file-of-run = exécuter de nouveau la campagne, ou indiquer le robot.toml avec lequel elle a été exécutée

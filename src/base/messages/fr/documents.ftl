@@ -45,3 +45,12 @@ zone-proved-locally = la zone minimale est prouvée la plus étroite parmi les �
 
 zone-unproved = il n’est pas prouvé qu’aucun autre élément { $element } n’ait une zone plus étroite
     .hint = mesurer une plus grande partie de la surface : des points aussi dispersés montrent à peine l’élément
+
+hold-another = pour imposer un autre paramètre d’un tel groupe, le nommer sous `hold` dans [identify] ; par défaut, c’est le dernier du modèle
+
+set-up-origin = { $origin ->
+        [unit] `unit` de l’export
+       *[world-frame] `unit` et étiquettes des points qui le définissent
+    }
+
+check-rigid-part = vérifier l’unité et les noms dans `places_mm`, et si la pièce a été modifiée depuis leur détermination

@@ -274,7 +274,7 @@ channel-scale-not-number = `{ $key }` de la voie `{ $channel }` est `{ $value }`
 delimiter-differs = l’export est séparé par { $separator }
     .hint = supprimer `delimiter` de ce journal : l’export l’indique
 
-coordinates-differ = les poses atteintes et commandées ont des coordonnées différentes
+coordinates-differ = les positions atteintes et commandées ont des coordonnées différentes
     .expected = les coordonnées de `{ $file }`
     .hint = les robots plans omettent `z_mm` dans les deux tableaux
 
@@ -373,7 +373,11 @@ file-without-points = c’est { $kind ->
        *[xml] un document XML d’un genre inconnu
     }
     .expected = des points mesurés ou un journal, en tableau de texte ou classeur
-    .hint = écrire les nombres en CSV : une ligne par jeu, les noms des colonnes au-dessus
+    .hint = { $kind ->
+        [certificate] nommer le fichier des points mesurés
+        [roughness] nommer le fichier des points mesurés
+       *[other] écrire les nombres en CSV : une ligne par point ou pose, les noms des colonnes au-dessus
+    }
 
 no-rows-of-numbers = { $file ->
         [workbook] aucune feuille du classeur n’a

@@ -70,3 +70,8 @@ sketch-legs = Le robot au milieu de ses courses, avec les paramètres de la jamb
 sketch-link-dh = Un segment et ses paramètres de Denavit-Hartenberg standard.
 sketch-link-mdh = Un segment et ses paramètres de Denavit-Hartenberg modifiés.
 sketch-table = La table vue de dessus, inclinaisons agrandies : rails, chariots, plate-forme C et billes K et L.
+
+
+measure-all-working-modes = mesurer chaque position dans tous les modes de travail qui l’atteignent, et des positions tout autour de l’espace de travail
+
+measure-different-angles = mesurer des poses avec des |theta| différents, par exemple 0 et le plus grand que la table atteint

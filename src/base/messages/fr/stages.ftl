@@ -184,7 +184,7 @@ column-empty = la colonne `{ $column }` est vide ou manque
 targets-missing = des cibles manquent à la pose { $poses }
     .hint = leurs autres cibles comptent ; une pose ou une orientation les demande toutes
 
-key-in-lines = { $key } aux lignes { $lines }
+key-in-lines = { $key } (lignes { $lines })
 
 log-key-twice = le journal `{ $log }` a { $count ->
         [one] { $count } clé
@@ -451,7 +451,7 @@ joints-of-pose-differ = ses lignes ont des valeurs d’articulation différentes
 target-repeated = la cible `{ $target }` figure deux fois
     .hint = numéroter les répétitions dans la colonne `cycle`
 
-no-observations = il n’y a pas d’observations
+table-without-observations = il n’y a pas d’observations
     .hint = vérifier le fichier et les exclusions
 
 arms-apart = avec les paramètres nominaux, les bras ne se rejoignent pas à ces valeurs d’articulation
@@ -479,7 +479,7 @@ coordinate-uncertainty-missing = la ligne indique une incertitude, mais `{ $colu
 coordinate-uncertainty-unusable = `{ $column }` = { $value } n’est pas l’incertitude d’une coordonnée
     .expected = de 0,00002 à 100 mm, ou toutes vides
 
-covariance-not-positive-definite = la covariance de la ligne n’est pas définie positive
+position-covariance-invalid = la covariance de la ligne n’est pas définie positive
     .hint = vérifier l’ordre et l’unité des colonnes `cxx_mm2` ..
 
 unplaced = { $kind ->
@@ -503,15 +503,15 @@ placed-by-validation = { $unplaced } ; les statistiques en tiennent compte
 placed-by-validation-unjudged = { $unplaced } ; les lectures sans redondance ne sont pas jugées : { $names }
     .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer une pose où elles sont mesurées vers `calibration`
 
-candidates-unreachable = aucune position candidate n’est atteinte par le `{ $model }`, ou le modèle n’a pas d’inverse
+candidate-positions-unreachable = aucune position candidate n’est atteinte par le `{ $model }`, ou le modèle n’a pas d’inverse
     .hint = indiquer des valeurs d’articulation, une colonne par articulation avec son unité
 
 check-readings = y chercher des étiquettes échangées et des lectures fausses ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
 
-robust-fit-differs = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne sont pas normaux
+robust-fit-disagrees = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne sont pas normaux
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
-robust-fit-differs-at-poses = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; poses qui contredisent les autres : { $poses }
+robust-fit-disagrees-at-poses = un ajustement robuste change `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; poses qui contredisent les autres : { $poses }
 
 target-positions = `{ $target }` ({ $count ->
         [one] { $count } position
@@ -671,7 +671,7 @@ step-scatters = { $step } : les résidus se dispersent de { FIXED($found_mm, 4) 
 table-without-poses = à aucune pose du tableau `{ $title }` K et L n’ont été mesurées ensemble
     .hint = mesurer les deux billes dans le même cycle, ou choisir d’autres poses
 
-parameters-without-covariance = les paramètres n’ont pas de covariance
+given-without-covariance = les paramètres n’ont pas de covariance
     .hint = identifier de nouveau à partir de données qui laissent des degrés de liberté
 
 calibrated-targets-missing = il manque { $names } aux paramètres : une autre base ou d’autres cibles
@@ -765,7 +765,7 @@ parameters-unstable = non stables, et imposés : les valeurs tirées d’une par
 
 hold-unknown = `hold` nomme `{ $pattern }`, qui n’est pas un paramètre de ce robot
 
-pose-residuals-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
+residuals-pose-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
     .hint = utiliser `residuals = "targets"`
 
 remedy = { $remedy ->
@@ -848,6 +848,8 @@ undescribed-set-up = vérifier unités, ordre et signes des articulations, les p
 
 undescribed-frame-moved = un mouvement du repère de { FIXED($motion_mm, 1) } mm laisse { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
 
+undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles y conviennent aussi ; mesurer davantage de poses d’étalonnage, réparties dans l’espace de travail
+
 undescribed-other-poses = les poses d’étalonnage conviennent, et aucun mouvement du repère n’explique les autres : vérifier que le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
 
 prior-of-nominal = des paramètres nominaux n’ont pas de covariance pour `--frames prior`
@@ -916,3 +918,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } paramètres dépassent
     } la tolérance du robot : { $parameters }
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales et les repères ; si le robot est dessiné autrement, indiquer `tolerance` dans le fichier du robot
+
+format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }

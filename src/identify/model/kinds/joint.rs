@@ -2,8 +2,8 @@
 
 use super::{At, Equation};
 
-/// The value of a joint as it is. Residual: the joint's value by the model, with what its gain, offset and other errors add to the
-/// logged one, less this, mm or rad.
+/// The value of a joint as it is. Residual: the joint's value by the model, with what its gain,
+/// offset and other errors add to the logged one, less this, mm or rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointValue {
     /// Index of the joint.

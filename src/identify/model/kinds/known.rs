@@ -4,7 +4,7 @@ use super::{Surface, less_station, point, station_pose};
 use etalon_base::pose::{Vector, minus, norm, unit};
 use std::collections::BTreeMap;
 
-/// What is known of fixed points beside the observations of targets.
+/// Knowledge of fixed points beside the observations of targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Known {
     /// Their place in the world.
@@ -22,7 +22,7 @@ pub enum Known {
         station: usize,
         /// First of the three coordinates of the point.
         point: usize,
-        /// Where the station has it, mm.
+        /// Position in the frame of the station (mm).
         at_mm: Vector,
         /// Standard uncertainty of a coordinate, mm.
         standard_uncertainty_mm: f64,
@@ -40,7 +40,7 @@ pub enum Known {
     },
     /// A place on a surface or line.
     On {
-        /// What it is on.
+        /// Element that contains the point.
         surface: Surface,
         /// The parameters of that.
         unknowns: [usize; 4],

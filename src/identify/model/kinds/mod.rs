@@ -1,8 +1,10 @@
 //! Conditions: what else than its position was observed of a target at a pose, one kind a module.
 //!
-//! A condition is an equation between the place of a target, which the robot gives, and things that are fixed in the world: the
-//! orientation of a body, a socket, a point from which a distance is measured, a plane, a line, a sphere. Of these the robot's list of parameters
-//! has the unknowns behind its own ([`Fixture`](crate::Fixture)). To add a kind: its module with an [`Equation`], and its line in [`Kind`].
+//! A condition is an equation between the place of a target, which the robot gives, and things that
+//! are fixed in the world: the orientation of a body, a socket, a point from which a distance is
+//! measured, a plane, a line, a sphere. Of these the robot's list of parameters has the unknowns
+//! behind its own ([`Fixture`](crate::Fixture)). To add a kind: its module with an [`Equation`],
+//! and its line in [`Kind`].
 
 mod contact;
 mod coordinate;
@@ -31,13 +33,15 @@ pub(crate) use surface::lay;
 
 use crate::{Error, Result};
 use crate::{Observation, ResidualKind, Settings, Status};
+use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::Message;
 use etalon_base::pose::{Pose, Vector, centroid, minus};
 use etalon_base::pose_name::PoseName;
+use etalon_base::{error, warning};
 use etalon_fit::rotation_onto;
 use etalon_robots::{FreeBase, Quantity, Robot, Role};
 
-/// What was observed of a target at a pose.
+/// Observation of a target at a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
     /// Name of the pose.
@@ -48,13 +52,13 @@ pub struct Condition {
     pub joints: Vec<f64>,
     /// Index of the target.
     pub target: usize,
-    /// What was observed.
+    /// Observed quantity.
     pub kind: Kind,
     /// Standard uncertainty of each of its residuals, mm or rad.
     pub standard_uncertainty: f64,
 }
 
-/// Where a condition is evaluated.
+/// State at which a condition is evaluated.
 pub(crate) struct At<'a> {
     /// The robot, of which some kinds need more than the position of the target.
     pub arm: Option<&'a dyn FreeBase>,
@@ -83,8 +87,8 @@ pub(crate) trait Equation {
     /// Writes the residuals, mm or rad.
     fn residuals(&self, at: &At, out: &mut [f64]);
 
-    /// Writes the derivatives of the residuals by all parameters into zeros, row by row; `moved` has the derivatives of the target's
-    /// position, three rows.
+    /// Writes the derivatives of the residuals by all parameters into zeros, row by row; `moved`
+    /// has the derivatives of the target's position, three rows.
     fn jacobian(&self, at: &At, moved: &[f64], out: &mut [f64]);
 
     /// The residuals as a vector in the world.
@@ -112,13 +116,14 @@ pub(crate) trait Equation {
         true
     }
 
-    /// Gaps between a target at `p` and where the condition has it, with their directions; empty if it does not say where the target is.
-    /// `left` is the error of the touch.
+    /// Gaps between a target at `p` and where the condition has it, with their directions; empty if
+    /// it does not say where the target is. `left` is the error of the touch.
     fn gaps(&self, _values: &[f64], _p: Vector, _left: Vector) -> Vec<(Vector, f64)> {
         Vec::new()
     }
 
-    /// First of the unknowns of the moving part that the condition shows; `target` is that of the target.
+    /// First of the unknowns of the moving part that the condition shows; `target` is that of the
+    /// target.
     fn moving(&self, target: usize) -> Option<usize> {
         Some(target)
     }
@@ -166,8 +171,8 @@ impl Kind {
         self.equation().is_angle()
     }
 
-    /// Gaps (mm) between a target at `p` and the place or surface that it touches up to an error `left`, each with its gradient by `p`; empty if
-    /// the target touches nothing.
+    /// Gaps (mm) between a target at `p` and the place or surface that it touches up to an error
+    /// `left`, each with its gradient by `p`; empty if the target touches nothing.
     pub fn gaps(&self, values: &[f64], p: Vector, left: Vector) -> Vec<(Vector, f64)> {
         self.equation().gaps(values, p, left)
     }
@@ -212,8 +217,8 @@ impl Condition {
         out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
     }
 
-    /// What was observed minus what the model with `values` predicts, in the world: mm, of an orientation rad as a rotation vector. Of
-    /// a distance it lies along it, of a plane along its normal.
+    /// Observed minus predicted values in the world (mm; for an orientation a rotation vector in
+    /// rad). A distance deviates along itself, a plane along its normal.
     pub fn error(&self, robot: &dyn Robot, values: &[f64]) -> Vector {
         let at = self.at(robot.free_base(), values, robot.position(values, &self.joints, self.target));
         let mut left = [0.0; 3];
@@ -231,14 +236,15 @@ impl Condition {
     }
 }
 
-/// Whether anything is measured in a world that is not the robot's own base frame.
+/// `true` if a measurement refers to a world frame other than the robot's own base.
 pub(crate) fn tied_to_world(observations: &[Observation], settings: &Settings) -> bool {
     observations.iter().any(|o| o.targets.iter().any(Option::is_some))
         || settings.conditions.iter().any(|c| c.kind.equation().is_in_world())
         || settings.known.iter().any(|k| matches!(k, Known::Place { .. } | Known::On { .. }))
 }
 
-/// A warning where nothing that was observed contains a length: a robot of twice the size fits as well.
+/// A warning where nothing that was observed contains a length: a robot of twice the size fits as
+/// well.
 pub(crate) fn without_length(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -258,12 +264,8 @@ pub(crate) fn without_length(
         p.quantity == Quantity::Length && p.role == Role::Robot && **s != Status::Identified && p.nominal != 0.0
     });
     let lengths: Vec<String> = held.map(|(p, _)| format!("`{}` = {} mm", p.name, p.nominal)).collect();
-    let what = "nothing that was observed contains a length: the scale of the robot is that of its nominal lengths";
-    let message = Message::warning(match lengths.is_empty() {
-        true => what.to_owned(),
-        false => format!("{what} that are held, {}", lengths.join(", ")),
-    });
-    Some(message.hint("measure a distance: between two sockets, to a fixed point, or the position of a target"))
+    let lengths = if lengths.is_empty() { "none".argument() } else { lengths.argument() };
+    Some(warning!("scale-unobserved", lengths))
 }
 
 /// An error where conditions are for another robot or other residuals.
@@ -276,8 +278,7 @@ pub(crate) fn check(robot: &dyn Robot, settings: &Settings) -> Result<()> {
         return Err(Error::NotAnArm { model: robot.model().to_owned() });
     }
     if settings.kind == ResidualKind::Pose || settings.common_uncertainty_mm.is_some() {
-        let what = "orientations, distances, contacts, surfaces and joints go with residuals of targets, without a common uncertainty";
-        return Err(Message::error(what).into());
+        return Err(error!("kinds-need-target-residuals").into());
     }
     if settings.standard_uncertainty_mm.is_none() {
         return Err(Error::KindsWithoutUncertainty);

@@ -6,12 +6,13 @@ use etalon_base::pose::{Pose, Vector, centroid, cross, minus, turning_axes};
 use etalon_robots::FreeBase;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The target as another station of the instrument measures it. Residuals: its three coordinates less those of what is seen, mm.
+/// The target as another station of the instrument measures it. Residuals: its three coordinates
+/// less those of what is seen, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// First of the six parameters of the station: its pose in the world.
     pub station: usize,
-    /// Where the station has it, mm.
+    /// Position in the frame of the station (mm).
     pub at_mm: Vector,
 }
 
@@ -54,7 +55,8 @@ pub(crate) fn less_station(values: &[f64], station: usize, at_mm: Vector, rows: 
     }
 }
 
-/// Stations where what they see of targets and points comes to where the world has it; then targets and points that only they see.
+/// Stations where what they see of targets and points comes to where the world has it; then targets
+/// and points that only they see.
 pub(crate) fn stand(
     arm: &dyn FreeBase,
     settings: &Settings,

@@ -8,15 +8,17 @@ use etalon_math::Factor;
 use etalon_math::statistics::mean;
 use etalon_robots::FreeBase;
 
-/// What a target touches.
+/// Element that a target touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
-    /// A plane, by two slopes of its normal (rad) towards the axis 0, 1 or 2 of the world, and where it meets that axis (mm).
+    /// A plane, by two slopes of its normal (rad) towards the axis 0, 1 or 2 of the world, and
+    /// where it meets that axis (mm).
     Plane {
         /// The axis.
         axis: usize,
     },
-    /// A line, by two slopes against the axis 0, 1 or 2 of the world (rad), and where it meets the plane of the other two (mm).
+    /// A line, by two slopes against the axis 0, 1 or 2 of the world (rad), and where it meets the
+    /// plane of the other two (mm).
     Line {
         /// The axis.
         axis: usize,
@@ -42,7 +44,7 @@ impl Surface {
         if matches!(self, Self::Line { .. }) { 2 } else { 1 }
     }
 
-    /// How far `p` is from it, mm: of a line along two normals of it.
+    /// Distance (mm) of `p` from the element; for a line, along two of its normals.
     fn distances<T: Scalar>(self, p: [T; 3], unknowns: [T; 4]) -> [T; 2] {
         let dot = |a: [T; 3], b: [T; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let along = |a: [T; 3], b: [T; 3]| dot(a, b) / dot(a, a).sqrt();
@@ -76,7 +78,7 @@ impl Surface {
         }
     }
 
-    /// How far a point is from it, mm.
+    /// Distance (mm) of a point from the element.
     pub fn residuals(self, p: Vector, unknowns: [f64; 4]) -> [f64; 2] {
         self.distances(p, unknowns)
     }
@@ -88,10 +90,11 @@ impl Surface {
     }
 }
 
-/// The target is on a surface or line, or, of a plane or sphere, its centre `offset_mm` outside of it: the radius of a ball. Residuals: mm.
+/// The target is on a surface or line, or, of a plane or sphere, its centre `offset_mm` outside of
+/// it: the radius of a ball. Residuals: mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct On {
-    /// What it touches.
+    /// Touched element.
     pub surface: Surface,
     /// The parameters of that.
     pub unknowns: [usize; 4],
@@ -155,7 +158,8 @@ impl Equation for On {
     }
 }
 
-/// Planes, lines and spheres through the targets that touch them, and the places that are known to be on them.
+/// Planes, lines and spheres through the targets that touch them, and the places that are known to
+/// be on them.
 pub(crate) fn lay(arm: &dyn FreeBase, settings: &Settings, wanted: &[usize], values: &mut [f64]) {
     type Touches = Vec<(Vector, f64)>;
     let mut touched: Vec<(Surface, [usize; 4], Touches)> = Vec::new();

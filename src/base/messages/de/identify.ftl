@@ -1,0 +1,278 @@
+### Meldungen von identify; Erklärungen in en/identify.ftl.
+
+no-observations = es gibt keine Beobachtungen, aus denen Parameter identifiziert werden können
+    .hint = prüfen, welche Posen gewählt und welche ausgeschlossen sind
+
+pose-residuals-without-uncertainty = Residuen der Pose mischen mm und rad: sie brauchen die Standardunsicherheit einer Koordinate
+
+common-uncertainty-alone = eine gemeinsame Unsicherheit mehrerer Beobachtungen braucht Residuen von Zielmarken und die Unsicherheit jeder Beobachtung
+
+parameter-unknown = `{ $pattern }` ist kein Parameter dieses Roboters
+
+observations-need-arm = Orientierungen, Abstände, Kontakte, Flächen und Gelenkwerte gelten für räumliche Arme, nicht für `{ $model }`
+
+kinds-need-target-residuals = Orientierungen, Abstände, Kontakte, Flächen und Gelenkwerte brauchen Residuen von Zielmarken ohne gemeinsame Unsicherheit
+    .hint = Zielmarken vergleichen und die gemeinsame Unsicherheit weglassen
+
+kinds-without-uncertainty = Beobachtungen verschiedener Art brauchen die Standardunsicherheit einer Koordinate
+
+own-uncertainties-unusable = eigene Unsicherheiten der Messwerte brauchen Residuen von Zielmarken ohne gemeinsame Unsicherheit
+
+readings-without-uncertainty = { $without } von { $readings } Messwerten haben keine Unsicherheit
+
+pose-residuals-not-planar = Residuen der Pose gelten für ebene Roboter, nicht für `{ $model }`
+
+tool-part-missing = der Werkzeugpunkt ist im System { $part ->
+        [flange] des Flansches
+       *[platform] der Plattform
+    } angegeben: `{ $model }` hat keine solche
+
+too-few-poses-planned = { $poses } Posen bestimmen nicht { $parameters } Parameter
+
+base-not-found = Basis und Zielmarken können aus diesen Posen nicht bestimmt werden
+    .expected = mindestens vier Posen, in denen sich der Arm in alle Richtungen bewegt
+
+nothing-to-identify = kein Parameter bleibt zu identifizieren{ $cause ->
+        [none] {""}
+       *[other] : { $cause }
+    }
+
+hold-fewer-parameters = weniger Parameter festhalten
+
+parameters-undetermined = { $residuals ->
+        [one] 1 Residuum
+       *[other] { $residuals } Residuen
+    } aus { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, davon { $independent } unabhängig, bestimmen nicht { $parameters ->
+        [one] 1 Parameter
+       *[other] { $parameters } Parameter
+    }
+
+parameter-without-effect = die Daten hängen nicht von `{ $parameter }` ab
+
+parameters-inseparable = `{ $parameter }` ist nicht getrennt von { $others } identifizierbar
+
+identifiability-unsteady = die Menge der getrennt identifizierbaren Parameter ändert sich zwischen den Schritten des Lösers
+
+identification-without-result = die Identifikation endete ohne Ergebnis: { $reason }
+
+solver-ended = { $termination ->
+        [iteration-limit] keine Konvergenz innerhalb der Iterationsgrenze
+        [not-a-number] ein Residuum ist keine Zahl
+        [rank-deficient] Parameter sind nicht getrennt identifizierbar
+        [too-few-equations] es gibt weniger Gleichungen als Parameter
+       *[converged] Konvergenz, aber das Ergebnis ist nicht eindeutig
+    }
+
+named-poses = { $count ->
+        [one] Pose { $poses }
+       *[other] { $count } Posen ({ $poses })
+    }
+
+poses-unreachable = der nominale Roboter kann die Gelenkwerte nicht annehmen: { $poses }
+
+extents-differ = gemessene Punkte erstrecken sich über { FIXED($measured_mm, 0) } mm, die des Modells über { FIXED($model_mm, 0) } mm
+
+assembly-mode-contradicted = die gemessene Position widerspricht dem Montagemodus ({ $poses }): für Pose { $worst } lässt der angegebene Modus { $stated } { FIXED($stated_mm, 1) } mm, Modus { $other } { FIXED($other_mm, 1) } mm
+
+scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Roboters ist der seiner Nennlängen{ $lengths ->
+        [none] {""}
+       *[other] {" "}({ $lengths })
+    }
+    .hint = einen Abstand zwischen zwei Aufnahmen oder zu einem festen Punkt messen, oder die Position einer Zielmarke
+
+readings-weighted = { $own } von { $readings } Messwerten sind mit ihren eigenen Standardunsicherheiten gewichtet: { FIXED($least_mm, 4) } bis { FIXED($most_mm, 4) } mm je Koordinate
+
+rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: `{ $first }` bis `{ $second }` { FIXED($found_mm, 4) } mm { $by ->
+        [identification] ohne sie identifiziert
+       *[measurement] gemessen
+    }, { FIXED($stated_mm, 4) } mm angegeben
+
+stated-positions = angegebene Positionen
+
+comparison-without-uncertainty = ein Vergleich mit gegebenen Parametern braucht die Standardunsicherheit einer Koordinate
+    .hint = die Unsicherheit des Messgeräts angeben
+
+robot-not-at-joints = der Roboter kann diese Gelenkwerte mit { $parameters ->
+        [nominal] Nennparametern
+       *[given] den gegebenen Parametern
+    } nicht annehmen
+    .hint = Einheit, Vorzeichen und Versatz der Gelenkwerte prüfen und ob die Parameter zu diesem Roboter gehören
+
+covariance-not-positive-definite = die Kovarianz der Parameter ist nicht positiv definit
+    .hint = die Kovarianz so verwenden, wie die Identifikation sie angegeben hat
+
+no-redundant-observations = es gibt so viele Gleichungen wie Parameter: die Unsicherheit der Parameter ist unbekannt
+    .hint = mehr Posen messen oder die Unsicherheit des Messgeräts angeben
+
+pose-residuals-correlated = Residuen einer Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt, dem { FIXED($ratio, 1) }-fachen derer des Messgeräts
+    .hint = der Roboter hat Fehler, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Fehler der Messwerte einer Pose
+
+instrument-uncertainty-too-large = Residuen betragen das { FIXED($ratio, 2) }-fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind zu groß
+    .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Fehler aller Posen sind in Residuen nicht sichtbar
+
+residuals-exceed-uncertainty = Residuen betragen das { FIXED($ratio, 1) }-fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind { $from ->
+        [poses] aus der Streuung der Posen geschätzt
+        [regions] aus der Streuung von Bereichen des Arbeitsraums geschätzt
+       *[residuals] vergrößert, als wären Residuen einer Pose unabhängig
+    } (das { FIXED($inflation, 1) }-fache derer des Messgeräts, Median)
+    .hint = Ausreißer und Modell prüfen: der Roboter hat Fehler, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
+
+parameters-fixed-by-frames = { $count } Parameter sind nicht getrennt von Basis und Zielmarken identifizierbar und bleiben auf ihren Nennwerten: { $parameters }
+
+parameter-held-without-effect = die Daten hängen nicht von `{ $parameter }` ab: er bleibt auf seinem Nennwert
+
+parameter-held-inseparable = `{ $parameter }` und { $others } sind nicht getrennt identifizierbar: `{ $parameter }` bleibt auf seinem Nennwert
+
+parameter-separable-poorly = `{ $parameter }` ist von { $others } nur mit einer Standardunsicherheit von { FIXED($uncertainty, 2) }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    } trennbar: { $held ->
+        [placed] er bleibt auf seinem ersten Schätzwert
+       *[nominal] er bleibt auf seinem Nennwert, der besser bekannt ist
+    }
+    .hint = Posen messen, in denen diese Parameter verschieden wirken
+
+tool-targets-collinear = die Zielmarken bestimmen kein System für den Werkzeugpunkt: im Raum braucht es drei, nicht auf einer Geraden; in der Ebene zwei
+    .hint = den Punkt im System des Flansches angeben oder die erste Zielmarke selbst verwenden ([0, 0, 0])
+
+nominal-robot-far = der nominale Roboter verfehlt die Messungen um { FIXED($left_mm, 3) } mm (quadratischer Mittelwert, Basis und Zielmarken angepasst); die Toleranzen lassen { FIXED($allowed_mm, 3) } mm zu
+    .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
+
+nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht annehmen
+    .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
+
+placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
+    .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke und die Nennparameter des Roboters prüfen
+
+reference-moved = ab Pose { $pose } sind die gemessenen Positionen um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) gegen die bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+    .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen
+
+parameters-weakly-identifiable = { $groups } sind aus diesen Posen schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
+
+parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen schwach identifizierbar: { $groups }; ihre Standardunsicherheiten sind groß, und ihre Fehler heben sich nahe diesen Posen auf
+
+parameter-group = { $first } und { $second }
+
+separate-parameters = Posen messen, in denen diese Parameter verschieden wirken, oder einen davon festhalten
+
+too-many-positions = { $positions } Positionen können nicht aus { $candidates } Kandidaten gewählt werden
+    .expected = eine Zahl von 1 bis { $candidates }
+
+start-pose-unknown = Pose { $pose } des Anfangs ist kein Kandidat
+    .hint = Posen aus der Tabelle der Kandidaten verwenden
+
+start-too-large = der Anfang hat { $start } Kandidaten, mehr als die { $positions } zu wählenden Positionen
+    .hint = mit weniger Posen beginnen oder mehr wählen
+
+study-too-few-positions = { $positions } Positionen bestimmen nicht alle Parameter
+    .hint = mehr Positionen wählen
+
+no-candidates = es gibt keine Kandidaten
+    .hint = die Tabelle der Kandidaten prüfen
+
+candidates-unreachable = kein Kandidat ist erreichbar: Pose { $pose } ({ $reason })
+    .hint = Gelenkwerte, ihre Einheiten und die Grenzen des Roboters prüfen
+
+candidates-left-out = { $count ->
+        [one] 1 Kandidat ist nicht erreichbar und wird nie gewählt
+       *[other] { $count } Kandidaten sind nicht erreichbar und werden nie gewählt
+    }: { $candidates }
+
+candidate-violation = Pose { $pose } ({ $reason })
+
+at-geometric-step = { $step ->
+        [lead-1] Steigung von Aktor 1
+        [lead-2] Steigung von Aktor 2
+        [lead-3] Steigung von Aktor 3
+        [base] Basissystem
+        [mobile] bewegtes System
+        [shaft] Welle
+       *[offsets] Versatz
+    }: { $message }
+
+geometric-step-alone = { $step ->
+        [shaft] die Welle braucht den Bogen der Kugel N
+       *[offsets] die Verschiebung von Aktor 1 braucht den Bogen der Kugel N, die gedrehte Plattform und die Welle
+    }
+    .hint = die fehlenden Schritte messen oder diesen weglassen
+
+geometry-incomplete = die vollständige Geometrie braucht den Bogen der Kugel N, die gedrehte Plattform, die Welle in zwei Positionen und eine Verschiebung von Aktor 1
+    .expected = mindestens eine Wiederholung von jedem
+
+ball-unmoved = { $ball ->
+        [R] Kugel R hat sich nicht bewegt, während Aktor 2 zu seinem Ende fuhr
+       *[K] Kugel K hat sich entlang x um weniger als 1 mm bewegt, während Aktor 1 zu seinem Ende fuhr
+    }
+    .hint = Kugel { $ball } noch einmal messen, nachdem Aktor { $actuator } allein zu seinem Ende gefahren ist
+
+lead-undetermined = diese Positionen bestimmen die Steigung des Aktors nicht
+    .expected = mindestens drei Messwerte bei zwei oder mehr kommandierten Verschiebungen
+
+shaft-positions-parallel = die beiden Positionen der Welle sind parallel: ihre Achsen schneiden sich nicht
+    .hint = dazwischen Aktor 2 allein zu seinem Ende fahren
+
+points-undetermined = diese Punkte bestimmen das angepasste Element nicht
+    .hint = die Positionen über den ganzen Weg oder Winkel verteilen
+
+slip-reversed = { $joint } umgekehrt
+
+slip-exchanged = { $first } und { $second } vertauscht
+
+slip-joint-order = die Gelenke { $order ->
+        [reversed] in umgekehrter Reihenfolge
+        [left] um einen Platz verschoben
+       *[right] um einen Platz zur anderen Seite verschoben
+    }
+
+slip-offset = { $degrees } deg zu { $joint } addiert
+
+slip-unit = { $quantity ->
+        [all-joints] alle Gelenke
+        [joints-of-kind] alle Gelenke dieser Art
+        [points] die gemessenen Punkte
+       *[other] { $quantity }
+    } { $slip ->
+        [m-mm] in Metern statt Millimetern
+        [mm-m] in Millimetern statt Metern
+        [inch-mm] in Zoll statt Millimetern
+        [mm-inch] in Millimetern statt Zoll
+        [rad-deg] in Radiant statt Grad
+       *[deg-rad] in Grad statt Radiant
+    }
+
+slip-points = { $change ->
+        [mirrored] die gemessenen Punkte gespiegelt (ein Linkssystem oder zwei vertauschte Koordinaten)
+        [exchanged] x und y der gemessenen Punkte vertauscht
+        [x] x der gemessenen Punkte umgekehrt
+       *[y] y der gemessenen Punkte umgekehrt
+    }
+
+slip-targets = die Zielmarken { $first } und { $second } vertauscht
+
+slip-neighbour = die Gelenke jeder Pose aus der { $neighbour ->
+        [previous] vorigen
+       *[next] nächsten
+    } genommen
+
+slip-convention = { $convention }
+
+slip-world-frame = das Weltsystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
+
+slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
+
+with-slip = mit { $slip }{ $origin ->
+        [none] {""}
+       *[other] {" "}({ $origin })
+    }
+
+set-up-slip = { $first }{ $others ->
+        [none] {""}
+       *[other] {" "}(ebenso { $others })
+    } lässt eine Identifikation { FIXED($changed_mm, 3) } mm (quadratischer Mittelwert){ $stated ->
+        [unreachable] ; ohne das sind Posen nicht erreichbar
+        [tolerances] {" "}und hält Parameter in ihren Toleranzen
+       *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
+    }: das zuerst prüfen

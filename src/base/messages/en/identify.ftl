@@ -1,0 +1,508 @@
+### Messages of identify. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: There is no observation and no condition to identify parameters from.
+# Matters: Nothing can be identified.
+# Do: Check which poses are selected and which are excluded.
+# Example: a selection of calibration poses that were all excluded
+no-observations = there are no observations to identify parameters from
+    .hint = check which poses are selected and which are excluded
+
+# Means: Residuals of the pose are compared, and no standard uncertainty of a coordinate is stated.
+# Matters: Lengths and angles have no common scale without it.
+# Do: State the standard uncertainty, or compare targets.
+# Example: residuals of the pose of a planar platform without an instrument uncertainty
+pose-residuals-without-uncertainty = residuals of the pose mix mm and rad: they need the standard uncertainty of a coordinate
+
+# Means: An uncertainty common to several observations is stated without the uncertainty of single
+# observations, or for residuals of the pose.
+# Matters: The covariance of the residuals is undefined.
+# Do: State the uncertainty of single observations too, and compare targets.
+# Example: the uncertainty of a reference point without the repeatability of its contacts
+common-uncertainty-alone = an uncertainty common to several observations needs residuals of targets and the uncertainty of single observations
+
+# Means: A parameter is to be held that the robot model lacks.
+# Matters: Another parameter was probably meant, and would be identified.
+# Do: Use the name of a parameter of the model; `*` stands for any text.
+# Example: the name `d7` for an arm of six joints
+parameter-unknown = `{ $pattern }` is not a parameter of this robot
+
+# Means: Orientations, distances, contacts, surfaces or joint values are observed for a robot that
+# is not a spatial arm.
+# Matters: These kinds of observations are defined for arms only.
+# Do: Use positions of its targets.
+# Example: an observed orientation of a planar platform
+observations-need-arm = orientations, distances, contacts, surfaces and joint values are for spatial arms, not for `{ $model }`
+
+# Means: Orientations, distances, contacts, surfaces or joint values are observed together with
+# residuals of the pose or a common uncertainty.
+# Matters: Their weights are undefined there.
+# Do: Compare targets, without a common uncertainty.
+# Example: an observed distance and residuals of the pose
+kinds-need-target-residuals = orientations, distances, contacts, surfaces and joint values need residuals of targets without a common uncertainty
+    .hint = compare targets, and omit the common uncertainty
+
+# Means: Several kinds of observations are used, and no standard uncertainty of a coordinate is
+# stated.
+# Matters: Observations in mm and rad have no common scale without it.
+# Do: State the standard uncertainty of a coordinate.
+# Example: positions and orientations without an instrument uncertainty
+kinds-without-uncertainty = observations of several kinds need the standard uncertainty of a coordinate
+
+# Means: Readings have their own uncertainties, and residuals of the pose or a common uncertainty
+# are used.
+# Matters: Own uncertainties are weights of residuals of targets.
+# Do: Compare targets, or omit the uncertainties of the readings.
+# Example: readings with covariances and residuals of the pose
+own-uncertainties-unusable = own uncertainties of readings need residuals of targets without a common uncertainty
+
+# Means: Some readings state an uncertainty and others do not, and no common value is stated.
+# Matters: Readings without an uncertainty have no weight.
+# Do: State the uncertainty of every reading, or one for those without.
+# Example: 3 of 40 readings without an uncertainty
+readings-without-uncertainty = { $without } of { $readings } readings have no uncertainty
+
+# Means: Residuals of the pose are requested for a robot that is not planar.
+# Matters: They are defined for planar platforms only.
+# Do: Compare targets.
+# Example: residuals of the pose for a serial arm
+pose-residuals-not-planar = residuals of the pose are for planar robots, not for `{ $model }`
+
+# Means: A tool point is stated in the frame of a part that the robot lacks.
+# Matters: The point has no defined position on the robot.
+# Do: State the point in the frame of a part of this robot.
+# Example: a tool point in the frame of the flange for a planar platform
+tool-part-missing = the tool point is stated in the frame of the { $part }: `{ $model }` has no { $part }
+
+# Means: The poses of a plan do not determine the parameters.
+# Matters: No uncertainty can be predicted.
+# Do: Choose more poses, or hold parameters.
+# Example: 2 poses for 24 parameters
+too-few-poses-planned = { $poses } poses do not determine { $parameters } parameters
+
+# Means: Neither base nor targets can be located from the poses.
+# Matters: Identification starts from their approximate positions.
+# Do: Measure more poses in different directions, or state nominal positions of base and targets.
+# Example: three poses along one line
+base-not-found = base and targets cannot be located from these poses
+    .expected = at least four poses in which the arm moves in all directions
+
+# Means: All parameters are held, or the observations depend on none of them.
+# Matters: There is no unknown to solve for.
+# Do: Hold fewer parameters; check the set-up if a cause is named.
+# Example: `*` as the pattern of parameters to hold
+nothing-to-identify = no parameter is left to identify{ $cause ->
+        [none] {""}
+       *[other] : { $cause }
+    }
+
+hold-fewer-parameters = hold fewer parameters
+
+# Means: The observations determine fewer parameters than are to be identified.
+# Matters: The solution is not unique.
+# Do: Measure more poses, or hold the parameters that the following lines name.
+# Example: 6 residuals from one pose for 12 parameters
+parameters-undetermined = { $residuals ->
+        [one] 1 residual
+       *[other] { $residuals } residuals
+    } from { $poses ->
+        [one] 1 pose
+       *[other] { $poses } poses
+    }, { $independent } of them independent, do not determine { $parameters ->
+        [one] 1 parameter
+       *[other] { $parameters } parameters
+    }
+
+# Means: No observation depends on a parameter.
+# Matters: Its value cannot be identified.
+# Do: Hold the parameter, or measure where it acts.
+# Example: the last joint of an arm whose only target is on its axis
+parameter-without-effect = the data do not depend on `{ $parameter }`
+
+# Means: Changes of a parameter and of others have the same effect on all observations.
+# Matters: Only their combination can be identified.
+# Do: Hold one of them, or measure poses in which they act differently.
+# Example: the rotation of the base and the zero of the first joint
+parameters-inseparable = `{ $parameter }` is not separately identifiable from { $others }
+
+# Means: The set of separately identifiable parameters changes between steps of the solver.
+# Matters: No set of parameters can be stated as identified.
+# Do: Hold parameters, or measure more poses.
+# Example: poses near a singularity
+identifiability-unsteady = the set of separately identifiable parameters changes between steps of the solver
+
+# Means: The solver ended without a result.
+# Matters: No parameters are identified.
+# Do: Check units, order and signs of the joints, and nominal parameters.
+# Example: joint values in radians read as degrees
+identification-without-result = the identification ended without a result: { $reason }
+
+solver-ended = { $termination ->
+        [iteration-limit] not converged within the iteration limit
+        [not-a-number] a residual is not a number
+        [rank-deficient] some parameters are not separately identifiable
+        [too-few-equations] there are fewer equations than parameters
+       *[converged] converged, but the result is not unique
+    }
+
+named-poses = { $count ->
+        [one] pose { $poses }
+       *[other] { $count } poses ({ $poses })
+    }
+
+poses-unreachable = the nominal robot cannot take the joint values of { $poses }
+
+extents-differ = measured points extend over { FIXED($measured_mm, 0) } mm, those of the model over { FIXED($model_mm, 0) } mm
+
+assembly-mode-contradicted = the measured position contradicts the assembly mode in { $poses }: for pose { $worst } mode { $stated } is stated, which leaves { FIXED($stated_mm, 1) } mm; mode { $other } leaves { FIXED($other_mm, 1) } mm
+
+# Means: No observation contains a length.
+# Matters: A robot of twice the size would fit as well: the scale is that of the nominal lengths.
+# Do: Measure a distance, or the position of a target.
+# Example: a campaign of orientations only
+scale-unobserved = no observation contains a length: the scale of the robot is that of its nominal lengths{ $lengths ->
+        [none] {""}
+       *[other] {" "}({ $lengths })
+    }
+    .hint = measure a distance between two sockets or to a fixed point, or the position of a target
+
+# Means: Readings are weighted by their own standard uncertainties.
+# Matters: Precise readings count more than others.
+# Do: Nothing, if the stated uncertainties are right.
+# Example: a tracker export with an uncertainty for each point
+readings-weighted = { $own } of { $readings } readings are weighted by their own standard uncertainties: { FIXED($least_mm, 4) } to { FIXED($most_mm, 4) } mm a coordinate
+
+# Means: The measured distance of two targets contradicts their stated positions on a rigid part by
+# more than the uncertainty.
+# Matters: The stated positions hold for another state of the part, or two targets are exchanged.
+# Do: Check unit and names of the stated positions, and whether the part was changed.
+# Example: stated positions in inches
+rigid-part-contradicted = { $places } of { $targets } contradict the measurements beyond their uncertainty: `{ $first }` to `{ $second }` is { FIXED($found_mm, 4) } mm { $by ->
+        [identification] identified without them
+       *[measurement] measured
+    }, { FIXED($stated_mm, 4) } mm stated
+
+stated-positions = stated positions
+
+# Means: Parameters are compared with given ones, and no standard uncertainty of a coordinate is
+# stated.
+# Matters: It cannot be judged which differences are significant.
+# Do: State the standard uncertainty of the instrument.
+# Example: a verification without an instrument uncertainty
+comparison-without-uncertainty = a comparison with given parameters needs the standard uncertainty of a coordinate
+    .hint = state the uncertainty of the instrument
+
+# Means: The robot model has no pose for some of the joint values.
+# Matters: Measured and predicted positions cannot be compared.
+# Do: Check unit, sign and offset of the joint values, and whether the parameters belong to this
+# robot.
+# Example: joint values in radians read as degrees
+robot-not-at-joints = the robot cannot take these joint values with { $parameters ->
+        [nominal] nominal
+       *[given] the given
+    } parameters
+    .hint = check unit, sign and offset of the joint values, and that the parameters belong to this robot
+
+# Means: The given covariance of the parameters is not positive definite.
+# Matters: It cannot be the covariance of measured parameters.
+# Do: Use the covariance as the identification stated it.
+# Example: a correlation edited by hand to 1.2
+covariance-not-positive-definite = the covariance of the parameters is not positive definite
+    .hint = use the covariance as the identification stated it
+
+# Means: There are as many equations as parameters.
+# Matters: Residuals are zero, and the uncertainty of the parameters is unknown.
+# Do: Measure more poses, or state the uncertainty of the instrument.
+# Example: 4 positions in space for 12 parameters
+no-redundant-observations = there are as many equations as parameters: the uncertainty of the parameters is unknown
+    .hint = measure more poses, or state the uncertainty of the instrument
+
+# Means: Residuals of one pose are more alike than independent errors would be.
+# Matters: Standard uncertainties from independent readings would be too small; those from the
+# scatter of the poses are used.
+# Do: Measure more poses, or describe the common error.
+# Example: three targets of one pose that are all 0.02 mm off in the same direction
+pose-residuals-correlated = residuals of one pose are correlated: standard uncertainties are estimated from the scatter of the poses, { FIXED($ratio, 1) } times those from the instrument
+    .hint = the robot has errors that the model does not describe, or the instrument has errors common to the readings of a pose
+
+# Means: Residuals are significantly smaller than the stated uncertainty of the instrument
+# (chi-square test).
+# Matters: Standard uncertainties of all results are too large.
+# Do: Check value, unit and coverage factor of the instrument's uncertainty. Errors common to all
+# poses are not visible in residuals.
+# Example: an expanded uncertainty stated as a standard uncertainty
+instrument-uncertainty-too-large = residuals are { FIXED($ratio, 2) } times the instrument's uncertainty (chi-square { FIXED($chi_square, 1) }, { $degrees } degrees of freedom): standard uncertainties are too large
+    .hint = check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses are not visible in residuals
+
+# Means: Residuals are significantly larger than the stated uncertainty of the instrument
+# (chi-square test).
+# Matters: The robot has errors that the model does not describe, or the stated uncertainty is too
+# small. Standard uncertainties are enlarged accordingly.
+# Do: Check outliers and the model; check the uncertainty of the instrument.
+# Example: elastic joints in a geometric model
+residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the instrument's uncertainty (chi-square { FIXED($chi_square, 0) }, { $degrees } degrees of freedom): standard uncertainties { $from ->
+        [poses] are estimated from the scatter of the poses
+        [regions] are estimated from the scatter of regions of the workspace
+       *[residuals] are enlarged, as if residuals of one pose were independent
+    } ({ FIXED($inflation, 1) } times the instrument's, median)
+    .hint = check outliers and the model: the robot has errors that the model does not describe, or the stated uncertainty is too small
+
+# Means: Parameters of the robot have the same effect as the pose of its base or the positions of
+# targets.
+# Matters: They are held at their nominal values; base and targets contain their deviations.
+# Predicted positions are unaffected.
+# Do: Nothing; another parameter of each group can be held instead.
+# Example: the zero of the first joint and the rotation of the base
+parameters-fixed-by-frames = { $count } parameters are not separately identifiable from base and targets, and are held at their nominal values: { $parameters }
+
+# Means: No observation depends on a parameter.
+# Matters: It stays at its nominal value.
+# Do: Measure where the parameter acts, if its value is needed.
+# Example: the last joint of an arm whose only target is on its axis
+parameter-held-without-effect = the data do not depend on `{ $parameter }`: it is held at its nominal value
+
+# Means: Changes of a parameter and of others have the same effect on all observations.
+# Matters: One of them is held at its nominal value; the others contain its deviation. Predicted
+# positions are unaffected.
+# Do: Measure poses in which they act differently, if single values are needed.
+# Example: the offset of a joint and the next link of an arm that never turns it
+parameter-held-inseparable = `{ $parameter }` and { $others } are not separately identifiable: `{ $parameter }` is held at its nominal value
+
+# Means: A parameter can be separated from others only with a large uncertainty.
+# Matters: Its nominal value is better known than the data would tell, so the parameter is held.
+# Do: Measure poses in which these parameters act differently.
+# Example: poses in which a joint moves by 2 degrees only
+parameter-separable-poorly = `{ $parameter }` is separable from { $others } only with a standard uncertainty of { FIXED($uncertainty, 2) }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    }: { $held ->
+        [placed] it stays at its first estimate
+       *[nominal] it is held at its nominal value, which is better known
+    }
+    .hint = measure poses in which these parameters act differently
+
+# Means: A tool point is stated in the frame of the targets, and the targets do not define a frame.
+# Matters: The point has no defined position.
+# Do: State the point in the frame of the flange, or name the first target as the point.
+# Example: two targets of an arm
+tool-targets-collinear = the targets define no frame for the tool point: three are needed in space, not on one line; two in the plane
+    .hint = state the point in the frame of the flange, or use the first target itself ([0, 0, 0])
+
+# Means: The nominal robot misses the measurements by more than the tolerances of its parameters
+# allow.
+# Matters: The set-up is wrong, not the robot: identified parameters would absorb the slip.
+# Do: Check signs, units and order of the joints, nominal values, and how joint values and points
+# are joined.
+# Example: one joint with the wrong sign
+nominal-robot-far = the nominal robot misses the measurements by { FIXED($left_mm, 3) } mm (root mean square, base and targets fitted); the tolerances allow { FIXED($allowed_mm, 3) } mm
+    .hint = check signs, units and order of the joints, the nominal values, and how joint values and points are joined
+
+# Means: The nominal robot has no pose for some of the joint values.
+# Matters: Measured and predicted positions cannot be compared.
+# Do: Check signs, units and order of the joints, and nominal values.
+# Example: joint values in radians read as degrees
+nominal-robot-not-at-joints = the nominal robot cannot take these joint values
+    .hint = check signs, units and order of the joints, the nominal values, and how joint values and points are joined
+
+# Means: No position of base and targets brings the nominal robot near the measurements.
+# Matters: The set-up is wrong: identified parameters would absorb the slip.
+# Do: Check units, order, signs and offsets of the joints, and nominal parameters.
+# Example: joint values in degrees read as radians
+placement-unexplained = no position of base and targets explains the measurements: residuals are { FIXED($left_mm, 1) } mm, the measured points extend over { FIXED($spread_mm, 1) } mm
+    .hint = check units, order, signs and offsets of the joints, and the nominal parameters of the robot
+
+# Means: From one pose on, all measured positions are shifted by one constant vector.
+# Matters: Base or measuring system moved during the measurement. Identified parameters would absorb
+# the shift.
+# Do: Identify the two parts separately, or measure again.
+# Example: a tripod that was touched after pose 21
+reference-moved = from pose { $pose } on, measured positions are shifted by { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) against those up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
+    .hint = base or measuring system moved: identify the two parts separately, or measure again
+
+# Means: The poses hardly separate a group of parameters.
+# Matters: Standard uncertainties of single parameters are large. Near the measured poses their
+# errors cancel.
+# Do: Measure poses in which these parameters act differently, or hold one of them.
+# Example: base and first link measured in a small region
+parameters-weakly-identifiable = { $groups } are weakly identifiable from these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
+
+# Means: The poses hardly separate several groups of parameters.
+# Matters: Standard uncertainties of single parameters are large. Near the measured poses their
+# errors cancel.
+# Do: Measure poses in which the parameters of a group act differently, or hold one of each group.
+# Example: all poses measured in a small region
+parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses: { $groups }; their standard uncertainties are large, and their errors cancel near these poses
+
+parameter-group = { $first } and { $second }
+
+separate-parameters = measure poses in which these parameters act differently, or hold one of them
+
+# Means: More positions are to be chosen than there are candidates, or none.
+# Matters: There is no plan of this size.
+# Do: State a smaller number, or more candidates.
+# Example: 40 positions of 30 candidates
+too-many-positions = { $positions } positions cannot be chosen from { $candidates } candidates
+    .expected = a number from 1 to { $candidates }
+
+# Means: The search is to start from a pose that is no candidate.
+# Matters: The start is undefined.
+# Do: Use poses of the table of candidates.
+# Example: a start from pose 99 of 30 candidates
+start-pose-unknown = pose { $pose } of the start is not a candidate
+    .hint = use poses of the table of candidates
+
+# Means: The search is to start from more poses than are to be chosen.
+# Matters: The start would not fit into the plan.
+# Do: Start from fewer poses, or choose more.
+# Example: a start from 5 poses for a plan of 4
+start-too-large = the start has { $start } candidates, more than the { $positions } positions to choose
+    .hint = start from fewer poses, or choose more
+
+# Means: The positions of a study do not determine all parameters.
+# Matters: Errors of the identified robot cannot be simulated.
+# Do: Choose more positions.
+# Example: a study of 3 positions for 12 parameters
+study-too-few-positions = { $positions } positions do not determine all parameters
+    .hint = choose more positions
+
+# Means: The table of candidates has no pose.
+# Matters: Nothing can be planned.
+# Do: Check the table.
+# Example: a table with a header alone
+no-candidates = there are no candidates
+    .hint = check the table of candidates
+
+# Means: The nominal robot reaches no candidate.
+# Matters: Nothing can be planned.
+# Do: Check joint values, their units, and the limits of the robot.
+# Example: candidates in radians read as degrees
+candidates-unreachable = no candidate is within reach: pose { $pose } ({ $reason })
+    .hint = check joint values, their units, and the limits of the robot
+
+# Means: The nominal robot does not reach some candidates.
+# Matters: They are never chosen.
+# Do: Nothing, if the limits of the robot are right.
+# Example: a candidate beyond the travel of a joint
+candidates-left-out = { $count ->
+        [one] 1 candidate is
+       *[other] { $count } candidates are
+    } out of reach and never chosen: { $candidates }
+
+candidate-violation = pose { $pose } ({ $reason })
+
+at-geometric-step = { $step ->
+        [lead-1] lead of actuator 1
+        [lead-2] lead of actuator 2
+        [lead-3] lead of actuator 3
+        [base] base frame
+        [mobile] mobile frame
+        [shaft] shaft
+       *[offsets] offsets
+    }: { $message }
+
+# Means: A step of the geometric method was measured without the steps on which it builds.
+# Matters: Its dimensions cannot be determined.
+# Do: Measure the missing steps, or omit this one.
+# Example: the shaft without the arc of ball N
+geometric-step-alone = { $step ->
+        [shaft] the shaft needs the arc of ball N
+       *[offsets] the displacement of actuator 1 needs the arc of ball N, the turned platform and the shaft
+    }
+    .hint = measure the missing steps, or omit this one
+
+# Means: Not all steps of the geometric method were measured.
+# Matters: The complete geometry cannot be determined.
+# Do: Measure each step at least once.
+# Example: a calibration without the turned platform
+geometry-incomplete = the complete geometry needs the arc of ball N, the turned platform, the shaft in two positions and a displacement of actuator 1
+    .expected = at least one repeat of each
+
+# Means: A ball is at the same position before and after the displacement of an actuator.
+# Matters: The direction of the displacement is undefined.
+# Do: Measure the ball again after the actuator moved to its end.
+# Example: the measurement of ball R at home, stored twice
+ball-unmoved = { $ball ->
+        [R] ball R did not move while actuator 2 moved to its end
+       *[K] ball K moved by less than 1 mm along x while actuator 1 moved to its end
+    }
+    .hint = measure ball { $ball } again after moving actuator { $actuator } alone to its end
+
+# Means: The positions do not determine the lead of an actuator.
+# Matters: Its transmission deviation remains unknown.
+# Do: Measure at least three positions at two displacements or more.
+# Example: three readings at one displacement
+lead-undetermined = these positions do not determine the lead of the actuator
+    .expected = at least three readings, at two or more commanded displacements
+
+# Means: The axes of the shaft in its two positions are parallel.
+# Matters: They have no intersection, from which the distance s follows.
+# Do: Move actuator 2 farther between the two positions.
+# Example: one position of the shaft, measured twice
+shaft-positions-parallel = the two positions of the shaft are parallel: their axes do not intersect
+    .hint = move actuator 2 alone between them, to its end
+
+# Means: The points do not determine the fitted element.
+# Matters: Its uncertainty is infinite.
+# Do: Spread the positions over the whole travel or turn.
+# Example: an arc measured at one angle
+points-undetermined = these points do not determine the element fitted to them
+    .hint = spread the positions over the whole travel or turn
+
+slip-reversed = { $joint } reversed
+
+slip-exchanged = { $first } and { $second } exchanged
+
+slip-joint-order = the joints { $order ->
+        [reversed] in reverse order
+        [left] shifted by one place
+       *[right] shifted by one place to the other side
+    }
+
+slip-offset = { $degrees } deg added to { $joint }
+
+slip-unit = { $quantity ->
+        [all-joints] all joints
+        [joints-of-kind] all joints of this kind
+        [points] the measured points
+       *[other] { $quantity }
+    } { $slip ->
+        [m-mm] in metres instead of millimetres
+        [mm-m] in millimetres instead of metres
+        [inch-mm] in inches instead of millimetres
+        [mm-inch] in millimetres instead of inches
+        [rad-deg] in radians instead of degrees
+       *[deg-rad] in degrees instead of radians
+    }
+
+slip-points = { $change ->
+        [mirrored] the measured points mirrored (a left-handed frame, or two coordinates exchanged)
+        [exchanged] x and y of the measured points exchanged
+        [x] x of the measured points reversed
+       *[y] y of the measured points reversed
+    }
+
+slip-targets = the targets { $first } and { $second } exchanged
+
+slip-neighbour = the joints of each pose taken from the { $neighbour ->
+        [previous] previous
+       *[next] next
+    } one
+
+slip-convention = { $convention }
+
+slip-world-frame = the world frame turned by { FIXED($angle_deg, 1) } deg and shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }) mm
+
+slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } instead of { FIXED($nominal, 2) } { $unit }
+
+with-slip = with { $slip }{ $origin ->
+        [none] {""}
+       *[other] {" "}({ $origin })
+    }
+
+set-up-slip = { $first }{ $others ->
+        [none] {""}
+       *[other] {" "}(as well { $others })
+    }, an identification leaves { FIXED($changed_mm, 3) } mm (root mean square){ $stated ->
+        [unreachable] ; without that poses are out of reach
+        [tolerances] {" "}and keeps parameters within their tolerances
+       *[residuals] {" "}instead of { FIXED($stated_mm, 3) } mm
+    }: check that first

@@ -1,0 +1,51 @@
+### Messages of report. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: A template of the laboratory exceeds a limit of time or memory, or ends without a result.
+# Matters: The report is not written. The usual cause is a loop that does not end.
+# Do: Correct the template.
+# Example: `{% for i in range(10000000) %}` in report.html
+template-failed = the template `{ $template }` { $fault ->
+        [time] takes more than a minute
+        [memory] takes more than 2 GiB of memory
+        [ended] ends without a result
+       *[other] cannot be run: { $fault }
+    }
+    .hint = check the loops of the template: each must end
+
+# Means: A template of the laboratory has an error.
+# Matters: The report is not written.
+# Do: Correct the marked line of the template.
+# Example: `{{ title | upppercase }}` in report.html
+template-invalid = the template of the report has an error: { $reason }
+
+# Means: The file of the logo is too large, or neither SVG nor PNG.
+# Matters: Reports contain the logo themselves and cannot show other pictures.
+# Do: Save the logo as SVG or PNG of at most 1 MiB.
+# Example: `logo = "logo.pdf"`
+logo-unusable = `{ $file }` { $fault ->
+        [size] is too large for a logo
+       *[format] is neither an SVG nor a PNG picture
+    }
+    .expected = an SVG or PNG picture of at most 1 MiB
+
+# Means: The operating system refused to list a folder.
+# Matters: Its templates cannot be read.
+# Do: Check the path and the permissions.
+# Example: `templates = "no-such-folder"`
+cannot-read-folder = cannot read the folder `{ $folder }`: { $reason }
+    .hint = check the path and the permissions
+
+# Means: A folder of templates has no file that ends in `.html` or `.css`, and no `report.typ`.
+# Matters: The report would not change.
+# Do: Write the built-in templates into the folder, then change them.
+# Example: an empty folder `templates`
+no-templates = there is no template in `{ $folder }`
+    .hint = `etalon report --write-templates FOLDER` writes the built-in templates
+
+# Means: The PDF report cannot be typeset.
+# Matters: report.pdf is not written.
+# Do: Correct the marked line if it is in a template of the laboratory; otherwise report the error.
+# Example: a function that Typst lacks, in report.typ
+typesetting-failed = report.pdf cannot be typeset: { $reason }
+
+own-hint = { $text }

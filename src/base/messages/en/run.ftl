@@ -1,0 +1,415 @@
+### Messages of run. Above each message: its explanation (see CONTRIBUTING.md, "A message").
+
+# Means: [contact] is stated beside `residuals = "pose"`.
+# Matters: The repeatability of the contact weighs positions of targets. Residuals of the pose do
+# not use it.
+# Do: Compare targets, or remove [contact].
+# Example: [contact] and `residuals = "pose"` in [identify]
+contact-without-targets = [contact] has no effect on residuals of the pose
+    .hint = state `residuals = "targets"`, or remove [contact]
+
+uncertainty-source = { $section ->
+        [instrument] take it from the instrument's calibration certificate
+        [tool] state the uncertainty of the point on the tool
+       *[contact] touch one point repeatedly and use the scatter of the encoder readings
+    }
+
+# Means: An uncertainty of a coordinate is smaller than that of an interferometer or larger than
+# that of a camera.
+# Matters: It is usually stated in another unit. All results would be weighted wrongly.
+# Do: State the expanded uncertainty of one coordinate in micrometres.
+# Example: `expanded_uncertainty_um = 0.0027` for 2.7 µm
+key-uncertainty-implausible = `{ $key }` = { $value } is not an uncertainty of a measured coordinate in micrometres
+    .expected = a value from { $least } to { $most }
+    .hint = check the unit: 0.0027 mm is 2.7 µm
+
+# Means: A target is named twice in `targets`.
+# Matters: One of the two names is probably a slip for another target.
+# Do: Name each target once.
+# Example: `targets = ["ball", "ball"]`
+target-named-twice = target `{ $target }` is named twice
+    .hint = name each target once
+
+# Means: A limit is stated for a quantity that the campaign does not determine.
+# Matters: The limit would never be judged, and the report would show no verdict for it.
+# Do: Remove the limit, or add the section that determines the quantity.
+# Example: `accuracy_max_mm` without commanded positions
+limit-without-result = the limit `{ $limit }` needs { $needs ->
+        [identify] {"["}identify]
+        [commanded] {"["}repeatability] with `commanded`, or [poses]
+       *[repeatability] {"["}repeatability] or [poses]
+    }
+    .hint = remove the limit, or add the section that it judges
+
+# Means: Exports, logs or a join are stated together with a table of observations.
+# Matters: A table of observations already holds measured values and joint values. It is undefined
+# which values count.
+# Do: State either [observations], or [[export]], [[log]] and [join].
+# Example: [observations] and [[log]] in one campaign.toml
+section-beside-observations = `{ $section }` is stated beside [observations]
+    .hint = state either [observations], or [[export]], [[log]] and [join]
+
+# Means: A join by time has no clock offset or no tolerance.
+# Matters: Measured points and joint values are matched by their times. Without the offset of the
+# clocks they would be matched wrongly.
+# Do: State `clock_offset_s` and `tolerance_s`.
+# Example: `by = "time"` without `clock_offset_s`
+join-clock-missing = a join by time needs { $keys }
+    .hint = add `clock_offset_s` (time of the measurement minus time of the log) and `tolerance_s` to [join]
+
+# Means: `clock_offset_s = "standstills"` is stated, and a log states no standstills.
+# Matters: The clock offset is estimated from the times at which the robot stands.
+# Do: Describe the standstills, or state the clock offset as a number.
+# Example: `clock_offset_s = "standstills"` and a [[log]] without [log.standstill]
+standstills-missing = the clock offset cannot be estimated: log `{ $log }` has no [log.standstill]
+    .hint = add [log.standstill] with `at_least_s` and `within_deg` or `within_mm`, or state `clock_offset_s` as a number
+
+# Means: `interpolate` is stated for a log with standstills.
+# Matters: Each point belongs to the standstill that contains its time. Joint values between
+# standstills are not used.
+# Do: Remove `interpolate`.
+# Example: `interpolate = true` and [log.standstill]
+interpolate-with-standstills = `interpolate` has no effect: log `{ $log }` has [log.standstill]
+    .hint = remove `interpolate`: each point is joined to the standstill that contains its time
+
+# Means: A key belongs to another kind of join.
+# Matters: It would have no effect, so the join is probably not the intended one.
+# Do: Remove the key, or state the join to which it belongs.
+# Example: `tolerance_s` with `by = "row"`
+key-of-other-join = `{ $key }` has no effect in this join
+    .hint = remove it, or state `by = "{ $by }"`
+
+# Means: A key that needs zero or a positive number has a negative one.
+# Matters: The value has no meaning.
+# Do: Correct the value.
+# Example: `tolerance_s = -0.1`
+key-negative = `{ $key }` is negative
+    .expected = zero or a positive number
+
+# Means: A value exceeds the largest possible value of its key.
+# Matters: The value has no meaning.
+# Do: Correct the value or its unit.
+# Example: `humidity_percent = 450`
+key-above-maximum = `{ $key }` exceeds { $most }
+    .hint = check the value and its unit
+
+# Means: A join by label has a log without the label of the touched point.
+# Matters: Points and joint values are matched by this label.
+# Do: Name the column of the log that holds the label.
+# Example: `by = "label"` and a [[log]] whose `columns` lack `label`
+join-label-missing = a join by label needs the label of the point in log `{ $log }`
+    .hint = add `label = "name or number of the column"` to its `columns`
+
+# Means: Pose or target of an export is stated by a key and by a column of the same export.
+# Matters: It is undefined which of the two counts.
+# Do: Remove one of them.
+# Example: `pose = 3` in an [[export]] whose `columns` have `pose`
+key-and-column = `{ $key }` is stated twice: as a key of the export and as one of its columns
+    .hint = remove one of them
+
+# Means: The output folder contains a file that the campaign reads.
+# Matters: The output folder is replaced as a whole: the input would be lost.
+# Do: Name another output folder.
+# Example: `output = "exports"` with the measurements in `exports`
+input-in-output-folder = the output folder contains the input `{ $input }`
+    .expected = a folder without inputs: it is replaced as a whole
+    .hint = name another folder, or remove `output`: the default is `out`
+
+# Means: A feature states no element, or more than one.
+# Matters: It is undefined which element is fitted to the points.
+# Do: State one element with the labels of its points.
+# Example: [feature.base] with `plane` and `line`
+feature-element = feature `{ $feature }` is not exactly one element
+    .expected = one of `plane`, `line`, `circle`, `cylinder` with the labels of its points
+
+# Means: A feature names a label of its points twice.
+# Matters: One of the two is probably a slip for another label.
+# Do: Name each label once.
+# Example: `plane = ["P1", "P2", "P2"]`
+feature-label-twice = feature `{ $feature }` names `{ $label }` twice
+    .hint = name each label once
+
+# Means: Only one of `nominal_mm` and `tolerance_mm` of the world frame is stated.
+# Matters: Measured points are compared with their nominal positions within the tolerance.
+# Do: State both, or neither.
+# Example: `nominal_mm` without `tolerance_mm`
+nominal-without-tolerance = `nominal_mm` and `tolerance_mm` of the world frame belong together
+    .hint = state the positions from the drawing and the largest allowed distance of a point from them
+
+# Means: The world frame is defined in no way or in several ways.
+# Matters: Every position is a position in this frame.
+# Do: State one definition.
+# Example: `targets` and `as_exported = true` together
+world-frame-definition = the world frame must be defined in exactly one way
+    .expected = `plane` with `origin` and an axis, or `targets`, or `as_exported = true`
+
+# Means: A key of the world frame belongs to another definition of it.
+# Matters: It would have no effect, so the definition is probably not the intended one.
+# Do: Remove the key, or state the definition to which it belongs.
+# Example: `origin` together with `targets`
+key-of-other-frame = `{ $key }` has no effect in this world frame
+    .hint = remove it, or define the frame by `{ $definition }`
+
+# Means: `x_axis` or `y_axis` of the world frame names one point, or more than two labels.
+# Matters: The axis has no direction.
+# Do: Name two labels (from, to), or one feature with a direction.
+# Example: `x_axis = ["P1"]`
+frame-axis-without-direction = the axis of the world frame has no direction
+    .expected = two labels (from, to), or one feature with a direction
+
+# Means: A world frame from a plane lacks its origin, its axis or the side of its normal, or states
+# two axes.
+# Matters: A plane alone leaves origin, rotation and the sign of z open.
+# Do: State `origin`, one of `x_axis` and `y_axis`, and `towards`.
+# Example: `plane = "table"` without `towards`
+plane-frame-incomplete = a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`
+    .hint = name in `towards` a label on the positive side of the other axis: it determines the direction of z
+
+# Means: A key that names a file has an empty text.
+# Matters: No file can be read.
+# Do: State the file, or remove the key.
+# Example: `file = ""`
+file-name-empty = the name of the file is empty
+    .hint = state the file in the folder of the campaign
+
+# Means: `date` does not begin with a calendar date.
+# Matters: Reports and comparisons of campaigns order results by this date.
+# Do: State year, month and day (ISO 8601).
+# Example: `date = "31.2.2026"`
+date-invalid = `date` does not begin with a calendar date
+    .expected = year-month-day (ISO 8601), for example 2026-01-31
+
+# Means: `temperature_c` is outside the temperatures of workshops and climatic chambers.
+# Matters: It is usually stated in another unit.
+# Do: State the temperature in degrees Celsius.
+# Example: `temperature_c = 293.15`
+temperature-implausible = `temperature_c` = { $value } is not a temperature of a robot in degrees Celsius
+    .expected = a value from { $least } to { $most }
+    .hint = check the unit: 293.15 K is 20 °C
+
+# Means: A step of [geometric] needs another step that is not stated.
+# Matters: The dimensions of the step cannot be determined alone.
+# Do: State the missing step, or remove the step that needs it.
+# Example: `shaft` without `arc`
+geometric-step-missing = [geometric] lacks `{ $missing }`, which `{ $step }` needs
+    .hint = add it; s needs `shaft` and `arc`; d1 and d3 need `offsets`, `mid_travel_mm`, `arc`, `turn` and `shaft`; O needs `arc`; C needs `turn`
+
+# Means: A table of errors is stated without a complete geometric calibration and [identify].
+# Matters: The table compares the geometric calibration with the identified parameters.
+# Do: State all steps of [geometric], and [identify]; or remove the table.
+# Example: [[geometric.table]] without [identify]
+errors-table-incomplete = a table of errors needs the complete geometric calibration and [identify]
+    .hint = state all steps of [geometric] and [identify], or remove the table
+
+# Means: An uncertainty, a coefficient of thermal expansion or a coverage factor is outside its
+# plausible values.
+# Matters: It is usually stated in another unit, and would falsify the uncertainty of every result.
+# Do: Check the value and its unit.
+# Example: `robot_per_c = 11.5` for 11.5e-6
+key-out-of-range = `{ $key }` = { $value } is outside { $least } to { $most }
+
+plausible-value = { $quantity ->
+        [scale] check the unit: 1 µm/m is 1 ppm
+        [polar] check the unit: 10 ppm are 10 µm/m, 1 arc second is 4.85 µm/m
+        [expansion] check the unit: steel expands by 11.5e-6 per degree, aluminium by 23.5e-6
+        [temperature] state it in degrees Celsius
+        [coverage] state the coverage factor: 2 is a level of confidence of about 95 %
+       *[homing] home the robot repeatedly and use the scatter of a joint at its switch
+    }
+
+# Means: [homing] states no uncertainty for joints of one kind.
+# Matters: The uncertainty of these joints at their switches would be missing from the results.
+# Do: State it; state 0 where homing adds no error.
+# Example: `expanded_uncertainty_um` alone for a robot with joints that turn
+homing-incomplete = [homing] lacks `{ $key }` for joint `{ $joint }` (values in { $unit })
+    .hint = state it; state 0 where homing adds no error
+
+# Means: `polar` of the instrument is stated for a table of observations.
+# Matters: Uncertainties of range and angle need the position of the instrument, which the table
+# does not hold.
+# Do: State the covariance of each row in the table.
+# Example: [instrument.polar] and [observations] in one campaign.toml
+polar-with-observations = `polar` needs exports: a table of observations does not hold the position of the instrument
+    .hint = state the covariance of each row (`cxx_mm2` to `czz_mm2`) in the table
+
+# Means: An uncertainty of identified parameters is stated in a campaign that identifies none.
+# Matters: It would have no effect.
+# Do: Remove the section, or add [identify].
+# Example: [expansion] without [identify]
+section-without-identify = [{ $section }] has no effect: the campaign has no [identify]
+    .hint = remove [{ $section }], or add [identify]
+
+# Means: A feature names a label that no point has.
+# Matters: The feature cannot be fitted to the intended points.
+# Do: Use a label of the exports.
+# Example: `plane = ["P1", "P2", "P9"]` where the exports have P1 to P4
+label-unknown = no point has the label `{ $label }`
+
+# Means: `plane` of the world frame names a feature that the campaign does not define.
+# Matters: The world frame cannot be determined.
+# Do: Define [feature.NAME], or use the name of a defined feature.
+# Example: `plane = "tabel"` beside [feature.table]
+feature-unknown = there is no feature `{ $feature }`
+
+# Means: The world frame names a point or feature that does not exist.
+# Matters: The world frame cannot be determined.
+# Do: Use a label of the exports or the name of a feature.
+# Example: `origin = "P9"` where the exports have P1 to P4
+point-or-feature-unknown = there is no point or feature `{ $name }`
+
+# Means: No export contains measurements of a target.
+# Matters: The target cannot be used: its positions are unknown.
+# Do: Use the name that the exports have, or add the export with this target.
+# Example: `targets = ["balls"]` where the labels name the target `ball`
+target-not-exported = no export contains the target `{ $target }`
+
+# Means: Labels or targets of the campaign are in none of the exports that could be read.
+# Matters: They may be in the exports that could not be read.
+# Do: Correct the other errors first, then check these names.
+# Example: a label of an export whose file is missing
+names-unchecked = no readable export contains { $names }
+    .hint = check these names when all exports can be read
+
+# Means: [join] names a target that the robot model lacks.
+# Matters: Its positions cannot be predicted.
+# Do: Use a target of the robot.
+# Example: `targets = ["K"]` for a robot with the target `tcp`
+target-not-of-robot = `{ $target }` is not a target of this robot
+
+# Means: `targets` of [join] omits a target of the robot.
+# Matters: All targets of this robot model are needed.
+# Do: Name all targets, or remove `targets`.
+# Example: `targets = ["K"]` for a PreXYT with K and L
+targets-incomplete = `targets` omits `{ $target }`
+    .expected = all targets of this robot
+
+# Means: [geometric.workspace] is stated, and robot.toml has no travel of the actuators.
+# Matters: The workspace is the area that the actuators reach within their travel.
+# Do: State [reach] in robot.toml.
+# Example: [geometric.workspace] without `travel_mm`
+travel-missing = the workspace needs the travel of the actuators
+    .hint = state [reach] with `travel_mm = [..., ..., ...]` in robot.toml
+
+# Means: The export of a spatial robot has no z coordinate.
+# Matters: Positions in space have three coordinates.
+# Do: Name the column of z.
+# Example: `columns = { x = "X", y = "Y" }` for a serial arm
+z-column-missing = `columns` has no z, which a spatial robot needs
+    .hint = add `z = "name or number of the column"`
+
+# Means: The name of a log is empty, is used twice or has other characters than letters, digits, `_`
+# and `-`.
+# Matters: Names of output files contain the name of the log.
+# Do: Give each log its own name.
+# Example: two [[log]] with `name = "a"`
+log-name-invalid = `{ $name }` cannot be the name of this log
+    .expected = letters, digits, `_` and `-`; a different name for each log
+
+# Means: `columns` of a log names a joint that the robot lacks.
+# Matters: Its values would have no effect.
+# Do: Use the joints of the robot.
+# Example: `q9_deg = "J9"` for a robot of six joints
+log-joint-unknown = `{ $key }` is not a joint of this robot
+    .hint = use one of { $joints }, or the same with another unit
+
+# Means: `columns` of a log has no column for a joint of the robot.
+# Matters: The pose of the robot is unknown without all joint values.
+# Do: Name the column of the joint.
+# Example: `q1_deg` to `q5_deg` for a robot of six joints
+log-joint-missing = log `{ $log }` has no column for joint `{ $joint }`
+    .hint = add `{ $column } = "name or number of the column"` to its `columns`
+
+# Means: No label of an export has the form that `label` states.
+# Matters: Target, pose and cycle of its points are unknown.
+# Do: State the form of the labels.
+# Example: `label = "{target}_{pose}"` for labels like `12-K`
+label-form-differs = no label of `{ $file }` has the form `{ $form }`
+    .hint = state the form of its labels with {"{"}target{"}"}, {"{"}pose{"}"} and {"{"}cycle{"}"}; the first is `{ $first }`
+
+# Means: The operating system did not confirm that the results of a batch are on the disk.
+# Matters: A power failure may lose some of them; the next run then repeats these campaigns.
+# Do: Check the disk and its free space, then run the batch again.
+# Example: a network drive that is disconnected during the run
+results-not-synced = the results cannot be written to the disk: { $reason }
+    .hint = check the disk, then run the batch again
+
+# Means: A thread of the batch could not be started, or ended without a result.
+# Matters: Some campaigns were not run.
+# Do: Run the batch again with fewer threads.
+# Example: a limit of the operating system on the number of threads
+threads-failed = the campaigns cannot be run in parallel: { $reason ->
+        [ended] a thread ended without a result
+       *[other] { $reason }
+    }
+    .hint = run again with fewer threads: `RAYON_NUM_THREADS=1`
+
+data-elsewhere = its data are below ${ $name }, which is not set
+
+# Means: A folder has no manifest, so it is not the output folder of a run.
+# Matters: Results are read only from folders that `etalon run` wrote.
+# Do: Name the output folder, or the campaign after it was run.
+# Example: `etalon report exports`
+not-an-output-folder = there is no file `{ $file }`
+    .hint = name a folder that `etalon run` wrote, or a campaign that was run
+
+# Means: The manifest of an output folder does not list a file.
+# Matters: The run did not write it, so it may belong to another campaign.
+# Do: Run the campaign again.
+# Example: the output of a campaign without [identify], and a command that needs parameters.json
+file-not-of-run = the run did not write `{ $file }`
+    .hint = run the campaign again: `etalon run CAMPAIGN`
+
+# Means: A file of an output folder has another content than the run wrote.
+# Matters: Results of one run belong together; a changed file would mix them with others.
+# Do: Run the campaign again.
+# Example: a value edited by hand in parameters.json
+file-changed-since-run = `{ $file }` was changed after the run
+    .expected = the SHA-256 { $sha256 } of manifest.json
+    .hint = run the campaign again: `etalon run CAMPAIGN`
+
+# Means: Another process wrote the output folder while this command read it.
+# Matters: Files of two runs would be mixed.
+# Do: Repeat the command when the other process has ended.
+# Example: `etalon report` during `etalon run` of the same campaign
+folder-replaced = another process replaced `{ $folder }` while it was read
+    .hint = repeat the command when the other process has ended
+
+# Means: A JSON document is damaged, or its parts contradict each other.
+# Matters: Its results cannot be used.
+# Do: Run the campaign again with this version.
+# Example: a parameters.json that was cut off
+document-unreadable = `{ $file }` is not a document of this version: { $reason }
+    .hint = run the campaign again with this version: `etalon run CAMPAIGN`
+
+# Means: A JSON document states another schema than the command reads.
+# Matters: It is another document, or that of another version.
+# Do: Name the right document, or run the campaign again with this version.
+# Example: accuracy.json where parameters.json is read
+document-schema-other = `{ $file }` has { $schema ->
+        [none] no schema
+       *[other] the schema `{ $schema }`
+    }
+    .expected = the schema `{ $wanted }`
+    .hint = run the campaign again with this version: `etalon run CAMPAIGN`
+
+# Means: The output folder has a file that no run wrote, and the run would write a file of the same
+# name.
+# Matters: etalon never replaces files of others.
+# Do: Move the file, or state another output folder.
+# Example: a `report.html` copied into `out` by hand
+foreign-file = `{ $file }` would be overwritten, and no run wrote it
+    .hint = move it to another folder, or state another `output` in campaign.toml
+
+# Means: An input file changed while the campaign was run.
+# Matters: Results would be those of two different states of the file. Nothing is written.
+# Do: Run the campaign again when the file is complete.
+# Example: an export that the measuring program writes during the run
+input-changed = `{ $file }` changed while the campaign was run
+    .hint = run the campaign again when the file is complete
+
+# Means: A command that judges parameters is applied to a campaign without [identify].
+# Matters: [identify] names the poses on which parameters are judged.
+# Do: State `calibration` and `validation` in [identify].
+# Example: `etalon validate` on a campaign that tests repeatability only
+identify-missing = the campaign has no [identify], which names the poses to judge parameters on
+    .hint = state `calibration` and `validation` in [identify]

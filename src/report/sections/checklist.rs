@@ -1,0 +1,102 @@
+//! Checklist before a report is signed: missing fields of ISO/IEC 17025:2017 (7.8.2.1, 7.8.4.1,
+//! 7.8.6.2) and ISO 9283:1998 (6), with the keys that state them.
+
+use crate::Report;
+use crate::model::{Columns, Section, Table, Text};
+use crate::words::{Words, tr};
+use etalon_base::phrase;
+
+/// A field that is not stated.
+pub(super) struct Missing {
+    field: String,
+    /// Key in campaign.toml.
+    key: &'static str,
+    clause: &'static str,
+}
+
+/// A field with its key and its clause, and `true` if it is stated.
+type Field = (String, &'static str, &'static str, bool);
+
+const REPORT: &str = "ISO/IEC 17025:2017, 7.8.2.1";
+const CALIBRATION: &str = "ISO/IEC 17025:2017, 7.8.4.1";
+const CONFORMITY: &str = "ISO/IEC 17025:2017, 7.8.6.2";
+const TEST: &str = "ISO 9283:1998, 6";
+
+pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
+    of(&missing(report, words), words)
+}
+
+/// Section of missing fields; `None` if all are stated.
+pub(super) fn of(missing: &[Missing], words: &Words) -> Option<Section> {
+    let columns = Columns::<Missing>::new()
+        .page(phrase!("checklist-field"), "", |m| Text::from(m.field.clone()))
+        .page(phrase!("checklist-key"), "", |m| Text::code(m.key))
+        .page(phrase!("checklist-clause"), "", |m| Text::from(m.clause));
+    let mut section = Section::new("checklist", tr!(words, "checklist-title"));
+    section.table("", tr!(words, "checklist-note", count = missing.len()), Table::of(words, missing, columns));
+    section.whole()
+}
+
+/// Fields that are not stated, in the order of the clauses.
+pub(super) fn missing(report: &Report, words: &Words) -> Vec<Missing> {
+    let mut all = general(report, words);
+    if !report.tested.is_empty() {
+        all.extend(of_test(report, words));
+    }
+    let missing = all.into_iter().filter(|(.., stated)| !stated);
+    missing.map(|(field, key, clause, _)| Missing { field, key, clause }).collect()
+}
+
+fn is_stated(text: &Option<String>) -> bool {
+    text.as_ref().is_some_and(|text| !text.trim().is_empty())
+}
+
+fn general(report: &Report, words: &Words) -> Vec<Field> {
+    let (c, given, issue) = (report.campaign, &report.campaign.conditions, &report.campaign.issue);
+    let mut all = vec![
+        (tr!(words, "laboratory"), "conditions.laboratory", REPORT, is_stated(&given.laboratory)),
+        (tr!(words, "report-number"), "report.number", REPORT, is_stated(&issue.number)),
+        (tr!(words, "customer"), "report.customer", REPORT, is_stated(&issue.customer)),
+        (tr!(words, "manufacturer"), "conditions.robot_maker", REPORT, is_stated(&given.robot_maker)),
+        (tr!(words, "type"), "conditions.robot_type", REPORT, is_stated(&given.robot_type)),
+        (tr!(words, "serial-number"), "conditions.robot_serial_number", REPORT, is_stated(&given.robot_serial_number)),
+        (tr!(words, "state-of-the-robot"), "conditions.robot_state", REPORT, is_stated(&given.robot_state)),
+        (tr!(words, "measurement-dates"), "date", REPORT, is_stated(&c.date)),
+        (tr!(words, "date-of-issue"), "report.issued", REPORT, is_stated(&issue.issued)),
+        (tr!(words, "deviations-from-the-method"), "conditions.deviations", REPORT, given.deviations.is_some()),
+        (tr!(words, "authorised-by"), "report.authorised_by", REPORT, is_stated(&issue.authorised_by)),
+        (tr!(words, "instrument"), "instrument.name", CALIBRATION, is_stated(&c.instrument)),
+        (
+            tr!(words, "instrument-uncertainty"),
+            "instrument.expanded_uncertainty_um",
+            CALIBRATION,
+            c.expanded_uncertainty_um.is_some() || c.expanded_position_uncertainty_um.is_some(),
+        ),
+        (
+            tr!(words, "instrument-calibration"),
+            "conditions.instrument_calibration",
+            CALIBRATION,
+            is_stated(&given.instrument_calibration),
+        ),
+        (tr!(words, "traceability"), "conditions.traceability", CALIBRATION, is_stated(&given.traceability)),
+        (tr!(words, "temperature"), "temperature_c", CALIBRATION, c.temperature_c.is_some()),
+    ];
+    if !super::limits::limits(report.identified.as_ref(), report.tested).is_empty() {
+        all.push((tr!(words, "decision-rule"), "limits.decision_rule", CONFORMITY, c.decision_rule.is_some()));
+    }
+    all
+}
+
+/// Conditions of a test.
+fn of_test(report: &Report, words: &Words) -> Vec<Field> {
+    let given = &report.campaign.conditions;
+    let velocity = given.velocities_percent.is_some() || given.velocities_mm_s.is_some();
+    vec![
+        (tr!(words, "controller"), "conditions.controller", TEST, is_stated(&given.controller)),
+        (tr!(words, "mounting"), "conditions.mounting", TEST, is_stated(&given.mounting)),
+        (tr!(words, "measurement-point"), "conditions.measurement_point", TEST, is_stated(&given.measurement_point)),
+        (tr!(words, "load"), "conditions.load_kg", TEST, given.load_kg.is_some()),
+        (tr!(words, "velocities"), "conditions.velocities_percent", TEST, velocity),
+        (tr!(words, "warm-up-before-the-test"), "conditions.warm_up_minutes", TEST, given.warm_up_minutes.is_some()),
+    ]
+}
