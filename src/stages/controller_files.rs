@@ -37,8 +37,8 @@ pub fn identify_again(
     ControllersDocument::new(files, messages)
 }
 
-/// Refusals of files that are worse than nominal, and warnings about those that are not clearly better; files of the same
-/// errors share a warning.
+/// Refusals of files that are worse than nominal, and warnings about files that are not clearly
+/// better; files of the same errors share a warning.
 fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
     for &(name, exporter) in formats {
