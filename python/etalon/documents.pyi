@@ -1379,6 +1379,8 @@ class Movement(Record):
     """Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of its zero. Target:
     shift on the moving part.
     """
+    explained_share: float
+    """Share of the weighted sum of squared residuals that the movement explains."""
     kind: Any
     """Kind of the moved object."""
     name: str
@@ -2764,8 +2766,25 @@ class UncertaintyDocument(Document):
     unmodelled errors.
     """
 
+class VerdictDocument(Document):
+    """`verdict.json`: verdict of a run, with its reasons."""
+    exit_code: int
+    """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
+    limits: list[LimitVerdict]
+    """All limits with their verdicts."""
+    reasons: list[Any]
+    """Reasons why the verdict is not `pass`, the worst first. Without limits: reservations about the results."""
+    schema: str
+    """Schema and version: `etalon/verdict/1`."""
+    verdict: Any
+    """Verdict; null if nothing was judged, because no limit is stated."""
+
 class VerificationDocument(Document):
     """Test of whether previously identified parameters explain today's observations."""
+    calibration: CampaignReference | None
+    """Campaign that identified the parameters; absent if `campaign.json` is not beside them."""
+    expected_position_rms_mm: float
+    """Expected root-mean-square residual of a position if nothing has changed (mm)."""
     expected_rms_mm: float
     """Expected root-mean-square residual if nothing has changed (mm)."""
     explanations: list[Movement]
@@ -2790,6 +2809,8 @@ class VerificationDocument(Document):
     """Number of measured positions."""
     poses: int
     """Number of observed poses."""
+    position_rms_mm: float
+    """Root-mean-square residual of a position (mm)."""
     power: "DetectionPower"
     """Detection power of these observations."""
     provenance: "Provenance"
