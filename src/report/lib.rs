@@ -83,7 +83,7 @@ impl<'a> Report<'a> {
 
     /// `true` if the verdict allows the answer to be loaded. Creates no report.
     pub fn passes(&self) -> bool {
-        self.judgement().is_met()
+        self.judgement().passes()
     }
 
     /// Warnings and errors of all documents.

@@ -138,7 +138,7 @@ fn write(
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
     let verdict = found.report().judgement();
-    let met = verdict.is_met();
+    let met = verdict.passes();
     let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;

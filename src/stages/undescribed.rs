@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 /// A calibrated model leaves thousandths of the workspace; more than this share of it is another
 /// robot.
 const LEFT: f64 = 0.02;
-/// A motion of the frame explains errors of which it leaves less than this share.
+/// Largest share of the errors that a motion of the frame leaves if it explains them.
 const EXPLAINS: f64 = 0.2;
 /// Readings or targets that a message names.
 const NAMED: usize = 5;

@@ -277,7 +277,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], 0);
     assert!(found.errors.is_empty());
     let [warning, lacking] = &found.warnings[..] else { panic!("{found:?}") };
-    assert_eq!(lacking.what, "poses that lack a target: 1");
+    assert_eq!(lacking.what, "targets are missing at pose 1");
     assert_eq!((warning.file.as_deref(), warning.line), (Some("exports/poses.txt"), Some(1)));
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too

@@ -27,7 +27,12 @@ fn unreadable_rows_hide_nothing() {
 
 #[test]
 fn what_only_a_run_used_to_find_is_found_by_check() {
-    broken("campaign.toml", "\"1-8\"", "\"1-12\"", &["error[sets-overlap]: poses in both calibration and validation: 9, 10, 11, 12"]);
+    broken(
+        "campaign.toml",
+        "\"1-8\"",
+        "\"1-12\"",
+        &["error[sets-overlap]: poses in both calibration and validation: 9, 10, 11, 12"],
+    );
     let axis = "y_axis = [\"R_home\", \"R_end\"]";
     broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["error[world-axis-without-direction]"]);
     let rails = "plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]";

@@ -50,7 +50,12 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("campaign.toml", "[log]", rigid);
     said(
         &scratch,
-        &["[not-a-number]: `x`", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"],
+        &[
+            "[not-a-number]: `x`",
+            "tolerance_mm = -0.1",
+            "error[limit-not-positive]: `tolerance_mm`",
+            "error[rigid-targets]",
+        ],
     );
 }
 
@@ -65,7 +70,7 @@ fn every_log_is_joined_and_its_problems_said() {
     let (body, tail) = rest.split_once("[join]").unwrap();
     let logs = format!("{head}[[log]]\nname = \"one\"{body}[[log]]\nname = \"two\"{body}[join]{tail}");
     std::fs::write(scratch.path().join("campaign.toml"), logs).unwrap();
-    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 in lines 4, 297"]);
+    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 (lines 4, 297)"]);
 }
 
 #[test]

@@ -184,7 +184,7 @@ column-empty = die Spalte `{ $column }` ist leer oder fehlt
 targets-missing = Zielmarken fehlen bei Pose { $poses }
     .hint = ihre übrigen Zielmarken zählen; eine Pose oder Orientierung braucht alle
 
-key-in-lines = { $key } in den Zeilen { $lines }
+key-in-lines = { $key } (Zeilen { $lines })
 
 log-key-twice = Protokoll `{ $log }` hat { $count ->
         [one] 1 Schlüssel
@@ -915,3 +915,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } Parameter liegen
     } außerhalb der Toleranz des Roboters: { $parameters }
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Systeme prüfen; ist der Roboter anders gezeichnet, `tolerance` in der Roboterdatei angeben
+
+format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }

@@ -385,7 +385,7 @@ column-empty = the column `{ $column }` is empty or missing
 targets-missing = targets are missing at pose { $poses }
     .hint = their other targets still count; a pose or an orientation needs all of them
 
-key-in-lines = { $key } in lines { $lines }
+key-in-lines = { $key } (lines { $lines })
 
 # Means: Several rows of the log have the same pose, or pose and cycle.
 # Matters: It is unknown which joint values belong to the measured points.
@@ -1871,3 +1871,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } parameters are
     } beyond the tolerance of the robot: { $parameters }
     .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file
+
+format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }

@@ -184,7 +184,7 @@ column-empty = la colonne `{ $column }` est vide ou manque
 targets-missing = des cibles manquent à la pose { $poses }
     .hint = leurs autres cibles comptent ; une pose ou une orientation les demande toutes
 
-key-in-lines = { $key } aux lignes { $lines }
+key-in-lines = { $key } (lignes { $lines })
 
 log-key-twice = le journal `{ $log }` a { $count ->
         [one] { $count } clé
@@ -918,3 +918,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } paramètres dépassent
     } la tolérance du robot : { $parameters }
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales et les repères ; si le robot est dessiné autrement, indiquer `tolerance` dans le fichier du robot
+
+format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
