@@ -9,8 +9,8 @@ use crate::{Identified, Report};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity,
-    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitVerdict,
-    ParametersDocument, PoseCharacteristic, PoseSet, Reason, ToolAccuracy, VerdictDocument,
+    ErrorStatistics, Figure, Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument,
+    PoseCharacteristic, PoseSet, Reason, ToolAccuracy, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -411,9 +411,9 @@ fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use etalon_documents::LimitQuantity;
     use crate::tests::demo::Documents;
     use crate::tests::demo_iso9283::whole;
+    use etalon_documents::LimitQuantity;
     use etalon_documents::Termination;
 
     fn of(documents: &Documents) -> Verdict {
