@@ -81,7 +81,7 @@ pub fn verify(
         Some(Moved::Target(_)) | None => VerificationVerdict::Other,
     };
     messages.extend(alike(&found, robot));
-    let meaning = meaning(verdict, moved.as_ref());
+    let meaning = meaning(verdict, moved.as_ref(), dominant.as_ref());
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
