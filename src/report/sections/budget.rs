@@ -94,12 +94,27 @@ fn largest(budget: &[BudgetSource], k: usize) -> Option<Source> {
     Some(budget.iter().max_by(|a, b| of(a).total_cmp(&of(b)))?.source)
 }
 
+/// Figures that have a name: not those along single axes.
+fn named(document: &AccuracyDocument) -> Vec<FigureBudget> {
+    document.budget.iter().filter(|f| is_named(f)).cloned().collect()
+}
+
+fn is_named(f: &FigureBudget) -> bool {
+    match f.quantity {
+        ErrorQuantity::Position => true,
+        quantity => f.figure == Figure::Max && ErrorQuantity::OTHERS.contains(&quantity),
+    }
+}
+
+fn figure(f: &FigureBudget) -> Phrase {
+    names::error(f.quantity, f.figure)
+}
+
 fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     let mut sources: Vec<Source> = document.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();
     sources.dedup();
-    let start =
-        Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, names::error(f.quantity, f.figure)));
+    let start = Columns::<FigureBudget>::new().both(phrase!("figure"), "", |f| term(words, figure(f)));
     let columns = sources.into_iter().fold(start, |columns, source| {
         let of = move |f: &FigureBudget| {
             f.contributions.iter().find(|c| c.source == source).map(|c| c.standard_uncertainty_mm)
@@ -109,11 +124,7 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     });
     let whole = |f: &FigureBudget| part(Some(f.standard_uncertainty_mm), Some(f.standard_uncertainty_mm), 1e3);
     let columns = columns.both("u (k = 1)", "mm", whole).shown_in("µm");
-    let has_name = |f: &&FigureBudget| match f.quantity {
-        ErrorQuantity::Position => true,
-        quantity => f.figure == Figure::Max && ErrorQuantity::OTHERS.contains(&quantity),
-    };
-    Table::of(words, document.budget.iter().filter(has_name), columns).on("Budget of errors")
+    Table::of(words, document.budget.iter().filter(|f| is_named(f)), columns).on("Budget of errors")
 }
 
 /// Sentence on repeats of poses.

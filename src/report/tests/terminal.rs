@@ -32,7 +32,7 @@ fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     ];
     parts.iter().for_each(|part| assert!(shown.contains(part), "{part}: {shown}"));
     let table: Vec<&str> = shown.split("\nLimits\n").nth(1).unwrap().lines().take(5).collect();
-    let judged = |row: &&str| ["verdict", "met", "UNDECIDED"].iter().find_map(|word| row.rfind(word));
+    let judged = |row: &&str| ["verdict", "pass", "UNDECIDED"].iter().find_map(|word| row.rfind(word));
     let verdicts = table.iter().map(judged);
     assert!(verdicts.clone().all(|at| at.is_some() && at == verdicts.clone().next().unwrap()), "{table:?}");
     // contents reserved for files
