@@ -60,8 +60,8 @@ mod tests {
             source,
             standard_uncertainty_mm,
         };
-        let quantity = etalon_documents::ErrorQuantity::Position;
-        FigureBudget { quantity, figure, standard_uncertainty_mm: 0.0, contributions: parts.iter().map(part).collect() }
+        let contributions = parts.iter().map(part).collect();
+        FigureBudget { quantity: ErrorQuantity::Position, figure, standard_uncertainty_mm: 0.0, contributions }
     }
 
     #[test]
