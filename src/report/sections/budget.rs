@@ -26,7 +26,7 @@ pub(super) fn section(report: &Report, words: &Words) -> Option<Section> {
         section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
-    section.figures(shares::picture(&accuracy.budget, |f| names::error(f.quantity, f.figure), words));
+    section.figures(shares::picture(&named(accuracy), figure, words));
     section.push(Block::facts(sources(parameters, words)));
     let of_parameters = vec![Block::Table(table(parameters, words))];
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
