@@ -198,7 +198,7 @@ fn rows_and_poses_are_left_out_with_their_reason() {
     }
     let text = table(&rows, "", |_| String::new());
     for (option, value, part) in [
-        ("--exclude", "99: why", "leaves no reading out at pose 99"),
+        ("--exclude", "99: why", "error[exclusion-matches-nothing]: there is no reading at pose 99"),
         ("--exclude", "5", "error[exclusion-option-without-reason]"),
         ("--exclude", "all: why", "error[exclusion-names-nothing]: `all`"),
         ("--exclude-rows", "48-50, 60: why", "error[exclusion-matches-nothing]: there is no row 60"),

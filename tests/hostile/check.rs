@@ -113,7 +113,7 @@ fn logs_that_do_not_look_as_stated() {
     let (code, said) = etalon(&scratch, "check");
     assert!(code == Some(2) && said.contains("error[delimiter-does-not-split]"), "{said}");
     assert!(said.contains("hint: state `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
-    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-whole-number]: `1e300`", "encoders.csv:2:1"]);
+    broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-whole-number]", "encoders.csv:2:1"]);
 }
 
 #[test]
