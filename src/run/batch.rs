@@ -127,8 +127,9 @@ fn campaign(
     entry.output = Some(output.display().to_string());
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
     let recent = |documents: &Documents| since.is_none_or(|since| documents.written().is_ok_and(|at| at >= since));
-    if let Some(documents) = current(&campaign, last).filter(recent) {
-        let run = Run::read(&documents)?;
+    // documents of another version are written again
+    let run = current(&campaign, last).filter(recent).and_then(|documents| Run::read(&documents).ok());
+    if let Some(run) = run {
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
         let report = run.report();
         describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
