@@ -28,7 +28,7 @@ class AccuracySet(Record):
     count: int
     """Number of points or poses whose errors are counted."""
     errors: list[ErrorStatistics]
-    """One per quantity: position, x, y, z, orientation."""
+    """One per quantity that was measured: position, x, y, z, orientation; distance, surface, contact, coordinate."""
     name: str
     """`calibration` or `validation`."""
     poses: int
@@ -138,6 +138,19 @@ class BudgetSource(Record):
     """Contributions to the standard uncertainty of each parameter, in the order and units of the covariance; the
     squares add up over all sources.
     """
+
+class CampaignReference(Record):
+    """Campaign to which an answer refers."""
+    date: str | None
+    """Date as stated."""
+    instrument: str | None
+    """Measuring instrument."""
+    name: str
+    """Name of the campaign."""
+    robot: str | None
+    """Name of the robot, if its file states one."""
+    synthetic: str | None
+    """Explanation of synthetic data; absent for measured data."""
 
 class CandidatePlace(Record):
     """One candidate on the map (thesis, fig. 4.7)."""
@@ -488,10 +501,14 @@ class ErrorStatistics(Record):
     """Errors with the identified parameters."""
     before: "Statistics"
     """Errors with nominal parameters; only base and targets are fitted."""
+    count: int
+    """Number of errors."""
     expanded_uncertainty: float | None
-    """Expanded uncertainty (k = 2) of one error due to the instrument; absent if unknown."""
+    """Expanded uncertainty (k = 2) of the largest error after calibration, by instrument and frames; absent if
+    unknown.
+    """
     quantity: str
-    """`position`, `x`, `y`, `z` or `orientation`."""
+    """`position`, `x`, `y`, `z`, `orientation`, `distance`, `surface`, `contact` or `coordinate`."""
     unit: str
     """`mm` or `deg`."""
 
@@ -543,6 +560,8 @@ class FigureBudget(Record):
     """Contribution of each source; the squares add up."""
     figure: Any
     """Figure."""
+    quantity: str
+    """Quantity of the errors."""
     standard_uncertainty_mm: float
     """Standard uncertainty of the figure (mm, k = 1)."""
 
@@ -868,6 +887,8 @@ class Iso9283Drift(Record):
     """|AP at the start − AP at the end|."""
     drp_mm: float
     """|RP at the start − RP at the end|."""
+    is_significant: bool
+    """`true` if dAP exceeds what the scatter within the sets explains, at a significance level of 0.1 %."""
     pose: int | str
     """Name of the pose."""
     rp_mm: list[float]
@@ -1256,22 +1277,30 @@ class LeastDetectable(Record):
 
 class LimitVerdict(Record):
     """A limit of the campaign and its verdict."""
+    acceptance: Any
+    """Verdict: the conformity, with a reservation if the value was accepted within its guard band."""
     conformity: Any
     """Decision by the rule."""
+    conformity_probability: float | None
+    """Probability that the true value is within the limit, by the value with its uncertainty (JCGM 106:2012, 7.2);
+    the risk of a false acceptance is the complement. Absent if the uncertainty is unknown.
+    """
     decision_rule: Any
     """Decision rule."""
     expanded_uncertainty: float | None
     """Expanded uncertainty of the value (k = 2); null if unknown."""
     limit: float
     """Largest permissible value."""
+    margin: float | None
+    """Limit minus value; absent without a value."""
     met: bool
     """`true` if the limit is met by the rule."""
     name: str
     """Name of the limit in the campaign."""
     unit: str
     """Unit of the numbers."""
-    value: float
-    """Measured value, at the validation poses if there are any."""
+    value: float | None
+    """Measured value, at the validation poses if there are any; null if the quantity was not measured."""
 
 class Linearity(Record):
     """Deviation from linear travel at one position."""
@@ -1348,6 +1377,8 @@ class Movement(Record):
     """Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of its zero. Target:
     shift on the moving part.
     """
+    explained_share: float
+    """Share of the weighted sum of squared residuals that the movement explains."""
     kind: Any
     """Kind of the moved object."""
     name: str
@@ -1698,6 +1729,8 @@ class ResidualSummary(Record):
     """Residuals of targets or of the pose."""
     max: float
     """Largest absolute residual."""
+    position_rms_mm: float | None
+    """Root mean square of the position residuals (mm); absent if not all residuals are positions of targets."""
     repeats: Replicates | None
     """Scatter of repeats against the other residuals; absent without repeated poses."""
     rms: float
@@ -2136,9 +2169,12 @@ class WrittenParameter(Record):
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
     budget: list[FigureBudget]
-    """Standard uncertainties of the position errors of the validation poses after calibration; empty without a
-    validation or a covariance.
+    """Standard uncertainties of the errors after calibration that the limits judge: of the validation poses, or of
+    the calibration poses in a campaign without validation. The parameters are what is judged, and add nothing.
+    Empty if no uncertainty is stated.
     """
+    campaign: CampaignReference | None
+    """Campaign whose data judge given parameters; absent in the output folder of a run."""
     definition: str
     """Definition of "before" and of "error" in this document, in words."""
     definition_phrase: Phrase | None
@@ -2165,6 +2201,8 @@ class AccuracyDocument(Document):
     """Point whose errors are in `sets`, in words."""
     point_phrase: Phrase | None
     """Text of the catalogue that is `point` in English."""
+    provenance: Provenance | None
+    """Origin of the numbers of given parameters; absent in the output folder of a run."""
     schema: str
     """Schema and version: `etalon/accuracy/1`."""
     sets: list[AccuracySet]
@@ -2657,6 +2695,8 @@ class PlanDocument(Document):
 
 class RecommendationDocument(Document):
     """Parameters whose identification makes the robot more accurate at poses that were not used."""
+    campaign: CampaignReference | None
+    """Campaign whose data recommend the parameters."""
     folds: int
     """Number of folds; each is predicted from the others."""
     held_out: "HeldOutErrors"
@@ -2724,8 +2764,25 @@ class UncertaintyDocument(Document):
     unmodelled errors.
     """
 
+class VerdictDocument(Document):
+    """`verdict.json`: verdict of a run, with its reasons."""
+    exit_code: int
+    """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
+    limits: list[LimitVerdict]
+    """All limits with their verdicts."""
+    reasons: list[Any]
+    """Reasons why the verdict is not `pass`, the worst first. Without limits: reservations about the results."""
+    schema: str
+    """Schema and version: `etalon/verdict/1`."""
+    verdict: Any
+    """Verdict; null if nothing was judged, because no limit is stated."""
+
 class VerificationDocument(Document):
     """Test of whether previously identified parameters explain today's observations."""
+    calibration: CampaignReference | None
+    """Campaign that identified the parameters; absent if `campaign.json` is not beside them."""
+    expected_position_rms_mm: float
+    """Expected root-mean-square residual of a position if nothing has changed (mm)."""
     expected_rms_mm: float
     """Expected root-mean-square residual if nothing has changed (mm)."""
     explanations: list[Movement]
@@ -2750,6 +2807,8 @@ class VerificationDocument(Document):
     """Number of measured positions."""
     poses: int
     """Number of observed poses."""
+    position_rms_mm: float
+    """Root-mean-square residual of a position (mm)."""
     power: "DetectionPower"
     """Detection power of these observations."""
     provenance: "Provenance"

@@ -11,7 +11,7 @@ use etalon_base::message::Problems;
 
 Documents of the output folder, by the name of the file without `.json`:
   accuracy, campaign (what the campaign states about itself), controllers, features, frames, geometric, import,
-  iso9283, iso9283-compliance, iso9283-streams, manifest, parameters
+  iso9283, iso9283-compliance, iso9283-streams, manifest, parameters, verdict
 
 Answers to `--json` of commands:
   batch, check, compare, compensation, explanation, fit, formats, iso230, iso9283-plan, iso9283-stream, kinematics,
