@@ -175,6 +175,7 @@ fn planar_robots_have_positions_only() {
     let args = ["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"];
     let output = Command::new(crate::support::program()).current_dir(folder.path()).args(args).output().unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{error}");
     assert!(error.contains("error[observations-need-arm]") && error.contains("`five_bar`"), "{error}");
 }
 

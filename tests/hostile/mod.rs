@@ -268,7 +268,7 @@ fn a_log_name_cannot_be_a_path() {
         "campaign.toml",
         "[log]",
         "[log]\nname = \"../../x\"",
-        &["error[log-name-invalid]: `../../x`", "campaign.toml:25:8"],
+        &["error[log-name-invalid]: `../../x`", "campaign.toml:24:8", "name = \"../../x\""],
     );
 }
 

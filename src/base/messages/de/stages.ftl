@@ -687,7 +687,13 @@ parameters-undescribed = die Parameter enthalten { $names }, die robot.toml nich
 
 add-lines = { $lines } in robot.toml vor der ersten Tabelle ergänzen
 
-nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $stated } { $unit } und hatte bei der Identifikation { $identified } { $unit }
+nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $stated }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    } und hatte bei der Identifikation { $identified }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    }
     .hint = prüfen, dass die Parameter die dieses Roboters sind
 
 calibration-without-residuals = die Kalibrierung zeigt keine Standardabweichung einer Koordinate

@@ -1440,7 +1440,13 @@ add-lines = add { $lines } to robot.toml, before its first table
 # Matters: The parameters are probably those of another robot, or robot.toml was edited since.
 # Do: Check that the parameters are those of this robot.
 # Example: `a_2 = 225` in robot.toml, 270 in parameters.json
-nominal-value-changed = `{ $parameter }` is nominally { $stated } { $unit } in robot.toml and was { $identified } { $unit } when the parameters were identified
+nominal-value-changed = `{ $parameter }` is nominally { $stated }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    } in robot.toml and was { $identified }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    } when the parameters were identified
     .hint = check that the parameters are those of this robot
 
 # Means: parameters.json states no standard uncertainty of a coordinate, and its residuals give

@@ -687,7 +687,13 @@ parameters-undescribed = les paramètres contiennent { $names }, que robot.toml 
 
 add-lines = ajouter { $lines } à robot.toml, avant son premier tableau
 
-nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated } { $unit } dans robot.toml, et avait { $identified } { $unit } lors de l’identification
+nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    } dans robot.toml, et avait { $identified }{ $unit ->
+        [1] {""}
+       *[other] {" "}{ $unit }
+    } lors de l’identification
     .hint = vérifier que les paramètres sont ceux de ce robot
 
 calibration-without-residuals = l’étalonnage ne montre aucun écart-type d’une coordonnée
