@@ -1,6 +1,5 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use super::verdict::percent;
 use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_term, term};
 use crate::number;
 use crate::words::{Words, names, tr};
@@ -24,7 +23,7 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both(phrase!("unit"), "", |l| l.unit.as_str())
         .both(phrase!("margin"), "", |l| significant(l.margin, 2))
-        .both(phrase!("risk"), "%", |l| shown(l.risk().map(|risk| 100.0 * risk), percent))
+        .both(phrase!("risk"), "%", |l| shown(l.risk().map(|risk| 100.0 * risk), number::percent))
         .both(phrase!("verdict"), "", |l| judged(l, words))
         .decisive()
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));

@@ -180,18 +180,10 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
 fn margin(l: &LimitVerdict, factor: f64, unit: &str, words: &Words) -> String {
     let margin = l.margin.map_or_else(String::new, |m| number::significant(m * factor, 2));
     match l.risk() {
-        Some(risk) => tr!(words, "limit-margin", margin, unit, risk = percent(100.0 * risk)),
+        Some(risk) => tr!(words, "limit-margin", margin, unit, risk = number::percent(100.0 * risk)),
         None => tr!(words, "limit-margin-without-uncertainty", margin, unit),
     }
 }
-
-/// Percentage of a risk; small ones are shown as a bound, because their digits are meaningless.
-pub(super) fn percent(percentage: f64) -> String {
-    if percentage < LEAST_PERCENTAGE { format!("< {LEAST_PERCENTAGE}") } else { number::significant(percentage, 2) }
-}
-
-/// Smallest percentage that is shown.
-const LEAST_PERCENTAGE: f64 = 0.1;
 
 /// Change of the largest error, with its uncertainty.
 fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
