@@ -95,8 +95,8 @@ class BatchCheck(Record):
     limit: float | None
     """Largest permissible value."""
     name: str
-    """`solver` (convergence), `robot` (plausible parameters), `warnings` (warnings that need a decision), or the
-    name of a limit in campaigns.
+    """`solver` (convergence), `robot` (plausible parameters), `preconditions` (of the verdict), `warnings` (warnings
+    that need a decision), or the name of a limit in campaigns.
     """
     unit: str | None
     """Unit of value and limit."""

@@ -60,8 +60,8 @@ pub struct BatchEntry {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BatchCheck {
-    /// `solver` (convergence), `robot` (plausible parameters), `warnings` (warnings that need a
-    /// decision), or the name of a limit in campaigns.
+    /// `solver` (convergence), `robot` (plausible parameters), `preconditions` (of the verdict),
+    /// `warnings` (warnings that need a decision), or the name of a limit in campaigns.
     pub name: String,
     /// Verdict.
     pub verdict: Acceptance,

@@ -194,6 +194,7 @@ fn check_name(name: &str, words: &Words) -> String {
     match name {
         "solver" => tr!(words, "solver"),
         "robot" => tr!(words, "parameters-title"),
+        "preconditions" => tr!(words, "preconditions-column"),
         "warnings" => tr!(words, "warnings-and-remarks"),
         limit => {
             let found = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);

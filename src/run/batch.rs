@@ -15,7 +15,7 @@ use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
     Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary,
-    Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Role, VerdictDocument,
+    Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Role, VerdictDocument,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -127,8 +127,9 @@ fn campaign(
     entry.output = Some(output.display().to_string());
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
     let recent = |documents: &Documents| since.is_none_or(|since| documents.written().is_ok_and(|at| at >= since));
-    if let Some(documents) = current(&campaign, last).filter(recent) {
-        let run = Run::read(&documents)?;
+    // documents of another version are written again
+    let run = current(&campaign, last).filter(recent).and_then(|documents| Run::read(&documents).ok());
+    if let Some(run) = run {
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
         let report = run.report();
         describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
@@ -185,10 +186,27 @@ fn checks<'a>(
         all.push(check("solver", pass(parameters.solver.termination.is_success())));
         all.push(check("robot", pass(parameters.is_plausible())));
     }
+    let others = || judgement.reasons.iter().filter(|r| is_precondition(r));
+    if let Some(verdict) = others().map(Reason::acceptance).max() {
+        all.push(BatchCheck { value: Some(others().count() as f64), ..check("preconditions", verdict) });
+    }
     let decide = messages.filter(|m| m.rank == Rank::Decide).count();
     let verdict = if decide > 0 { Acceptance::Conditional } else { Acceptance::Pass };
     all.push(BatchCheck { value: Some(decide as f64), ..check("warnings", verdict) });
     all
+}
+
+/// `true` for a reason that no other check shows.
+fn is_precondition(reason: &Reason) -> bool {
+    !matches!(
+        reason,
+        Reason::NotConverged
+            | Reason::Implausible
+            | Reason::LimitNotMet { .. }
+            | Reason::LimitUndecided { .. }
+            | Reason::NotAssessable { .. }
+            | Reason::WithinGuardBand { .. }
+    )
 }
 
 fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &Characteristics) -> Vec<Row> {

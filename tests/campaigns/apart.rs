@@ -53,7 +53,7 @@ pub(super) fn cells(joints: &[f64]) -> String {
 /// A campaign with this table, which calibrates on the first poses.
 fn campaign(scratch: &Scratch, table: &str) {
     std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
-    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.4\n", "");
+    scratch.replace("campaign.toml", "[limits]\ndistance_max_mm = 0.4\n", "");
 }
 
 fn document(scratch: &Scratch, name: &str) -> Value {

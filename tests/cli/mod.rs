@@ -177,7 +177,7 @@ fn init_writes_a_campaign_that_only_lacks_its_files() {
     assert_eq!(checked.status.code(), Some(2));
     let errors: Vec<&str> = said.lines().filter(|l| l.starts_with("error")).collect();
     assert_eq!(errors.len(), 3, "{said}");
-    assert!(errors.iter().all(|e| e.starts_with("error: there is no file `mine/")), "{said}");
+    assert!(errors.iter().all(|e| e.starts_with("error[input-missing]: there is no file `mine/")), "{said}");
     // it never writes over a campaign
     let again = etalon(folder.path(), &["init", "mine"]);
     assert_eq!(again.status.code(), Some(2));

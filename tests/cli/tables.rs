@@ -171,7 +171,7 @@ fn uncertainties_that_are_none_are_refused() {
     refused(
         &table(&rows, ",cxx_mm2,cxy_mm2,cyy_mm2", |_| ",1e-6,2e-6,1e-6".to_owned()),
         &[],
-        &["error[covariance-not-positive-definite]"],
+        &["error[position-covariance-invalid]"],
     );
     refused(&table(&rows, ",ux_mm", |_| ",0.003".to_owned()), &[], &["no column `uy_mm`"]);
     let option = ["--standard-uncertainty-um", "3", "--pose-residuals"];

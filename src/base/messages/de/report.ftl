@@ -662,6 +662,7 @@ position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }, davon 
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
 positions = Positionen
+preconditions-column = Voraussetzungen
 predicted-target-uncertainty = vorhergesagte Unsicherheit der Zielmarken über die Kandidaten (k = 1)
 predicted-u = vorhergesagtes u (k = 1)
 predicted-uncertainty-title = Vorhergesagte Unsicherheit der Parameter

@@ -688,11 +688,13 @@ parameters-undescribed = die Parameter enthalten { $names }, die robot.toml nich
 add-lines = { $lines } in robot.toml vor der ersten Tabelle ergänzen
 
 nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $stated }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
     } und hatte bei der Identifikation { $identified }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
     }
     .hint = prüfen, dass die Parameter die dieses Roboters sind
 
@@ -912,8 +914,9 @@ identified-worse-than-nominal = an den { $set ->
     .hint = mehr Posen messen, über den Arbeitsraum verteilt, oder Parameter festhalten, die sie nicht bestimmen
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [1] { FIXED($value, 4) } (Nennwert { $nominal }, Toleranz { FIXED($tolerance, 3) })
-       *[other] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+       *[other] { FIXED($value, 4) } (Nennwert { $nominal }, Toleranz { FIXED($tolerance, 3) })
     }
 
 tolerance-exceeded = { $count ->

@@ -662,6 +662,7 @@ position-residuals-explained = Position residuals: RMS { $rms } { $unit }, of wh
 position-residuals-rms = position residuals, RMS
 position-rms = position, RMS
 positions = positions
+preconditions-column = Preconditions
 predicted-target-uncertainty = predicted uncertainty of the targets over the candidates (k = 1)
 predicted-u = predicted u (k = 1)
 predicted-uncertainty-title = Predicted uncertainty of the parameters

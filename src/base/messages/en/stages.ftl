@@ -1441,11 +1441,13 @@ add-lines = add { $lines } to robot.toml, before its first table
 # Do: Check that the parameters are those of this robot.
 # Example: `a_2 = 225` in robot.toml, 270 in parameters.json
 nominal-value-changed = `{ $parameter }` is nominally { $stated }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
     } in robot.toml and was { $identified }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
     } when the parameters were identified
     .hint = check that the parameters are those of this robot
 
@@ -1861,8 +1863,9 @@ identified-worse-than-nominal = on the { $set ->
     .hint = measure more poses, spread over the workspace, or hold parameters that they do not determine
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [1] { FIXED($value, 4) } (nominal { $nominal }, tolerance { FIXED($tolerance, 3) })
-       *[other] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+       *[other] { FIXED($value, 4) } (nominal { $nominal }, tolerance { FIXED($tolerance, 3) })
     }
 
 # Means: The data alone put parameters beyond their stated tolerance, by more than twice their

@@ -662,6 +662,7 @@ position-residuals-explained = Résidus de position : RMS { $rms } { $unit }, do
 position-residuals-rms = résidus de position, RMS
 position-rms = position, valeur efficace
 positions = positions
+preconditions-column = Conditions préalables
 predicted-target-uncertainty = incertitude prédite des cibles sur les candidates (k = 1)
 predicted-u = u prédite (k = 1)
 predicted-uncertainty-title = Incertitude prévue des paramètres

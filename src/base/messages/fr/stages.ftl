@@ -688,11 +688,13 @@ parameters-undescribed = les paramètres contiennent { $names }, que robot.toml 
 add-lines = ajouter { $lines } à robot.toml, avant son premier tableau
 
 nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
     } dans robot.toml, et avait { $identified }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
     } lors de l’identification
     .hint = vérifier que les paramètres sont ceux de ce robot
 
@@ -915,8 +917,9 @@ identified-worse-than-nominal = aux poses { $set ->
     .hint = mesurer plus de poses, réparties dans l’espace de travail, ou imposer des paramètres qu’elles ne déterminent pas
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [1] { FIXED($value, 4) } (nominal { $nominal }, tolérance { FIXED($tolerance, 3) })
-       *[other] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+       *[other] { FIXED($value, 4) } (nominal { $nominal }, tolérance { FIXED($tolerance, 3) })
     }
 
 tolerance-exceeded = { $count ->
