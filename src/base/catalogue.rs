@@ -150,8 +150,6 @@ impl Argument {
             // a number of Fluent is a double
             Self::Whole(value) if value.unsigned_abs() <= 1 << 53 => FluentValue::from(*value),
             Self::Number(value) => FluentValue::from(*value),
-            // the unit of a ratio: a variant `[1]` is a number of Fluent
-            Self::Text(text) if text == "1" => FluentValue::from(1),
             _ => FluentValue::from(self.text(language)),
         }
     }
