@@ -230,7 +230,7 @@ pub struct Judged<'a> {
 /// Uncertainties of measured errors. The parameters are what is judged, and add nothing.
 #[derive(Clone, Debug, Default)]
 pub struct ErrorUncertainty {
-    /// Of each figure of lengths, with its sources.
+    /// Budget of each figure of lengths.
     pub figures: Vec<FigureBudget>,
     /// Standard uncertainty of an orientation (deg); `None` if unknown.
     pub orientation_deg: Option<f64>,
@@ -239,8 +239,8 @@ pub struct ErrorUncertainty {
 }
 
 impl ErrorUncertainty {
-    /// Propagates the uncertainty of instrument, frames, scale, temperature and homing to the errors
-    /// of the poses that decide.
+    /// Propagates the uncertainty of instrument, frames, scale, temperature and homing to the
+    /// errors of the poses that decide.
     ///
     /// # Errors
     /// If residuals cannot be evaluated.

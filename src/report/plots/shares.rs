@@ -60,7 +60,12 @@ mod tests {
             source,
             standard_uncertainty_mm,
         };
-        FigureBudget { figure, standard_uncertainty_mm: 0.0, contributions: parts.iter().map(part).collect() }
+        FigureBudget {
+            quantity: Default::default(),
+            figure,
+            standard_uncertainty_mm: 0.0,
+            contributions: parts.iter().map(part).collect(),
+        }
     }
 
     #[test]

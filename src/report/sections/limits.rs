@@ -98,7 +98,7 @@ mod tests {
         let section = of(&[&limit], false, &Words::default()).unwrap();
         let page = serde_json::to_value(&section).unwrap();
         let heads = page["blocks"][0]["header"].as_array().unwrap();
-        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 6));
+        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 8));
         assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
     }
 
