@@ -30,7 +30,7 @@ const REMAINING: [(&str, usize); 17] = [
     ("robots", 0),
     ("run", 0),
     ("simulate", 0),
-    ("stages", 2),
+    ("stages", 0),
     ("standards", 0),
 ];
 

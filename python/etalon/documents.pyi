@@ -95,8 +95,8 @@ class BatchCheck(Record):
     limit: float | None
     """Largest permissible value."""
     name: str
-    """`solver` (convergence), `robot` (plausible parameters), `warnings` (warnings that need a decision), or the
-    name of a limit in campaigns.
+    """`solver` (convergence), `robot` (plausible parameters), `preconditions` (of the verdict), `warnings` (warnings
+    that need a decision), or the name of a limit in campaigns.
     """
     unit: str | None
     """Unit of value and limit."""
@@ -129,6 +129,8 @@ class BatchEntry(Record):
     """Output folder of the campaign."""
     robot: str | None
     """Name of the robot, or of its model."""
+    verdict: Any
+    """Verdict on the result; null if it was not judged or the campaign did not run."""
 
 class BudgetSource(Record):
     """Contribution of one source to the standard uncertainties."""

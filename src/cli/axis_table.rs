@@ -182,7 +182,7 @@ fn moved(bases: &[usize], corrected: usize) -> Vec<usize> {
 /// Source in memory.
 enum Read {
     Parameters(Box<Exported>),
-    Leads(GeometricDocument),
+    Leads(Box<GeometricDocument>),
     Measured(TableFile),
 }
 
@@ -255,7 +255,7 @@ impl AxisTable {
             let failed = geometric.messages.iter().filter(|m| m.severity == Severity::Error).cloned().collect();
             Problems(failed).check()?;
             let header = axis_tables::header(self.about(), units, "geometric.json", &bytes);
-            return Ok((Read::Leads(geometric), header));
+            return Ok((Read::Leads(Box::new(geometric)), header));
         }
         let exported = Exported::read(&self.source, self.robot.as_deref())?;
         let given = exported.given(false);

@@ -1,6 +1,6 @@
 //! Command `etalon batch`.
 
-use super::report::Dressed;
+use super::report::Branding;
 use super::{Verdict, print_with, progress, say};
 use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
@@ -33,7 +33,7 @@ pub struct Batch {
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     to: PathBuf,
     #[command(flatten)]
-    dressed: Dressed,
+    branding: Branding,
     /// Print the outcome of each campaign as JSON.
     #[arg(long)]
     json: bool,
@@ -42,7 +42,7 @@ pub struct Batch {
 impl Batch {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
         let campaigns = folders(&self.campaigns)?;
-        let presentation = self.dressed.over(Presentation::default())?;
+        let presentation = self.branding.over(Presentation::default())?;
         let age = |path: &PathBuf| std::fs::metadata(path).and_then(|file| file.modified());
         let since = self.newer_than.as_ref().map(age).transpose();
         let since = since.map_err(|e| anyhow::anyhow!("the file of `--newer-than` cannot be read: {e}"))?;

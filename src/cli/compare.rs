@@ -7,7 +7,7 @@ use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_compare::{Compared, compare};
 use etalon_documents::to_json;
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -49,9 +49,9 @@ impl Compare {
         let document = compare(&all)?;
         remark(&document.messages);
         let campaign = all.into_iter().next().map(|first| first.campaign.report).unwrap_or_default();
-        let faces = Faces::comparison(&document, self.reports.over(campaign)?)?;
-        self.reports.write(&faces)?;
-        answer(&faces, self.json.then(|| to_json(&document)).transpose()?)
+        let renderer = Renderer::comparison(&document, self.reports.over(campaign)?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, self.json.then(|| to_json(&document)).transpose()?)
     }
 }
 

@@ -20,7 +20,7 @@ use etalon_documents::to_json;
 use etalon_documents::{Effect, ParametersDocument, parameters_document};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use etalon_identify::{Effects, Prior, ResidualKind, Settings, Systematic, weigh};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -96,7 +96,7 @@ impl IdentifyCommand {
         if !self.json {
             remark(&document.messages);
         }
-        answer(&Faces::identification(&document), self.json.then(|| to_json(&document)).transpose()?)
+        answer(&Renderer::identification(&document), self.json.then(|| to_json(&document)).transpose()?)
     }
 
     /// The answer from a table in memory.

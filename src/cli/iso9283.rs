@@ -13,7 +13,7 @@ use etalon_base::message::Problems;
 use etalon_base::{error, warning};
 use etalon_campaign::Limits;
 use etalon_documents::{Characteristics, DecisionRule, Iso9283Document, Iso9283StreamDocument, to_json};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use plan::PlanOptions;
 use std::path::{Path, PathBuf};
@@ -213,7 +213,7 @@ impl PoseOptions {
             false => to_json(&document.poses)?,
         };
         let poses = Some(if all { document } else { document.of_poses() });
-        answer(&Faces::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
+        answer(&Renderer::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
     }
 
     fn check(&self) -> Result<(), Problems> {
@@ -287,5 +287,5 @@ fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
     let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;
     remark(&document.messages);
     let json = json.then(|| to_json(&document)).transpose()?;
-    answer(&Faces::test(&Characteristics { compliance: Some(document), ..Characteristics::default() }), json)
+    answer(&Renderer::test(&Characteristics { compliance: Some(document), ..Characteristics::default() }), json)
 }

@@ -41,7 +41,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_documents::WrittenDocument;
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use progress::progress;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -214,8 +214,8 @@ fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdic
 }
 
 /// Prints a report on the terminal, or the given JSON.
-fn answer(faces: &Faces, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
-    print_with(json.unwrap_or_else(|| faces.terminal().into_bytes()), Verdict::of(faces.is_met()))
+fn answer(renderer: &Renderer, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
+    print_with(json.unwrap_or_else(|| renderer.terminal().into_bytes()), Verdict::of(renderer.passes()))
 }
 
 /// Checks that the number of an option, if stated, is positive.

@@ -21,7 +21,7 @@ use etalon_identify::plan::{
     Criterion, PlaceError, Plan, Request, Setting, SizeStudy, index_of, plan, point_of, study,
 };
 use etalon_identify::{Effects, Observation, Settings};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use etalon_robots::{Parameter, Robot};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -146,12 +146,12 @@ impl PlanCommand {
         if let Some(path) = &self.targets {
             files::write(path, &etalon_controllers::targets(&document, &path.display().to_string())?)?;
         }
-        let faces = Faces::plan(&document, self.reports.over(Presentation::default())?)?;
-        self.reports.write(&faces)?;
+        let renderer = Renderer::plan(&document, self.reports.over(Presentation::default())?)?;
+        self.reports.write(&renderer)?;
         if !self.json {
             remark(&document.messages);
         }
-        answer(&faces, self.json.then(|| to_json(&document)).transpose()?)
+        answer(&renderer, self.json.then(|| to_json(&document)).transpose()?)
     }
 
     /// The answer from candidates in memory. Nothing is written.
@@ -169,7 +169,7 @@ impl PlanCommand {
         everywhere: Option<Vec<Observation>>,
         inputs: BTreeMap<String, String>,
     ) -> anyhow::Result<PlanDocument> {
-        let Candidates { observations, beyond } = candidates;
+        let Candidates { observations, limit_violations } = candidates;
         let settings = self.settings();
         let request = Request {
             positions: self.positions,
@@ -181,11 +181,11 @@ impl PlanCommand {
             nodes: self.nodes,
         };
         let planned = plan(robot, &observations, &settings, &request, &progress)
-            .map_err(|error| Problems(beyond.iter().cloned().chain(remedied(error).0).collect()))?;
+            .map_err(|error| Problems(limit_violations.iter().cloned().chain(remedied(error).0).collect()))?;
         let everywhere = everywhere.as_ref().unwrap_or(&observations);
         let study = self.study(robot, [&observations, everywhere], &planned)?;
         let mut document = self.document(robot, &observations, &planned, (study, inputs))?;
-        document.messages.splice(0..0, beyond);
+        document.messages.splice(0..0, limit_violations);
         Ok(document)
     }
 
@@ -232,7 +232,7 @@ fn candidates_of(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Ro
     let robot = robot_file.build(&targets).map_err(here)?;
     joint_range::check_table(robot.as_ref(), &file.table, &[], Joints::Proposed).map_err(here)?;
     let mut found = configurations(robot.as_ref(), &file.table).map_err(here)?;
-    found.beyond = found.beyond.map(|message| message.at(Place::file(file.name.as_str())));
+    found.limit_violations = found.limit_violations.map(|message| message.at(Place::file(file.name.as_str())));
     Ok((robot, found))
 }
 

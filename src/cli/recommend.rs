@@ -9,7 +9,7 @@ use etalon_base::files;
 use etalon_base::message::Problems;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use std::path::PathBuf;
 
 /// Recommend identified parameters to be loaded into the controller.
@@ -43,8 +43,8 @@ impl Recommend {
         if let Some(path) = &self.write {
             files::write(path, &to_json(&found.recommended)?)?;
         }
-        let faces = Faces::recommendation(&found, self.reports.over(presentation(&campaign)?)?)?;
-        self.reports.write(&faces)?;
-        answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
+        let renderer = Renderer::recommendation(&found, self.reports.over(presentation(&campaign)?)?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
     }
 }

@@ -7,7 +7,7 @@ use etalon_base::files;
 use etalon_base::message::{Problems, Result};
 use etalon_controllers::CERTIFICATE;
 use etalon_documents::{Language, Presentation};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use etalon_report::branding;
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,7 @@ pub struct ReportCommand {
     #[arg(required_unless_present = "write_templates")]
     folder: Option<PathBuf>,
     #[command(flatten)]
-    dressed: Dressed,
+    branding: Branding,
     /// Write the certificate for the customer instead: certificate.html and certificate.pdf.
     #[arg(long, conflicts_with = "write_templates")]
     certificate: bool,
@@ -34,7 +34,7 @@ pub struct ReportCommand {
 
 /// Language, logo and templates of a report.
 #[derive(Debug, clap::Args)]
-pub(super) struct Dressed {
+pub(super) struct Branding {
     /// Language of the report.
     #[arg(long, value_enum)]
     language: Option<Language>,
@@ -46,7 +46,7 @@ pub(super) struct Dressed {
     templates: Option<PathBuf>,
 }
 
-impl Dressed {
+impl Branding {
     /// Presentation by the options, with defaults from `campaign`.
     pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
         let logo = self.logo.as_deref().map(branding::logo).transpose()?;
@@ -66,7 +66,7 @@ pub(super) struct Reports {
     #[arg(long = "report", value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
-    dressed: Dressed,
+    branding: Branding,
 }
 
 impl Reports {
@@ -80,12 +80,12 @@ impl Reports {
 
     /// Presentation by the options, with defaults from `campaign`.
     pub fn over(&self, campaign: Presentation) -> Result<Presentation> {
-        self.dressed.over(campaign)
+        self.branding.over(campaign)
     }
 
     /// Writes the reports.
-    pub fn write(&self, faces: &Faces) -> Result<()> {
-        self.files.iter().try_for_each(|path| files::write(path, &faces.file(&kind(path)?)?))
+    pub fn write(&self, renderer: &Renderer) -> Result<()> {
+        self.files.iter().try_for_each(|path| files::write(path, &renderer.file(&kind(path)?)?))
     }
 }
 
@@ -106,7 +106,7 @@ impl ReportCommand {
                 let templates = etalon_report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
-            (Some(folder), None) => write_report(folder, &self.dressed, self.certificate)?,
+            (Some(folder), None) => write_report(folder, &self.branding, self.certificate)?,
             (None, None) => return Err(Problems::from(error!("report-folder-missing")).into()),
         };
         print_written(written, self.json)?;
@@ -114,16 +114,16 @@ impl ReportCommand {
     }
 }
 
-fn write_report(folder: &Path, dressed: &Dressed, certificate: bool) -> Result<Vec<String>> {
+fn write_report(folder: &Path, branding: &Branding, certificate: bool) -> Result<Vec<String>> {
     let documents = Documents::open(&documents::folder_of(folder)?)?;
     let mut run = documents::Run::read(&documents)?;
-    run.campaign.report = dressed.over(run.campaign.report)?;
+    run.campaign.report = branding.over(run.campaign.report)?;
     let exported = documents.manifest.files.contains_key(CERTIFICATE);
     let exported = exported.then(|| documents.bytes(CERTIFICATE)).transpose()?;
-    let attached = |faces: Faces| faces.with_certificate(CERTIFICATE, exported.as_deref());
+    let attached = |renderer: Renderer| renderer.with_certificate(CERTIFICATE, exported.as_deref());
     let files = match certificate {
-        true => attached(Faces::certificate(&run.report())?).certificate_files()?,
-        false => attached(Faces::campaign(&run.report())?).files()?,
+        true => attached(Renderer::certificate(&run.report())?).certificate_files()?,
+        false => attached(Renderer::campaign(&run.report())?).files()?,
     };
     documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
 }

@@ -45,7 +45,7 @@ impl Run {
     }
 
     fn answer(&self, campaign: &Campaign, outcome: Outcome) -> anyhow::Result<Verdict> {
-        let Outcome { identified, tested, met, faces, messages, .. } = outcome;
+        let Outcome { identified, tested, met, renderer, messages, .. } = outcome;
         remark(&messages);
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
             say("no controller file is written: this result cannot be the robot");
@@ -57,7 +57,7 @@ impl Run {
         let data = match (self.json, &identified, &tested.poses, &tested.streams) {
             (false, ..) => {
                 let report = campaign.output()?.join("report.html");
-                let shown = faces.map_or_else(String::new, |faces| faces.terminal());
+                let shown = renderer.map_or_else(String::new, |renderer| renderer.terminal());
                 format!("{shown}\nreport: {}\n", printable(&report.display().to_string())).into_bytes()
             }
             (true, Some(found), ..) => to_json(&found.accuracy)?,

@@ -5,7 +5,7 @@ use crate::run::validation::uncertainty;
 use crate::stages::monte_carlo::Draws;
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use std::path::PathBuf;
 
 /// Compute distributions of a campaign's results by Monte Carlo and bootstrap.
@@ -40,6 +40,6 @@ impl Uncertainty {
         let document = uncertainty(&campaign, draws, &mut progress)?;
         remark(&document.messages);
         let json = if self.json { Some(to_json(&document)?) } else { None };
-        answer(&Faces::uncertainty(&document), json)
+        answer(&Renderer::uncertainty(&document), json)
     }
 }

@@ -9,7 +9,7 @@ use crate::stages::validation::Validated;
 use etalon_base::files;
 use etalon_campaign::Campaign;
 use etalon_documents::{GivenFrames, to_json};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use std::path::PathBuf;
 
 /// Judge given parameters on the data of a campaign.
@@ -45,8 +45,8 @@ impl Validate {
             provenance.inputs.extend(files::sha256_of(&self.parameters)?);
         }
         remark(&messages);
-        let faces = Faces::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
-        self.reports.write(&faces)?;
-        answer(&faces, self.json.then(|| to_json(&accuracy)).transpose()?)
+        let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, self.json.then(|| to_json(&accuracy)).transpose()?)
     }
 }

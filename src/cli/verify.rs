@@ -20,7 +20,7 @@ use etalon_documents::{
     CampaignReference, CampaignSummary, ParametersDocument, Presentation, VerificationDocument, to_json,
 };
 use etalon_identify::plan::candidates::Candidates;
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -85,9 +85,9 @@ impl Verify {
         if !self.json {
             remark(&found.messages);
         }
-        let faces = Faces::verification(&found, self.reports.over(Presentation::default())?)?;
-        self.reports.write(&faces)?;
-        answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
+        let renderer = Renderer::verification(&found, self.reports.over(Presentation::default())?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
     }
 
     /// The answer from observations in memory. Nothing is written.
@@ -126,19 +126,19 @@ impl Verify {
     /// Chooses candidates to measure.
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
-        let (mut robot, Candidates { observations, beyond }) = candidates_of(robot_file, candidates)?;
+        let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, candidates)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
         let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
         let mut found = plan(calibration, observations, self.positions, inputs, &mut progress)?;
-        found.messages.extend(beyond);
+        found.messages.extend(limit_violations);
         if !self.json {
             remark(&found.messages);
         }
-        let faces = Faces::verification_plan(&found, self.reports.over(Presentation::default())?)?;
-        self.reports.write(&faces)?;
-        answer(&faces, self.json.then(|| to_json(&found)).transpose()?)
+        let renderer = Renderer::verification_plan(&found, self.reports.over(Presentation::default())?)?;
+        self.reports.write(&renderer)?;
+        answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
     }
 }
 

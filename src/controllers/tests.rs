@@ -246,7 +246,7 @@ fn names_that_are_one_in_c_are_refused() {
 #[test]
 fn what_must_not_reach_a_machine_is_refused() {
     let mut lost = numbers();
-    lost.solver.termination = Termination::LostPatience;
+    lost.solver.termination = Termination::IterationLimit;
     let nan = document(vec![parameter("d", "mm", f64::NAN)]);
     let twice = document(vec![parameter("d", "mm", 1.0), parameter("d", "mm", 1.0)]);
     let cases = [(lost, "parameters-not-converged"), (nan, "parameter-not-finite"), (twice, "parameter-twice")];
@@ -359,7 +359,7 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
     let entries = arm.parameters().iter().map(|p| parameter(&p.name, p.quantity.unit(), p.quantity.outward(p.nominal)));
     let whole = document(entries.collect());
     let mut lost = whole.clone();
-    lost.solver.termination = Termination::LostPatience;
+    lost.solver.termination = Termination::IterationLimit;
     let mut wrong = whole.clone();
     wrong.messages.push(Message::error("*/ joint 2 turns the other way \n"));
     let summary = certificates::summary();

@@ -1,5 +1,6 @@
 //! Answer of `etalon batch --json`.
 
+use crate::Acceptance;
 use indexmap::IndexSet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -43,6 +44,9 @@ pub struct BatchEntry {
     pub output: Option<String>,
     /// Reason of a failure or omission.
     pub message: Option<String>,
+    /// Verdict on the result; null if it was not judged or the campaign did not run.
+    #[serde(default)]
+    pub verdict: Option<Acceptance>,
     /// Checks of the result: solver, robot, warnings, and each limit.
     #[serde(default)]
     pub checks: Vec<BatchCheck>,
@@ -56,41 +60,17 @@ pub struct BatchEntry {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BatchCheck {
-    /// `solver` (convergence), `robot` (plausible parameters), `warnings` (warnings that need a
-    /// decision), or the name of a limit in campaigns.
+    /// `solver` (convergence), `robot` (plausible parameters), `preconditions` (of the verdict),
+    /// `warnings` (warnings that need a decision), or the name of a limit in campaigns.
     pub name: String,
     /// Verdict.
-    pub verdict: BatchVerdict,
+    pub verdict: Acceptance,
     /// Value in the unit of the limit, or number of warnings.
     pub value: Option<f64>,
     /// Largest permissible value.
     pub limit: Option<f64>,
     /// Unit of value and limit.
     pub unit: Option<String>,
-}
-
-/// Verdict on a check or a campaign.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum BatchVerdict {
-    /// Passed.
-    Pass,
-    /// Undecided within the uncertainty, or a warning needs a decision.
-    Conditional,
-    /// Failed.
-    Fail,
-}
-
-impl BatchEntry {
-    /// Verdict on the campaign: the worst of its checks; `None` if it did not run.
-    pub fn verdict(&self) -> Option<BatchVerdict> {
-        let worst = self.checks.iter().map(|c| c.verdict).max();
-        match self.ended {
-            BatchEnd::Done => Some(worst.unwrap_or(BatchVerdict::Pass)),
-            BatchEnd::NotMet => Some(worst.unwrap_or(BatchVerdict::Fail).max(BatchVerdict::Conditional)),
-            BatchEnd::Failed | BatchEnd::Skipped => None,
-        }
-    }
 }
 
 /// Outcome of a campaign.

@@ -20,7 +20,8 @@ mirror! {
         /// Converged to rounding: no shorter step lowers the sum of squares.
         NoImprovementPossible,
         /// Iteration limit reached.
-        LostPatience,
+        #[serde(rename = "lost_patience")]
+        IterationLimit,
         /// A residual or derivative is not finite, at the start or on the way.
         NotANumber,
         /// Rank-deficient Jacobian: not all parameters are separately identifiable.

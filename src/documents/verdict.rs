@@ -257,7 +257,7 @@ impl Judged<'_> {
 
 impl VerdictDocument {
     /// `true` if the answer may be loaded, or nothing was judged.
-    pub fn is_met(&self) -> bool {
+    pub fn passes(&self) -> bool {
         self.exit_code == 0
     }
 }

@@ -181,7 +181,7 @@ impl<S, const N: usize> Refined<S, N> {
                 return Termination::NoImprovementPossible;
             }
         }
-        Termination::LostPatience
+        Termination::IterationLimit
     }
 
     fn take(&mut self, cost: f64, linear: Linear<N>) {

@@ -150,7 +150,7 @@ impl Cause {
 /// Text of the catalogue for the termination of a solver without a result.
 fn ended(termination: Termination) -> Phrase {
     let termination = match termination {
-        Termination::LostPatience => "iteration-limit",
+        Termination::IterationLimit => "iteration-limit",
         Termination::NotANumber => "not-a-number",
         Termination::RankDeficient => "rank-deficient",
         Termination::TooFewEquations => "too-few-equations",

@@ -152,7 +152,7 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
             return Termination::NoImprovementPossible;
         }
     }
-    Termination::LostPatience
+    Termination::IterationLimit
 }
 
 /// Number of damped steps after which the path counts as curved.

@@ -91,7 +91,7 @@ pub enum Termination {
     /// Converged to rounding: no shorter step lowers the sum of squares.
     NoImprovementPossible,
     /// Iteration limit reached.
-    LostPatience,
+    IterationLimit,
     /// A residual or derivative is not finite, at the start or on the way.
     NotANumber,
     /// Rank-deficient Jacobian: not all parameters are separately identifiable.
@@ -114,7 +114,7 @@ impl Termination {
             Self::GradientVanished => phrase!("solver-gradient-vanished"),
             Self::ResidualsZero => phrase!("solver-residuals-zero"),
             Self::NoImprovementPossible => phrase!("solver-rounding"),
-            Self::LostPatience => phrase!("solver-iteration-limit"),
+            Self::IterationLimit => phrase!("solver-iteration-limit"),
             Self::NotANumber => phrase!("solver-not-finite"),
             Self::RankDeficient => phrase!("solver-rank-deficient"),
             Self::TooFewEquations => phrase!("solver-too-few-equations"),

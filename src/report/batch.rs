@@ -7,8 +7,7 @@ use super::number::{apart, decimals, quantile, significant, stated, with_uncerta
 use super::words::{Words, names, tr};
 use etalon_base::message::one_line;
 use etalon_documents::{
-    BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, BatchVerdict, LimitQuantity,
-    Presentation,
+    Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchValue, LimitQuantity, Presentation,
 };
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -133,33 +132,46 @@ fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
     Ok(serde_json::to_string(data)?.replace('<', "\\u003c"))
 }
 
+/// Verdict on a campaign: that on its result, with a reservation if a check of the program, as a
+/// warning that needs a decision, is not passed.
+fn verdict(entry: &BatchEntry) -> Option<Acceptance> {
+    let worst = entry.checks.iter().map(|c| c.verdict).max();
+    match entry.ended {
+        BatchEnd::Done => entry.verdict.max(worst).or(Some(Acceptance::Pass)),
+        BatchEnd::NotMet => entry.verdict.max(worst).or(Some(Acceptance::Fail)),
+        BatchEnd::Failed | BatchEnd::Skipped => None,
+    }
+}
+
 fn ended(entry: &BatchEntry, words: &Words) -> String {
-    match (entry.verdict(), entry.ended) {
+    match (verdict(entry), entry.ended) {
         (Some(verdict), _) => said(verdict, words),
         (None, BatchEnd::Skipped) => tr!(words, "skipped"),
         (None, _) => tr!(words, "not-run"),
     }
 }
 
-fn said(verdict: BatchVerdict, words: &Words) -> String {
+fn said(verdict: Acceptance, words: &Words) -> String {
     match verdict {
-        BatchVerdict::Pass => tr!(words, "pass"),
-        BatchVerdict::Conditional => tr!(words, "conditional"),
-        BatchVerdict::Fail => tr!(words, "fail"),
+        Acceptance::Pass => tr!(words, "pass"),
+        Acceptance::Conditional => tr!(words, "conditional"),
+        Acceptance::Undecided => tr!(words, "undecided"),
+        Acceptance::Fail => tr!(words, "fail"),
     }
 }
 
 /// Style of a verdict.
-fn grade_of(verdict: BatchVerdict) -> &'static str {
+fn grade_of(verdict: Acceptance) -> &'static str {
     match verdict {
-        BatchVerdict::Pass => "good",
-        BatchVerdict::Conditional => "warning",
-        BatchVerdict::Fail => "bad",
+        Acceptance::Pass => "good",
+        Acceptance::Conditional => "warning",
+        Acceptance::Undecided => "open",
+        Acceptance::Fail => "bad",
     }
 }
 
 fn grade(entry: &BatchEntry) -> &'static str {
-    match (entry.verdict(), entry.ended) {
+    match (verdict(entry), entry.ended) {
         (Some(verdict), _) => grade_of(verdict),
         (None, BatchEnd::Skipped) => "open",
         (None, _) => "bad",
@@ -182,10 +194,11 @@ fn check_name(name: &str, words: &Words) -> String {
     match name {
         "solver" => tr!(words, "solver"),
         "robot" => tr!(words, "parameters-title"),
+        "preconditions" => tr!(words, "preconditions-column"),
         "warnings" => tr!(words, "warnings-and-remarks"),
         limit => {
-            let quantity = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);
-            quantity.map_or_else(|| limit.to_owned(), |q| words.tr(&names::limit(*q)))
+            let found = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);
+            found.map_or_else(|| limit.to_owned(), |q| words.tr(&names::limit(*q)))
         }
     }
 }
@@ -197,7 +210,7 @@ fn checked(entry: &BatchEntry, name: &str, words: &Words) -> Checked {
 
 /// Reason of a failure, or checks that are not passed, the worst first.
 fn cause(entry: &BatchEntry, words: &Words) -> String {
-    let mut open: Vec<&BatchCheck> = entry.checks.iter().filter(|c| c.verdict != BatchVerdict::Pass).collect();
+    let mut open: Vec<&BatchCheck> = entry.checks.iter().filter(|c| c.verdict != Acceptance::Pass).collect();
     open.sort_by_key(|c| std::cmp::Reverse(c.verdict));
     let text = |c: &&BatchCheck| {
         let name = check_name(&c.name, words);
@@ -251,10 +264,11 @@ impl Row<'_> {
 
     /// Order of the rows: campaigns that did not run, then by verdict, then by the largest outlier.
     fn badness(&self) -> f64 {
-        let end = match (self.entry.ended, self.entry.verdict()) {
+        let end = match (self.entry.ended, verdict(self.entry)) {
             (BatchEnd::Failed, _) => 3e9,
-            (_, Some(BatchVerdict::Fail)) => 2e9,
-            (_, Some(BatchVerdict::Conditional)) => 1e9,
+            (_, Some(Acceptance::Fail)) => 2e9,
+            (_, Some(Acceptance::Undecided)) => 1e9,
+            (_, Some(Acceptance::Conditional)) => 5e8,
             _ => 0.0,
         };
         // rounded for shorter JSON
@@ -329,17 +343,17 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         checks: checks.iter().map(|name| checked(row.entry, name, words)).collect(),
         figures: order.iter().map(|quantity| figure(row, *quantity)).collect(),
     };
-    let count = |verdict| campaigns.iter().filter(|c| c.verdict() == Some(verdict)).count();
-    let counts = [BatchVerdict::Pass, BatchVerdict::Conditional, BatchVerdict::Fail].map(count);
-    let [pass, conditional, fail] = &counts;
+    let count = |verdict| campaigns.iter().filter(|c| self::verdict(c) == Some(verdict)).count();
+    let counts = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail].map(count);
+    let [pass, conditional, undecided, fail] = counts;
     let heading = |i: &usize| {
         figures.quantities.get_index(*i).map_or_else(String::new, |q| format!("{} [{}]", named(&q.name, words), q.unit))
     };
     Page {
         version: env!("CARGO_PKG_VERSION"),
         title: tr!(words, "campaigns-of-robots", campaigns = campaigns.len(), robots = robots.len()),
-        subtitle: tr!(words, "batch-ends", pass, conditional, fail, failed, skipped),
-        class: match (failed + fail, conditional) {
+        subtitle: tr!(words, "batch-ends", pass, conditional, undecided, fail, failed, skipped),
+        class: match (failed + fail + undecided, conditional) {
             (0, 0) => "good",
             (0, _) => "warning",
             _ => "bad",
@@ -424,7 +438,7 @@ mod tests {
         assert!(!page.contains("<i>") && !page.contains("src=\"http"), "markup or an address");
         assert!(
             page.contains("100 campaigns of 2 robots")
-                && page.contains("99 pass, 0 conditional, 0 fail, 1 not run, 0 skipped")
+                && page.contains("99 pass, 0 conditional, 0 undecided, 0 fail, 1 not run, 0 skipped")
         );
     }
 
@@ -443,14 +457,14 @@ mod tests {
         };
         let entry =
             |ended, checks: &[BatchCheck]| BatchEntry { ended, checks: checks.to_vec(), ..BatchEntry::default() };
-        let undecided = check("position_max_mm", BatchVerdict::Conditional, Some(0.2), Some(0.21));
-        let failed = check("position_rms_mm", BatchVerdict::Fail, Some(0.1368), Some(0.1));
+        let undecided = check("position_max_mm", Acceptance::Conditional, Some(0.2), Some(0.21));
+        let failed = check("position_rms_mm", Acceptance::Fail, Some(0.1368), Some(0.1));
         let document = BatchDocument::new(vec![
             entry(BatchEnd::NotMet, std::slice::from_ref(&undecided)),
-            entry(BatchEnd::NotMet, &[undecided, failed, check("solver", BatchVerdict::Pass, None, None)]),
+            entry(BatchEnd::NotMet, &[undecided, failed, check("solver", Acceptance::Pass, None, None)]),
         ]);
         let page = page(&document, &figures, Language::En);
-        assert!(page.contains("0 pass, 1 conditional, 1 fail, 0 not run, 0 skipped"));
+        assert!(page.contains("0 pass, 1 conditional, 0 undecided, 1 fail, 0 not run, 0 skipped"));
         let heads: Vec<&str> =
             page.split("<th").skip(2).map(|h| h.split_once('>').unwrap().1.split('<').next().unwrap()).collect();
         let place =

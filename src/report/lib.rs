@@ -82,8 +82,8 @@ impl<'a> Report<'a> {
     }
 
     /// `true` if the verdict allows the answer to be loaded. Creates no report.
-    pub fn is_met(&self) -> bool {
-        self.judgement().is_met()
+    pub fn passes(&self) -> bool {
+        self.judgement().passes()
     }
 
     /// Warnings and errors of all documents.
@@ -250,7 +250,7 @@ pub fn kinds() -> impl Iterator<Item = &'static str> {
 
 /// A report created once from its documents, to be rendered to files and on the terminal.
 #[derive(Debug)]
-pub struct Faces {
+pub struct Renderer {
     contents: Contents,
     /// Attached to the PDF only.
     attachments: Vec<Attachment>,
@@ -258,7 +258,7 @@ pub struct Faces {
     words: Words,
 }
 
-impl Faces {
+impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
         Self { contents: contents.in_language(&words), attachments, presentation, words }
     }
@@ -421,7 +421,7 @@ impl Faces {
     }
 
     /// `true` if all limits are met and the result is plausible.
-    pub fn is_met(&self) -> bool {
+    pub fn passes(&self) -> bool {
         self.contents.verdict.met
     }
 

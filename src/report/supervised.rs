@@ -13,7 +13,7 @@ const LARGEST: u64 = 2 << 30;
 /// Stack size (bytes), as templates may be deeply nested.
 const STACK: usize = 64 << 20;
 
-/// Runs `face` with the template `name`; a built-in `face` is not supervised.
+/// Runs `render` with the template `name`; built-in templates are not supervised.
 ///
 /// # Errors
 ///
@@ -22,14 +22,14 @@ const STACK: usize = 64 << 20;
 pub(super) fn supervised<T: Send + 'static>(
     name: &str,
     own: bool,
-    face: impl FnOnce() -> Result<T> + Send + 'static,
+    render: impl FnOnce() -> Result<T> + Send + 'static,
 ) -> Result<T> {
     if !own {
-        return face();
+        return render();
     }
     let fail = |fault: &str| error!("template-failed", template = name, fault);
     let (sender, receiver) = channel();
-    let thread = std::thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(face())));
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(render())));
     thread.map_err(|e| fail(&e.to_string()))?;
     let (begun, before) = (Instant::now(), resident());
     loop {

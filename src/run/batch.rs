@@ -14,8 +14,8 @@ use etalon_base::message::{Message, Problems, Rank, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_documents::{
-    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchVerdict,
-    CampaignSummary, Characteristics, Iso9283Pose, ParametersDocument, PoseCharacteristic, Role,
+    Acceptance, AccuracyDocument, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, CampaignSummary,
+    Characteristics, Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Role, VerdictDocument,
 };
 use etalon_formats::table::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
@@ -127,19 +127,23 @@ fn campaign(
     entry.output = Some(output.display().to_string());
     let last = if wanted == Wanted::Reports { "report.html" } else { "import.json" };
     let recent = |documents: &Documents| since.is_none_or(|since| documents.written().is_ok_and(|at| at >= since));
-    if let Some(documents) = current(&campaign, last).filter(recent) {
-        let run = Run::read(&documents)?;
+    // documents of another version are written again
+    let run = current(&campaign, last).filter(recent).and_then(|documents| Run::read(&documents).ok());
+    if let Some(run) = run {
         let identified = run.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
         let report = run.report();
-        describe(entry, &run.campaign, report.is_met(), identified.map(|i| i.0));
-        entry.checks = checks(identified, &run.tested, report.messages().into_iter());
+        describe(entry, &run.campaign, report.passes(), identified.map(|i| i.0));
+        let judgement = report.judgement();
+        entry.verdict = judgement.verdict;
+        entry.checks = checks(&judgement, identified.map(|i| i.0), report.messages().into_iter());
         return Ok((rows(identified, &run.tested), None));
     }
     let found = pipeline::run_for(&campaign, wanted, Durability::Later)?;
     entry.computed = true;
     let identified = found.identified.as_ref().map(|i| (&i.parameters, &i.accuracy));
     describe(entry, &found.summary, found.met, identified.map(|i| i.0));
-    entry.checks = checks(identified, &found.tested, found.messages.iter());
+    entry.verdict = found.judgement.verdict;
+    entry.checks = checks(&found.judgement, identified.map(|i| i.0), found.messages.iter());
     Ok((rows(identified, &found.tested), Some(output)))
 }
 
@@ -164,35 +168,45 @@ fn nominal(document: &ParametersDocument) -> String {
 
 /// Checks of a result, in the order of reading.
 fn checks<'a>(
-    identified: Option<(&ParametersDocument, &AccuracyDocument)>,
-    tested: &Characteristics,
+    judgement: &VerdictDocument,
+    parameters: Option<&ParametersDocument>,
     messages: impl Iterator<Item = &'a Message>,
 ) -> Vec<BatchCheck> {
     let check =
         |name: &str, verdict| BatchCheck { name: name.to_owned(), verdict, value: None, limit: None, unit: None };
-    let pass = |passed| if passed { BatchVerdict::Pass } else { BatchVerdict::Fail };
-    let limits = identified.iter().flat_map(|i| &i.1.limits).chain(tested.limits()).map(|l| BatchCheck {
+    let pass = |passed| if passed { Acceptance::Pass } else { Acceptance::Fail };
+    let limit = |l: &LimitVerdict| BatchCheck {
         value: l.value,
         limit: Some(l.limit),
         unit: Some(l.unit.clone()),
-        ..check(
-            l.name.into(),
-            match l.acceptance {
-                Acceptance::Pass => BatchVerdict::Pass,
-                Acceptance::Conditional | Acceptance::Undecided => BatchVerdict::Conditional,
-                Acceptance::Fail => BatchVerdict::Fail,
-            },
-        )
-    });
-    let mut all: Vec<BatchCheck> = limits.collect();
-    if let Some((parameters, _)) = identified {
+        ..check(l.name.into(), l.acceptance)
+    };
+    let mut all: Vec<BatchCheck> = judgement.limits.iter().map(limit).collect();
+    if let Some(parameters) = parameters {
         all.push(check("solver", pass(parameters.solver.termination.is_success())));
         all.push(check("robot", pass(parameters.is_plausible())));
     }
+    let others = || judgement.reasons.iter().filter(|r| is_precondition(r));
+    if let Some(verdict) = others().map(Reason::acceptance).max() {
+        all.push(BatchCheck { value: Some(others().count() as f64), ..check("preconditions", verdict) });
+    }
     let decide = messages.filter(|m| m.rank == Rank::Decide).count();
-    let verdict = if decide > 0 { BatchVerdict::Conditional } else { BatchVerdict::Pass };
+    let verdict = if decide > 0 { Acceptance::Conditional } else { Acceptance::Pass };
     all.push(BatchCheck { value: Some(decide as f64), ..check("warnings", verdict) });
     all
+}
+
+/// `true` for a reason that no other check shows.
+fn is_precondition(reason: &Reason) -> bool {
+    !matches!(
+        reason,
+        Reason::NotConverged
+            | Reason::Implausible
+            | Reason::LimitNotMet { .. }
+            | Reason::LimitUndecided { .. }
+            | Reason::NotAssessable { .. }
+            | Reason::WithinGuardBand { .. }
+    )
 }
 
 fn rows(identified: Option<(&ParametersDocument, &AccuracyDocument)>, tested: &Characteristics) -> Vec<Row> {

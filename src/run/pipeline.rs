@@ -14,8 +14,9 @@ use etalon_campaign::Campaign;
 use etalon_controllers::{Description, Exporter, Given};
 use etalon_documents::{
     CampaignSummary, Characteristics, ControllersDocument, FeaturesDocument, FramesDocument, GeometricDocument,
+    VerdictDocument,
 };
-use etalon_report::{Faces, Report};
+use etalon_report::{Renderer, Report};
 use etalon_robots::Robot;
 
 /// Files that a run writes.
@@ -37,8 +38,10 @@ pub struct Outcome {
     pub tested: Characteristics,
     /// `true` if every limit is met, and the result can be that of a robot.
     pub met: bool,
+    /// The verdict with its reasons.
+    pub judgement: VerdictDocument,
     /// The report, where it was wanted.
-    pub faces: Option<Faces>,
+    pub renderer: Option<Renderer>,
     /// Statements of the campaign about itself.
     pub summary: CampaignSummary,
     /// Everything that the report warns of.
@@ -135,8 +138,8 @@ fn write(
 ) -> Result<Outcome> {
     let messages = found.messages().cloned().collect();
     let verdict = found.report().judgement();
-    let met = verdict.is_met();
-    let faces = (wanted == Wanted::Reports).then(|| Faces::campaign(&found.report())).transpose()?;
+    let met = verdict.passes();
+    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.report())).transpose()?;
     let Evaluated { gathered, features, frames, joined, geometric, controllers, summary, identified, tested } = found;
     let tables = wanted == Wanted::Reports;
     if tables {
@@ -167,14 +170,14 @@ fn write(
             }
         }
     }
-    let faces = faces.map(|faces| {
-        faces.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
+    let renderer = renderer.map(|renderer| {
+        renderer.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
     });
-    if let Some(faces) = &faces {
-        out.reports(faces.files()?);
+    if let Some(renderer) = &renderer {
+        out.reports(renderer.files()?);
     }
     let written = out.write(campaign, &gathered.document.sources, durability)?;
-    Ok(Outcome { written, identified, tested, met, faces, summary, messages })
+    Ok(Outcome { written, identified, tested, met, judgement: verdict, renderer, summary, messages })
 }
 
 /// Input of controller files before parameters are identified again for them.

@@ -4,6 +4,7 @@
 use super::evaluate::summarise;
 use super::identification::Identified;
 use etalon_base::message::{Message, Result, Severity};
+use etalon_base::phrase;
 use etalon_base::pose::norm;
 use etalon_controllers::{Exporter, Given, Statement};
 use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
@@ -26,8 +27,8 @@ pub fn identify_again(
                 None => files.push(ControllerFiles { formats: vec![name.to_owned()], ..file }),
             },
             Err(problems) => messages.extend(problems.0.into_iter().map(|m| {
-                let what = format!("parameters of the format `{name}` could not be identified again: {}", m.what);
-                Message { what, severity: Severity::Warning, ..m }
+                let message = m.within(phrase!("format-not-identified", format = name));
+                Message { severity: Severity::Warning, ..message }
             })),
         }
     }
@@ -36,8 +37,8 @@ pub fn identify_again(
     ControllersDocument::new(files, messages)
 }
 
-/// Refusals of files that are worse than nominal, and warnings about those that are not clearly better; files of the same
-/// errors share a warning.
+/// Refusals of files that are worse than nominal, and warnings about files that are not clearly
+/// better; files of the same errors share a warning.
 fn judged(given: &Given, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
     for &(name, exporter) in formats {

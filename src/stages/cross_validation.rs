@@ -78,7 +78,7 @@ impl<'a> Study<'a> {
         if parts < FEWEST {
             return Err(error!("few-poses-to-leave-out", count = names.len(), least = FEWEST).into());
         }
-        // which effects are identified is what is asked
+        // the study decides which effects are identified
         let settings = Settings { effects: Effects::All, ..settings };
         let before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
         let effects = effects(robot, joints(&sets.calibration, &settings.conditions));

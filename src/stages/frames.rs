@@ -138,7 +138,7 @@ fn placed(campaign: &Campaign, points: &[Point], features: &FeaturesDocument) ->
     })
 }
 
-/// A world frame that is the same for all poses.
+/// A world frame for all poses.
 fn fixed(definition: Phrase, export_T_world: Pose) -> WorldFrame {
     WorldFrame {
         definition: definition.to_string(),

@@ -27,7 +27,7 @@ const WIDTHS_OF_ANGLES: f64 = 3.0;
 const LARGEST_LENGTH: f64 = 1e5;
 /// Largest distance in widths of the middle half, of such a joint.
 const WIDTHS_OF_LENGTHS: f64 = 100.0;
-/// Fewest values of a column of which a middle half is taken.
+/// Fewest values of a column with a middle half.
 const FEWEST: usize = 8;
 
 /// Joint values of a row, and how the row is named.
@@ -107,7 +107,7 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
 /// The values that joint `k` may have; `None` where any may be.
 fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<Expected> {
     let is_angle = robot.joints()[k].quantity == Quantity::Angle;
-    // limits are those of the joint, logged values may be those of its motor
+    // limits refer to the joint, logged values perhaps to its motor
     let gain = Some(robot.nominal_gain(k)).filter(|gain| gain.is_normal()).unwrap_or(1.0);
     match robot.joint_range(k) {
         JointRange::Limits(_) if of == Joints::Proposed => None,

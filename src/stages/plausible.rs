@@ -4,7 +4,7 @@
 use crate::stages::remedies::{reading, readings_to_check};
 use crate::stages::shown;
 use crate::stages::solved::Solved;
-use crate::stages::undescribed::undescribed;
+use crate::stages::undescribed::{CalibrationFit, undescribed};
 use etalon_base::message::Message;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
@@ -56,8 +56,9 @@ pub fn plausibility(
     errors: &[PointError],
 ) -> Vec<Message> {
     let found = &solved.found;
-    let mut messages = implausible(robot, found, errors);
-    messages.extend(undetermined(robot, observations, settings, found));
+    let unchecked = undetermined(robot, observations, settings, found);
+    let mut messages = implausible(robot, found, errors, unchecked.is_some());
+    messages.extend(unchecked);
     let far = far_before(robot, observations, settings, solved, errors);
     let misfit = match found.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.degrees_of_freedom),
@@ -238,18 +239,22 @@ fn far_before(
 
 /// Errors about the parameters found and the errors that they leave; empty where the result is
 /// plausible.
-fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError]) -> Vec<Message> {
+fn implausible(robot: &dyn Robot, found: &Identification, errors: &[PointError], unchecked: bool) -> Vec<Message> {
     let mut messages = Vec::new();
     if let Some((p, value)) = exchanged(robot, &found.values) {
         return vec![error!("ball-names-exchanged", parameter = p.name, value, unit = p.quantity.unit())];
     }
     messages.extend(beyond_tolerance(robot, found));
-    let mut calibration_fits = false;
+    let mut calibration = CalibrationFit::Unknown;
     for set in PoseSet::ALL {
         let of = || errors.iter().filter(|e| e.set == set);
         let (before_mm, after_mm) = (rms(of().map(|e| norm(e.before_mm))), rms(of().map(|e| norm(e.after_mm))));
-        let undescribed = undescribed(set, errors, calibration_fits);
-        calibration_fits = undescribed.is_none() && of().count() > 1;
+        let undescribed = undescribed(set, errors, calibration);
+        calibration = match undescribed.is_none() && of().count() > 1 {
+            true if unchecked => CalibrationFit::Unchecked,
+            true => CalibrationFit::Fits,
+            false => CalibrationFit::Unknown,
+        };
         if undescribed.is_none() && after_mm > WORSE * before_mm {
             messages.push(error!("identified-worse-than-nominal", set = set.name(), before_mm, after_mm));
         }

@@ -83,7 +83,7 @@ fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
     joints.into_iter().enumerate().map(position).collect()
 }
 
-/// Column of a standard uncertainty that is that of every coordinate, mm.
+/// Column of the standard uncertainty of every coordinate (mm).
 const ANY_AXIS: &str = "u_mm";
 
 /// Standard uncertainties that a coordinate can have, mm.

@@ -86,7 +86,7 @@ pub(super) fn outliers_excluded(robust: &RobustFit, robot: &dyn Robot) -> Messag
 fn outliers(robust: &RobustFit, robot: &dyn Robot) -> Phrase {
     let (outliers, scale_mm) = (robust.outliers(), robust.scale_mm);
     let (count, total, times) = (outliers.len(), robust.readings.len(), OUTLIER);
-    phrase!("outlier-readings", count, total, times, scale_mm, readings = named(&outliers, NAMED_OUTLIERS, robot))
+    phrase!("outlier-readings", count, total, times, scale_mm, readings = named(outliers, NAMED_OUTLIERS, robot))
 }
 
 fn named(readings: &[Reading], most: usize, robot: &dyn Robot) -> Vec<Argument> {

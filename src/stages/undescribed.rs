@@ -15,15 +15,26 @@ use std::collections::BTreeMap;
 /// A calibrated model leaves thousandths of the workspace; more than this share of it is another
 /// robot.
 const LEFT: f64 = 0.02;
-/// A motion of the frame explains errors of which it leaves less than this share.
+/// Largest share of the errors that a motion of the frame leaves if it explains them.
 const EXPLAINS: f64 = 0.2;
 /// Readings or targets that a message names.
 const NAMED: usize = 5;
 
+/// Fit of the calibration poses, as evidence about errors of the validation poses.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum CalibrationFit {
+    /// They fit, with coordinates to spare.
+    Fits,
+    /// They fit because they leave no coordinate to check: other places of base and targets fit
+    /// them as well.
+    Unchecked,
+    /// They do not fit, or are the poses in question.
+    Unknown,
+}
+
 /// An error where the positions of `set` are not those of the identified robot: what is seen, and
-/// where. A cause is named only where the errors show it. `calibration_fits` if the calibration
-/// poses do not show the same.
-pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration_fits: bool) -> Option<Message> {
+/// where. A cause is named only where the errors show it.
+pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration: CalibrationFit) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == set).collect();
     let after_mm = rms(of.iter().map(|e| norm(e.after_mm)));
     let middle = centroid(&of.iter().map(|e| e.at_mm).collect::<Vec<_>>()).unwrap_or_default();
@@ -34,22 +45,24 @@ pub(super) fn undescribed(set: PoseSet, errors: &[PointError], calibration_fits:
     }
     let far: Vec<&PointError> = of.iter().copied().filter(|e| norm(e.after_mm) > most_mm).collect();
     let count = far.len();
-    let hint = undescribed_hint(&of, far, calibration_fits, after_mm);
+    let hint = undescribed_hint(&of, far, calibration, after_mm);
     let (set, total, limit_mm) = (set.name(), of.len(), most_mm);
     let message = error!("measurements-undescribed", set, after_mm, spread_mm, count, total, limit_mm);
     Some(message.hint(hint))
 }
 
 /// Returns what the errors of `of` have in common; `far` are the readings beyond the limit.
-fn undescribed_hint(of: &[&PointError], far: Vec<&PointError>, calibration_fits: bool, after_mm: f64) -> Phrase {
+fn undescribed_hint(of: &[&PointError], far: Vec<&PointError>, calibration: CalibrationFit, after_mm: f64) -> Phrase {
     if let Some(targets) = targets_alone(of, &far) {
         return phrase!("undescribed-targets", targets);
     }
     if 2 * far.len() < of.len() {
         return phrase!("undescribed-readings", readings = named(far), remedy = phrase!("check-readings"));
     }
-    if !calibration_fits {
-        return phrase!("undescribed-set-up");
+    match calibration {
+        CalibrationFit::Unknown => return phrase!("undescribed-set-up"),
+        CalibrationFit::Unchecked => return phrase!("undescribed-unchecked"),
+        CalibrationFit::Fits => {}
     }
     match moved(of).filter(|(_, left_mm)| *left_mm < EXPLAINS * after_mm) {
         Some((motion_mm, left_mm)) => phrase!("undescribed-frame-moved", motion_mm, left_mm),

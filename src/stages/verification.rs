@@ -140,7 +140,7 @@ pub fn plan(
         let observed = Comparison { robot, observations: &observations, settings: &settings, given: &parameters };
         observed.detectable(noise.variance)
     };
-    // sum of logarithms; what is not shown at all counts as the largest change
+    // sum of logarithms; an invisible change counts as the largest
     let score = |chosen: &[PoseName]| {
         let all = |d: &Detectable| d.change.iter().copied().chain(d.named).collect::<Vec<f64>>();
         let found = detectable(chosen).ok()?;

@@ -53,7 +53,7 @@ pub(super) fn cells(joints: &[f64]) -> String {
 /// A campaign with this table, which calibrates on the first poses.
 fn campaign(scratch: &Scratch, table: &str) {
     std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
-    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.4\n", "");
+    scratch.replace("campaign.toml", "[limits]\ndistance_max_mm = 0.4\n", "");
 }
 
 fn document(scratch: &Scratch, name: &str) -> Value {
@@ -83,7 +83,12 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
         }
     }
     campaign(&scratch, &table);
-    let said = ends(&scratch, "run", 0, &["[placed-by-validation]: 60 targets measured at validation poses alone: `V0`, `V1`", "placed by"]);
+    let said = ends(
+        &scratch,
+        "run",
+        0,
+        &["[placed-by-validation]: 60 targets measured at validation poses alone: `V0`, `V1`", "placed by"],
+    );
     assert!(!said.contains("[placed-by-validation-unjudged]") && !said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");
     // all that is left is noise: two readings place a target, and show half of their errors
@@ -145,7 +150,9 @@ fn anchors_and_sockets_of_validation_poses_are_placed() {
         table += &format!("contact,{pose},ball,{},,,,,cup,,{U_MM}\n", cells(&joints));
     }
     campaign(&scratch, &table);
-    let what = ["[placed-by-validation-unjudged]: 3 fixtures measured at validation poses alone: `anchor_0`, `anchor_1`, `cup`"];
+    let what = [
+        "[placed-by-validation-unjudged]: 3 fixtures measured at validation poses alone: `anchor_0`, `anchor_1`, `cup`",
+    ];
     let said = ends(&scratch, "run", 0, &what);
     assert!(!said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");

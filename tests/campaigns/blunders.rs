@@ -64,7 +64,7 @@ fn the_blunder_is_found_by_label_by_column_by_row_and_by_time() {
         assert_eq!(refused.collect::<Vec<_>>(), [expected], "{name}");
         // hypot(1.5, 91.5) - 90
         let reason = &document.sources.iter().find_map(|s| s.refused.first()).unwrap().reason;
-        assert!(reason.contains("off by +1.512 mm (K-M, tolerance 0.1 mm)"), "{reason}");
+        assert!(reason.contains("K-M is 1.512 mm longer than its median (tolerance 0.1 mm)"), "{reason}");
     }
 }
 
@@ -74,14 +74,14 @@ fn rows_that_cannot_be_grouped_are_an_error_with_its_place() {
     let both = rows(4, |k, pose| (k < 2).then(|| format!("{} {}", NAMES[k], place(k, pose))));
     let stated = "format = { delimiter = \"blank\", columns = [\"target\", \"x\", \"y\", \"z\"] }\npose = \"row\"";
     let said = imported(&[(stated, both)], RIGID).unwrap_err().to_string();
-    for part in ["K, L are never measured together", "campaign.toml:", "targets = [\"K\", \"L\"]", "hint: "] {
+    for part in ["error[rigid-never-together]: K, L ", "campaign.toml:", "targets = [\"K\", \"L\"]", "hint: "] {
         assert!(said.contains(part), "{part}: {said}");
     }
     // the same time for two rows of one target
     let time = rows(4, |k, pose| (k < 2).then(|| format!("{} {} {}", pose / 4, NAMES[k], place(k, pose))));
     let stated = "format = { delimiter = \"blank\", columns = [\"time_s\", \"target\", \"x\", \"y\", \"z\"] }";
     let said = imported(&[(stated, time)], RIGID).unwrap_err().to_string();
-    assert!(said.contains("two of its rows have the same time") && said.contains("a.txt:3"), "{said}");
+    assert!(said.contains("error[rigid-time-twice]") && said.contains("a.txt:3"), "{said}");
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn a_frame_target_without_pose_or_time_cannot_be_grouped() {
     let campaign = Campaign::read(&scratch.path()).unwrap();
     // the balls K and L of the sample have poses: the rule trips over the first row that has none
     let said = gather(&campaign).unwrap_err().to_string();
-    assert!(said.contains("has neither pose nor time") && said.contains("exports/world.txt:1"), "{said}");
+    assert!(said.contains("error[rigid-row-without-pose]") && said.contains("exports/world.txt:1"), "{said}");
 }
 
 #[test]
@@ -113,9 +113,9 @@ fn a_tolerance_or_targets_that_mean_nothing_are_refused() {
     for (from, to, part) in [
         ("0.1", "nan", "`nan` is not a measured value"),
         ("0.1", "inf", "`inf` is not a measured value"),
-        ("0.1", "-0.1", "must be a positive number"),
-        ("\"L\"", "\"K\"", "two or more targets"),
-        ("\"K\", \"L\"", "", "two or more targets"),
+        ("0.1", "-0.1", "error[limit-not-positive]: `tolerance_mm`"),
+        ("\"L\"", "\"K\"", "error[rigid-targets]"),
+        ("\"K\", \"L\"", "", "error[rigid-targets]"),
     ] {
         let said = imported(&exports, &RIGID.replace(from, to)).unwrap_err().to_string();
         assert!(said.contains(part) && said.contains("campaign.toml"), "{to}: {said}");
@@ -126,6 +126,6 @@ fn a_tolerance_or_targets_that_mean_nothing_are_refused() {
 fn too_few_poses_for_a_median_are_said() {
     let label = rows(2, |k, pose| Some(format!("{}_{pose}_1 {}", NAMES[k], place(k, pose))));
     let found = imported(&[("format = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"", label)], RIGID).unwrap();
-    let said = found.document.messages.iter().any(|m| m.what.contains("measured together 2 time(s)"));
+    let said = found.document.messages.iter().any(|m| m.is("rigid-few-distances", &[("count", &2), ("least", &3)]));
     assert!(said, "{:?}", found.document.messages);
 }

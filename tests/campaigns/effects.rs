@@ -24,7 +24,7 @@ fn campaign(bent_rad: f64) -> Scratch {
     }
     std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
     std::fs::write(scratch.path().join("robot.toml"), plain).unwrap();
-    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.4\n", "");
+    scratch.replace("campaign.toml", "[limits]\ndistance_max_mm = 0.4\n", "");
     scratch
 }
 

@@ -48,7 +48,7 @@ fn run(robot: &str, table: &str) -> (Option<i32>, String, f64, Vec<Value>) {
     std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
     scratch.replace("campaign.toml", "effects = \"all\" # gains of turning joints too\n", "");
     scratch.replace("campaign.toml", "calibration = \"1-60\"", "calibration = \"index mod 2 < 1\"");
-    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.4\n", "");
+    scratch.replace("campaign.toml", "[limits]\ndistance_max_mm = 0.4\n", "");
     let (code, said) = etalon(&scratch, "run");
     let read = |name: &str| -> Value {
         std::fs::read(scratch.path().join("out").join(name))

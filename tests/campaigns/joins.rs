@@ -72,16 +72,15 @@ fn a_wrong_offset_finds_no_partner() {
     let problems =
         run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 1000.0, None, false)).unwrap_err();
     let said = problems.to_string();
-    assert!(said.contains("no measured point has a partner"), "{said}");
-    assert!(said.contains("check its value and sign") && said.contains("s apart"), "{said}");
-    assert!(!said.contains("compare the poses and cycles"), "{said}");
+    assert!(said.contains("error[join-by-time-empty]"), "{said}");
+    assert!(said.contains("s apart"), "{said}");
+    assert!(!said.contains("error[join-empty]"), "{said}");
 }
 
 #[test]
 fn points_without_a_log_row_are_counted() {
     let outcome = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, Some(20), false)).unwrap();
-    let said =
-        outcome.messages.iter().any(|m| m.what.contains("2 measured points without a row of log `log` within 1 s"));
+    let said = outcome.messages.iter().any(|m| m.is("points-without-row", &[("count", &2), ("log", &"log")]));
     assert!(said, "{:?}", outcome.messages);
     assert_eq!(outcome.identified.as_ref().unwrap().accuracy.sets[1].poses, 50);
 }
@@ -90,7 +89,12 @@ fn points_without_a_log_row_are_counted() {
 fn two_points_for_one_log_row_are_an_error() {
     let problems = run(&timed("by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0", 0.0, None, true)).unwrap_err();
     let said = problems.to_string();
-    assert!(said.contains("row 5 of log `log` is nearest to 2 points of target `K` (lines 9, 10)"), "{said}");
+    assert!(
+        said.contains(
+            "error[log-row-met-twice]: row 5 of log `log` is nearest to 2 points of target `K` (lines 9, 10)"
+        ),
+        "{said}"
+    );
     assert!(said.contains("exports/poses.txt:10"), "{said}");
 }
 
@@ -103,7 +107,7 @@ fn a_join_by_time_needs_offset_and_tolerance() {
 #[test]
 fn by_row_only_where_the_counts_agree() {
     let problems = run(&timed("by = \"row\"", 0.0, None, false)).unwrap_err();
-    assert!(problems.to_string().contains("`exports/poses.txt` has 118 rows, log `log` has 59"), "{problems}");
+    assert!(problems.0[0].is("row-counts-differ", &[("rows", &118), ("log_rows", &59)]), "{problems}");
 }
 
 /// The rows that `import.json` lists as unmatched: file, line, key.
@@ -145,9 +149,13 @@ fn points_and_log_rows_that_meet_and_bear_different_poses_are_an_error() {
     let log = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
     numbered("encoders.csv", &pose(99));
     let said = run(&scratch).unwrap_err().to_string();
-    let expected =
-        "2 measured points with another pose than the row of log `log` that it meets: 5 and 99 (line 6 of the log)";
-    assert!(said.contains(expected) && said.contains("exports/poses.txt:9"), "{said}");
+    let expected = "error[join-contradicts]: 2 measured points have another pose than the row of log `log` ";
+    assert!(
+        said.contains(expected)
+            && said.contains("5 and 99 (line 6 of the log)")
+            && said.contains("exports/poses.txt:9"),
+        "{said}"
+    );
     std::fs::write(scratch.path().join("encoders.csv"), log).unwrap();
     numbered("encoders.csv", &pose(5));
     run(&scratch).unwrap();
@@ -161,7 +169,7 @@ fn every_key_without_a_partner_is_listed_with_its_line() {
     let kept = log.lines().enumerate().filter(|(i, _)| !(10..21).contains(i)).map(|(_, l)| l.to_owned() + "\n");
     std::fs::write(scratch.path().join("encoders.csv"), kept.collect::<String>() + "9,1,0,0,0\n").unwrap();
     let outcome = run(&scratch).unwrap();
-    assert!(outcome.messages.iter().any(|m| m.what.starts_with("11 measured keys are beside log `log`")));
+    assert!(outcome.messages.iter().any(|m| m.is("keys-unmatched", &[("count", &11), ("of", &"points")])));
     let listed = unmatched(&scratch);
     let export = std::fs::read_to_string(scratch.path().join("exports/poses.txt")).unwrap();
     let lines: Vec<&str> = export.lines().collect();
@@ -185,7 +193,7 @@ fn every_key_that_the_log_has_twice_is_said_with_its_lines() {
     std::fs::write(scratch.path().join("encoders.csv"), log + "1,3,0,0,0\n2,7,0,0,0\n").unwrap();
     let said = run(&scratch).unwrap_err().to_string();
     assert!(
-        said.contains("has 2 keys more than once: pose 3, cycle 1 in lines 4, 297; pose 7, cycle 2 in lines 67, 298"),
+        said.contains("error[log-key-twice]: log `log` has 2 keys more than once: pose 3, cycle 1 (lines 4, 297), pose 7, cycle 2 (lines 67, 298)"),
         "{said}"
     );
 }
@@ -215,11 +223,11 @@ fn two_files_of_one_target_number_their_rows_apart() {
     let outcome = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).unwrap();
     let found = outcome.identified.as_ref().unwrap();
     assert_eq!((found.parameters.residuals.count, found.accuracy.sets[1].poses), (8 * 4, 51));
-    assert!(outcome.report().is_met());
+    assert!(outcome.report().passes());
     // without the offset they collide, and the message states the remedy
     scratch.replace("campaign.toml", "row + 30", "row");
     let problems = pipeline::evaluate(&Campaign::read(&scratch.path()).unwrap()).err().unwrap().to_string();
-    assert!(problems.contains("is there twice at pose 1") && problems.contains("`pose = \"row + 100\"`"), "{problems}");
+    assert!(problems.contains("error[target-twice]") && problems.contains("`pose = \"row + 100\"`"), "{problems}");
     scratch.replace("campaign.toml", "pose = \"row\"", "pose = \"row - 1\"");
     let problems = Campaign::read(&scratch.path()).unwrap_err().to_string();
     assert!(problems.contains("`row - 1` is not the number of a row"), "{problems}");

@@ -90,7 +90,7 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
         );
     };
     add(&without, &rule);
-    ends(&without, "run", 0, &["excluded: 28 rows of `all.csv`", "beam broken"]);
+    ends(&without, "run", 0, &["warning[excluded-rows]: `all.csv`: excluded: 28 rows", "beam broken"]);
     // with them, by their weight
     let with = campaign(&weighted.replace(", u1", ", pose = \"Pose\", u1"), "", &rows);
     add(&with, "");
@@ -160,10 +160,15 @@ fn a_serial_arm_touches_points_by_their_label() {
     let found = parameters(&scratch);
     assert!(found.residuals.rms < 1e-6, "{}", found.residuals.rms);
     scratch.replace("log.csv", "hole 7;", "hole seven;");
-    ends(&scratch, "check", 2, &["no measured point has the label `hole seven`", "log.csv:9"]);
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["error[label-not-measured]: no measured point has the label `hole seven`", "log.csv:9"],
+    );
     scratch.replace("log.csv", "hole seven;", "hole 7;");
     scratch.replace("campaign.toml", "targets = [\"tip\"]", "targets = [\"tip\", \"tap\"]");
-    ends(&scratch, "check", 2, &["a join by label is for robots with one target, this has 2"]);
+    ends(&scratch, "check", 2, &["error[join-by-label-targets]"]);
 }
 
 #[test]

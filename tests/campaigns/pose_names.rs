@@ -86,7 +86,7 @@ fn an_excluded_pose_has_a_name() {
     );
     ends(&scratch, "run", 0, &["excluded: 40 readings, poses Q9, Prüf31-Prüf33: ball loose"]);
     scratch.replace("campaign.toml", "[\"Q9\", ", "[\"Q99\", ");
-    ends(&scratch, "run", 2, &["leaves no reading out at pose Q99"]);
+    ends(&scratch, "run", 2, &["error[exclusion-matches-nothing]: there is no reading at pose Q99"]);
 }
 
 #[test]
@@ -101,10 +101,20 @@ fn mistaken_names_of_poses_are_named() {
     ends(&scratch, "check", 2, &["error[pose-name-two-spellings]: `P1` and `p01`", "encoders.csv:2"]);
     // other names in the log
     let scratch = named(|pose| pose.to_string(), |pose| format!("P{pose}"));
-    ends(&scratch, "check", 2, &["pose `P1` of log `log` was not measured", "encoders.csv:2", "use one of: 1, 10,"]);
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["error[pose-misspelt]: pose `P1` of log `log`", "encoders.csv:2", "use one of: 1, 10,"],
+    );
     // a typo in the log: its pose has no partner
     let scratch = named(any, |pose| if pose == 1 { "hom".to_owned() } else { any(pose) });
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"P_home, A-3, 10b, 5-8\"");
     scratch.replace("campaign.toml", "validation = \"9-59\"", "validation = \"rest\"");
-    ends(&scratch, "check", 2, &["pose `hom` of log `log` was not measured", "encoders.csv:2", "did you mean `home`"]);
+    ends(
+        &scratch,
+        "check",
+        2,
+        &["error[pose-misspelt]: pose `hom` of log `log`", "encoders.csv:2", "did you mean `home`"],
+    );
 }

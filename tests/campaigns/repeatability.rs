@@ -171,7 +171,14 @@ fn a_pose_that_one_cycle_left_out_is_a_warning() {
     std::fs::write(path, left).unwrap();
     let document = test(&scratch);
     assert_eq!((pose(&document, 4).cycles, pose(&document, 1).cycles), (29, 120));
-    assert!(document.messages.iter().any(|m| m.what == "not measured: pose 4 of cycle 11"), "{:?}", document.messages);
+    assert!(
+        document
+            .messages
+            .iter()
+            .any(|m| m.is("visits-missing", &[("count", &1)]) && m.what.contains("pose 4 of cycle 11")),
+        "{:?}",
+        document.messages
+    );
 }
 
 #[test]

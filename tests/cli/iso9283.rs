@@ -80,11 +80,11 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (stamped("\n,"), "", "stream.csv:4"),
         (stamped("\n0.02,1e200,0,180\n0.021,"), "", "error[coordinate-missing]"),
         (good.clone(), "--rate-hz 1000000", "error[recording-implausible]"),
-        (good.clone(), "--rate-hz 0", "--rate-hz must be positive"),
-        (good.clone(), "--still-mm NaN", "--still-mm must be positive"),
+        (good.clone(), "--rate-hz 0", "error[option-not-positive]: --rate-hz"),
+        (good.clone(), "--still-mm NaN", "error[option-not-positive]: --still-mm"),
         (good.clone(), "--band-mm -1", "unexpected argument"),
-        (good.clone(), "--near-mm inf", "--near-mm must be positive"),
-        (good.clone(), "--path path.csv --path-points 1", "--path-points must be"),
+        (good.clone(), "--near-mm inf", "error[option-not-positive]: --near-mm"),
+        (good.clone(), "--path path.csv --path-points 1", "error[path-points-out-of-range]: --path-points"),
         (good.clone(), "--path far.csv", "error[path-without-pass]"),
         (good.clone(), "--path spatial.csv", "error[coordinates-differ]"),
         (good.clone(), "--path point.csv", "error[commanded-point-repeated]"),
@@ -133,7 +133,7 @@ fn a_loaded_robot_gives_way_by_what_the_table_says() {
         assert!((d.largest_mm - 100.0 * mm_n).abs() < 1e-9);
     }
     let planar = "direction,cycle,force_n,x_mm,y_mm\n+z,1,0,500,5\n+z,1,10,500,5\n";
-    assert!(text_of(&answer(planar)).contains("direction `+z` without z_mm"));
+    assert!(text_of(&answer(planar)).contains("error[load-direction-unmeasured]: direction `+z`"));
     for (from, to, said) in [
         ("+x,1,10,", "up,1,10,", "error[load-direction-unknown]: `up`"),
         ("+x,1,10,", "+x,1,-10,", "error[force-not-a-number]: `-10`"),

@@ -177,7 +177,7 @@ fn init_writes_a_campaign_that_only_lacks_its_files() {
     assert_eq!(checked.status.code(), Some(2));
     let errors: Vec<&str> = said.lines().filter(|l| l.starts_with("error")).collect();
     assert_eq!(errors.len(), 3, "{said}");
-    assert!(errors.iter().all(|e| e.starts_with("error: there is no file `mine/")), "{said}");
+    assert!(errors.iter().all(|e| e.starts_with("error[input-missing]: there is no file `mine/")), "{said}");
     // it never writes over a campaign
     let again = etalon(folder.path(), &["init", "mine"]);
     assert_eq!(again.status.code(), Some(2));
@@ -277,7 +277,7 @@ fn check_answers_in_json_what_is_right_and_what_is_wrong() {
     let found = answer::<etalon::documents::CheckDocument>(scratch.root(), &["check", "campaign", "--json"], 0);
     assert!(found.errors.is_empty());
     let [warning, lacking] = &found.warnings[..] else { panic!("{found:?}") };
-    assert_eq!(lacking.what, "poses that lack a target: 1");
+    assert_eq!(lacking.what, "targets are missing at pose 1");
     assert_eq!((warning.file.as_deref(), warning.line), (Some("exports/poses.txt"), Some(1)));
     assert_eq!(found.sources.iter().map(|s| s.rows_read).collect::<Vec<_>>(), [0, 0, 25, 590, 295]);
     // no campaign at all is an answer too

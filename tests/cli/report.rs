@@ -27,7 +27,7 @@ fn the_report_is_made_again_as_the_campaign_dresses_it_and_as_the_command_does()
     ];
     assert_eq!(templates, built_in);
     let signatures = scratch.path().join("own/signatures.html");
-    std::fs::write(&signatures, "<p>Sealed: {{ \"Tested by\"|t }}</p>\n").unwrap();
+    std::fs::write(&signatures, "<p>Sealed: {{ \"tested-by\"|t }}</p>\n").unwrap();
     std::fs::write(scratch.path().join("logo.svg"), "<svg xmlns=\"http://www.w3.org/2000/svg\"/>").unwrap();
     scratch.replace(
         "campaign.toml",

@@ -84,15 +84,25 @@ fn a_weave_in_a_campaign_tells_what_the_command_tells() {
 fn what_is_wrong_with_a_recorded_motion_is_told_by_check_with_its_place() {
     for (file, from, to, parts) in [
         ("campaign.toml", "exports/motion.csv", "exports/no.csv", &["exports/no.csv", "campaign.toml:"][..]),
-        ("campaign.toml", "band_mm = 0.02", "band_mm = -1", &["error[option-not-positive]: `band_mm`", "campaign.toml:"]),
-        ("campaign.toml", "path = \"path.csv\"", "", &["`velocity_mm_s` is that of a `path`"]),
+        (
+            "campaign.toml",
+            "band_mm = 0.02",
+            "band_mm = -1",
+            &["error[option-not-positive]: `band_mm`", "campaign.toml:"],
+        ),
+        ("campaign.toml", "path = \"path.csv\"", "", &["error[path-not-stated]: `velocity_mm_s`"]),
         ("campaign.toml", "band_mm = 0.02", "band = 0.02", &["unknown key `band`"]),
-        ("campaign.toml", "band_mm = 0.02", "weave_hz = 2", &["error[weave-incomplete]: the weave lacks `weave_stroke_mm`", "no `weave_across`"]),
+        (
+            "campaign.toml",
+            "band_mm = 0.02",
+            "weave_hz = 2",
+            &["error[weave-incomplete]: the weave lacks `weave_stroke_mm`", "the weave lacks `weave_across`"],
+        ),
         (
             "campaign.toml",
             "path = \"path.csv\"",
             "weave_stroke_mm = 2\nweave_hz = 3\nweave_across = [0, 1]",
-            &["`weave_hz` is that of a `path`", "error[weave-direction-count]"],
+            &["error[path-not-stated]: `weave_stroke_mm`", "error[weave-direction-count]"],
         ),
         ("campaign.toml", "band_mm = 0.02", "unit = \"mm\"", &["needs its `unit`"]),
         ("path.csv", "250,50\n", "250,fifty\n", &["path.csv", "fifty"]),

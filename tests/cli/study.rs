@@ -130,12 +130,17 @@ fn simulated_backlash_is_identified_by_the_times_of_the_log() {
         &scratch,
         "run",
         2,
-        &["does not show from which direction joint `shoulder_pan` came", "`time_s` in `columns`"],
+        &["error[approach-direction-unknown]: log `log` does not show from which direction joint `shoulder_pan` moved", "`time_s` in `columns`"],
     );
     edit("campaign.toml", &|text| text.replace("[identify]\n", "[identify]\nprior = \"none\"\n"));
     edit("campaign.toml", &|text| text.replace("[log.columns]", "[log.columns]\ntime_s = \"time_s\""));
     ends(&scratch, "simulate", 0, &[]);
-    ends(&scratch, "run", 0, &["poses left out, before which a joint with backlash has no motion in log `log`: 1"]);
+    ends(
+        &scratch,
+        "run",
+        0,
+        &["warning[backlash-direction-unknown]: log `log` has no motion of a joint with backlash before pose 1"],
+    );
     let text = std::fs::read_to_string(scratch.path().join("out/parameters.json")).unwrap();
     let document: serde_json::Value = serde_json::from_str(&text).unwrap();
     for (joint, gap) in lost {

@@ -160,9 +160,9 @@ fn uncertainties_that_are_none_are_refused() {
         table(&rows, ",ux_mm,uy_mm", move |row| if row.pose == 3 { cell.to_owned() } else { ",0.003,0.003".to_owned() })
     };
     for (cells, part) in [
-        (",0.003,", "`uy_mm` is empty"),
-        (",-0.003,0.003", "`ux_mm` = -0.003 is not"),
-        (",0.003,3000", "`uy_mm` = 3000 is not"),
+        (",0.003,", "error[coordinate-uncertainty-missing]"),
+        (",-0.003,0.003", "error[coordinate-uncertainty-unusable]: `ux_mm` = -0.003 "),
+        (",0.003,3000", "error[coordinate-uncertainty-unusable]: `uy_mm` = 3000 "),
     ] {
         refused(&with(cells), &[], &[part, "o.csv:6"]);
     }
@@ -171,7 +171,7 @@ fn uncertainties_that_are_none_are_refused() {
     refused(
         &table(&rows, ",cxx_mm2,cxy_mm2,cyy_mm2", |_| ",1e-6,2e-6,1e-6".to_owned()),
         &[],
-        &["error[covariance-not-positive-definite]"],
+        &["error[position-covariance-invalid]"],
     );
     refused(&table(&rows, ",ux_mm", |_| ",0.003".to_owned()), &[], &["no column `uy_mm`"]);
     let option = ["--standard-uncertainty-um", "3", "--pose-residuals"];
@@ -198,11 +198,11 @@ fn rows_and_poses_are_left_out_with_their_reason() {
     }
     let text = table(&rows, "", |_| String::new());
     for (option, value, part) in [
-        ("--exclude", "99: why", "leaves no reading out at pose 99"),
-        ("--exclude", "5", "states no reason"),
-        ("--exclude", "all: why", "`all` names no poses to exclude"),
-        ("--exclude-rows", "48-50, 60: why", "there is no row 60"),
-        ("--exclude-rows", "4", "states no reason"),
+        ("--exclude", "99: why", "error[exclusion-matches-nothing]: there is no reading at pose 99"),
+        ("--exclude", "5", "error[exclusion-option-without-reason]"),
+        ("--exclude", "all: why", "error[exclusion-names-nothing]: `all`"),
+        ("--exclude-rows", "48-50, 60: why", "error[exclusion-matches-nothing]: there is no row 60"),
+        ("--exclude-rows", "4", "error[exclusion-option-without-reason]"),
     ] {
         refused(&text, &[option, value], &[part]);
     }
@@ -226,7 +226,7 @@ fn a_misspelt_name_of_one_row_is_refused() {
             continue;
         }
         assert_eq!(code, Some(2), "{name}: {said}");
-        let meant = ["observations.csv:4", "did you mean `anchor_C`?", &format!("`{name}` is named in 1 row only")];
+        let meant = ["observations.csv:4", "did you mean `anchor_C`?", &format!("error[name-on-few-rows]: `{name}` ")];
         meant.iter().for_each(|part| assert!(said.contains(part), "{part:?} is not said of {name}:\n{said}"));
     }
     let (code, said) = ran("anchor_E");

@@ -51,7 +51,7 @@ fn commands_name_the_next_step() {
     assert!(run(&["init", "of mine", "--synthetic"]).contains("next: `etalon simulate 'of mine'`"));
     assert!(run(&["init", "measured"]).contains("`etalon check measured`"));
     let check = run(&["check", "of mine"]);
-    assert!(check.contains("error: ") && !check.contains("next: "), "{check}");
+    assert!(check.contains("error[input-missing]: ") && !check.contains("next: "), "{check}");
     assert!(etalon(folder.path(), &["simulate", "of mine"]).status.success());
     assert_eq!(run(&["check", "of mine"]), "next: `etalon run 'of mine'`\n");
     assert!(run(&["formats", "of mine/encoders.csv"]).contains("next: "));

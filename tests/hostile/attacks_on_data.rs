@@ -118,7 +118,7 @@ fn joint_names_of_any_length_fit_into_a_drawing() {
 fn one_rounded_column_of_an_export_is_told() {
     let scratch = copy_sample("prexyt-cmm");
     let said = ends(&scratch, "check", 0, &[]);
-    assert!(!said.contains("coarser than the instrument"), "{said}");
+    assert!(!said.contains("[coordinates-rounded]"), "{said}");
     let path = scratch.path().join("exports/poses.txt");
     let rounded = |line: &str| {
         let mut cells: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
@@ -127,7 +127,7 @@ fn one_rounded_column_of_an_export_is_told() {
     };
     let text: String = std::fs::read_to_string(&path).unwrap().lines().map(rounded).collect();
     std::fs::write(&path, text).unwrap();
-    ends(&scratch, "check", 0, &["columns of `exports/poses.txt`", "coarser than the instrument", ": y of 0.1 mm"]);
+    ends(&scratch, "check", 0, &["warning[coordinates-rounded]: coordinates of `exports/poses.txt`", "(y to 0.1 mm)"]);
 }
 
 #[test]
@@ -199,14 +199,17 @@ fn with_unplaced_targets(more: usize) -> Scratch {
     }
     std::fs::write(scratch.path().join("observations.csv"), rows).unwrap();
     scratch.replace("campaign.toml", "calibration = \"1-60\"", "calibration = \"1-40\"");
+    // its points have no distances
+    scratch.replace("campaign.toml", "distance_max_mm = 0.4", "position_max_mm = 0.4");
     scratch
 }
 
 #[test]
 fn targets_of_validation_poses_alone_are_not_judged() {
     let said = ends(&with_unplaced_targets(7), "run", 0, &[]);
-    let parts =
-        ["[placed-by-validation-unjudged]: 7 targets measured at validation poses alone: `V0`, `V1`, `V2`, `V3`, `V4`, ..."];
+    let parts = [
+        "[placed-by-validation-unjudged]: 7 targets measured at validation poses alone: `V0`, `V1`, `V2`, `V3`, `V4`, ...",
+    ];
     assert!(parts.iter().all(|part| said.contains(part)), "{said}");
     assert!(!said.contains("another campaign") && !said.contains("do not depend"), "{said}");
     // all others as without these targets

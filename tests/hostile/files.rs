@@ -32,7 +32,7 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_and_not_a_long_wait() 
         ("blank.txt", "error[no-rows-of-numbers]"),
         ("words.txt", "error[no-rows-of-numbers]"),
         ("nul.txt", "[nul-byte]"),
-        ("random.bin", "error: "),
+        ("random.bin", "[encoding-invalid]"),
         ("a.xls", "[file-not-text]"),
         ("cut.xlsx", "[workbook-unreadable]"),
         ("bomb.xml", "error[file-without-points]: this is an XML document"),

@@ -36,7 +36,10 @@ fn errors_about_files_say_what_to_do() {
 #[test]
 fn errors_about_values_say_what_to_do() {
     let scratch = changed("campaign.toml", "validation = \"9-59\"", "validation = \"90-99\"");
-    hinted(&scratch, &["error[selection-without-pose]: `validation`", "59 poses are measured and joined, from 1 to 59"]);
+    hinted(
+        &scratch,
+        &["error[selection-without-pose]: `validation`", "59 poses are measured and joined, from 1 to 59"],
+    );
     for (cell, id) in [("--", "[not-a-number]: `--`"), ("", "[number-empty]")] {
         let scratch = copy_sample("prexyt-cmm");
         let text = std::fs::read_to_string(scratch.path().join("encoders.csv")).unwrap();
@@ -85,7 +88,7 @@ fn a_run_that_fails_keeps_its_warnings_and_tells_of_the_run_before() {
     scratch.replace("campaign.toml", "[limits]", "hold = [\"*\"]\n[limits]");
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(2), "{said}");
-    for part in ["1 measured key is beside log", "error", "warning[earlier-run-left]"] {
+    for part in ["warning[keys-unmatched]: 1 key of measured points", "error", "warning[earlier-run-left]"] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
 }

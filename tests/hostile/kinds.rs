@@ -37,24 +37,27 @@ fn slips_are_refused_with_their_line() {
     let good = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for (row, parts) in [
         ("contcat,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,", &["`contcat` is not a kind", "did you mean `contact`"][..]),
-        ("contact,1,1,ball,1,2,3,,,,,,,,,,,,,,0.02,", &["column `socket` is empty"]),
+        ("contact,1,1,ball,1,2,3,,,,,,,,,,,,,,0.02,", &["error[column-empty]: the column `socket`"]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,ball,,,,0.02,", &["error[fixed-point-on-robot]: `ball`"]),
         ("contact,1,1,ball,1,,3,,,,,,,,,,A,,,,0.02,", &["error[joint-value-missing]"]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,-0.02,", &["error[uncertainty-not-positive]: `u_mm` = -0.02"]),
         ("contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,,", &["error[uncertainty-missing]", "--standard-uncertainty-um"]),
         ("distance,1,1,ball,1,2,3,,,,,,,,-300,E,,,,,0.02,", &["error[distance-not-positive]"]),
-        ("distance,1,1,ball,1,2,3,,,,,,,,300,,,,,,0.02,", &["column `other` is empty"]),
+        ("distance,1,1,ball,1,2,3,,,,,,,,300,,,,,,0.02,", &["error[column-empty]: the column `other`"]),
         (
             "pose,1,1,ball,1,2,3,1,2,3,0.9,0,0,0.9,,,,,,,0.02,0.01",
-            &["error[table-quaternion-length]: the quaternion has the length 1.27", "scalar first"],
+            &["error[table-quaternion-length]: the quaternion has the length 1.27", "qw is the scalar part"],
         ),
         ("pose,1,1,ball,1,2,3,1,2,3,1,0,,0,,,,,,,0.02,0.01", &["error[orientation-missing]"]),
-        ("pose,1,1,ball,1,2,3,1,2,3,1,0,0,0,,,,,,,0.02,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
-        ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["the plane `table` needs the axis"]),
+        (
+            "pose,1,1,ball,1,2,3,1,2,3,1,0,0,0,,,,,,,0.02,",
+            &["error[uncertainty-missing]", "--rotation-uncertainty-deg"],
+        ),
+        ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,,12.7,0.02,", &["error[surface-axis-missing]: the plane `table`"]),
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["error[number-missing]: `offset_mm`"]),
         ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]: a row of kind `contact`"]),
         ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself]: the distance is from `A`"]),
-        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["the place of `A` is missing"]),
+        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]: the place of `A`"]),
     ] {
         let error = error(HEADER, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
@@ -67,13 +70,22 @@ fn slips_are_refused_with_their_line() {
 fn what_a_further_station_cannot_state_is_refused_with_its_line() {
     let header = "kind,station,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,u_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cxy_mm2,cxz_mm2,cyy_mm2,cyz_mm2,czz_mm2,urot_deg";
     for (row, what) in [
-        ("pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01", "error[station-row-unsupported]: a row of kind `pose` states the station `T2`"),
-        ("point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,", "error[station-row-unsupported]: a point measured by station `T2` states a covariance"),
+        (
+            "pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01",
+            "error[station-row-unsupported]: a row of kind `pose` states the station `T2`",
+        ),
+        (
+            "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,",
+            "error[station-row-unsupported]: a point measured by station `T2` states a covariance",
+        ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
             "error[station-row-unsupported]: coordinates measured by station `T2` have uncertainties",
         ),
-        ("point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,", "error[station-row-unsupported]: a coordinate measured by station `T2`"),
+        (
+            "point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,",
+            "error[station-row-unsupported]: a coordinate measured by station `T2`",
+        ),
     ] {
         let good = "point,T1,1,1,ball,1,2,3,1,2,3,,,,,0.02,,,,,,,,,,";
         let error = error(header, &format!("{good}\n{row}"), &[]);
@@ -124,16 +136,16 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
     let header = "kind,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,line_name,sphere,axis,joint,value_deg,distance_mm,offset_mm,u_mm,urot_deg";
     let good = "line,1,1,ball,1,2,3,,,,post,,z,,,,,0.02,";
     for (row, parts) in [
-        ("line,1,1,ball,1,2,3,,,,,,z,,,,,0.02,", &["column `line_name` is empty"][..]),
-        ("line,1,1,ball,1,2,3,,,,post,,,,,,,0.02,", &["the line `post` needs the axis"]),
+        ("line,1,1,ball,1,2,3,,,,,,z,,,,,0.02,", &["error[column-empty]: the column `line_name`"][..]),
+        ("line,1,1,ball,1,2,3,,,,post,,,,,,,0.02,", &["error[surface-axis-missing]: the line `post`"]),
         ("line,1,1,ball,1,2,3,,,,post,,z,,,,2,0.02,", &["error[offset-of-line]"]),
-        ("sphere,1,1,ball,1,2,3,,,,,,,,,,0,0.02,", &["column `sphere` is empty"]),
+        ("sphere,1,1,ball,1,2,3,,,,,,,,,,0,0.02,", &["error[column-empty]: the column `sphere`"]),
         ("sphere,1,1,ball,1,2,3,,,,,ball,,,,,0,0.02,", &["`ball` is a target on the robot"]),
         ("sphere,1,1,ball,1,2,3,,,,,dome,,,,,,0.02,", &["error[number-missing]: `offset_mm`"]),
         ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["error[not-of-this-robot]: `q4`"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,,,,,0.01", &["`value_deg` is missing"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
-        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["the place of `a` is missing"]),
+        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]: the place of `a`"]),
         ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["error[distance-not-positive]"]),
     ] {
         let error = error(header, &format!("{good}\n{row}"), &[]);
@@ -163,7 +175,8 @@ fn planar_robots_have_positions_only() {
     let args = ["identify", "--robot", "robot.toml", "--observations", "o.csv", "--standard-uncertainty-um", "20"];
     let output = Command::new(crate::support::program()).current_dir(folder.path()).args(args).output().unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
-    assert!(error.contains("are for arms in space, not for `five_bar`"), "{error}");
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(error.contains("error[observations-need-arm]") && error.contains("`five_bar`"), "{error}");
 }
 
 #[test]
@@ -171,7 +184,10 @@ fn names_of_targets_points_and_planes_do_not_meet_in_a_parameter() {
     let contact = "contact,1,1,ball,1,2,3,,,,,,,,,,A,,,,0.02,";
     for name in ["A", "ball"] {
         let error = error(HEADER, &format!("{contact}\nplane,2,1,ball,1,2,3,,,,,,,,,,,{name},z,0,0.02,"), &[]);
-        assert!(error.contains(&format!("error[parameter-name-doubled]: two parameters would be called `{name}_z`")), "{error}");
+        assert!(
+            error.contains(&format!("error[parameter-name-doubled]: two parameters would be called `{name}_z`")),
+            "{error}"
+        );
     }
 }
 

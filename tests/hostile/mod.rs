@@ -108,7 +108,7 @@ fn words_in_a_log_are_reported_with_their_rows() {
         "encoders.csv",
         "\n1,1,",
         "\n1,x,",
-        &["pose `x` of log `log` was not measured", "encoders.csv:2", "use one of: 1"],
+        &["error[pose-misspelt]: pose `x` of log `log`", "encoders.csv:2", "use one of: 1"],
     );
 }
 
@@ -150,11 +150,14 @@ fn every_repeat_needs_its_row_in_the_log_and_only_one() {
     std::fs::write(scratch.path().join("encoders.csv"), log.replacen(&row, "", 1)).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("1 measured key is beside log `log` without a partner (pose, cycle): [3, 1]"), "{said}");
+    assert!(
+        said.contains("warning[keys-unmatched]: 1 key of measured points") && said.contains("(pose, cycle): [3, 1]"),
+        "{said}"
+    );
     std::fs::write(scratch.path().join("encoders.csv"), log + &row).unwrap();
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(2));
-    assert!(said.contains("more than once: pose 3, cycle 1 in lines 4, 297"), "{said}");
+    assert!(said.contains("error[log-key-twice]") && said.contains("pose 3, cycle 1 (lines 4, 297)"), "{said}");
 }
 
 #[test]
@@ -261,7 +264,12 @@ fn log_rows_of_another_width_are_refused() {
 
 #[test]
 fn a_log_name_cannot_be_a_path() {
-    broken("campaign.toml", "[log]", "[log]\nname = \"../../x\"", &["`../../x` cannot be the name of a log"]);
+    broken(
+        "campaign.toml",
+        "[log]",
+        "[log]\nname = \"../../x\"",
+        &["error[log-name-invalid]: `../../x`", "campaign.toml:24:8", "name = \"../../x\""],
+    );
 }
 
 #[test]
@@ -283,7 +291,11 @@ fn a_target_measured_twice_points_at_both_rows() {
     std::fs::write(&path, poses + &first + "\n").unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for part in ["error[target-twice]: target `K` is there twice at pose 1, cycle 1", "exports/poses.txt:591", "exports/poses.txt:1;"] {
+    for part in [
+        "error[target-twice]: target `K` is there twice at pose 1, cycle 1",
+        "exports/poses.txt:591",
+        "exports/poses.txt:1;",
+    ] {
         assert!(said.contains(part), "{part:?} is not said:\n{said}");
     }
 }
@@ -294,7 +306,7 @@ fn a_pose_that_lacks_a_ball_is_said_so() {
     scratch.replace("exports/poses.txt", "L_3_2 ", "spoiled_3_2_x ");
     let (code, said) = etalon(&scratch, "run");
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("poses that lack a target: 3"), "{said}");
+    assert!(said.contains("warning[targets-missing]: targets are missing at pose 3"), "{said}");
 }
 
 #[test]
@@ -320,7 +332,7 @@ fn a_frame_that_its_points_cannot_carry_is_refused() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "[\"rail2_a\", \"rail2_b\", \"rail3_a\"]", "[\"rail2_a\"]");
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(2) && said.contains("feature `rails`: its points do not determine its direction"), "{said}");
+    assert!(code == Some(2) && said.contains("error[direction-undetermined]: feature `rails`"), "{said}");
 }
 
 #[test]

@@ -32,12 +32,17 @@ fn a_repeat_of_a_fixed_point_that_lies_elsewhere_is_named_with_its_line() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("exports/world.txt", "R_home 312.63723 ", "R_home 313.63723 ");
     for command in ["check", "run"] {
-        let said = ends(&scratch, command, 2, &["of 5 repeats of `R_home` one lies 0.99", "exports/world.txt:16"]);
-        assert!(said.starts_with("error") && said.contains("[repeat-off]"), "{said}");
+        let said = ends(
+            &scratch,
+            command,
+            2,
+            &["error[repeat-off]: 1 of 5 repeats of `R_home` lies 0.99", "exports/world.txt:16"],
+        );
+        assert!(said.starts_with("error"), "{said}");
     }
     // ten micrometres: the instrument does not explain them, and the result is not spoilt
     scratch.replace("exports/world.txt", "R_home 313.63723 ", "R_home 312.64723 ");
-    ends(&scratch, "check", 0, &["warning: of 5 repeats of `R_home` one lies 0.0"]);
+    ends(&scratch, "check", 0, &["warning[repeat-off]: 1 of 5 repeats of `R_home` lies 0.0"]);
 }
 
 #[test]
@@ -48,7 +53,11 @@ fn an_uncertainty_in_millimetres_is_not_one_in_micrometres() {
         &scratch,
         "check",
         2,
-        &["is not an uncertainty of a measured coordinate in micrometres", "0.0027 mm is 2.7 um"],
+        &[
+            "error[key-uncertainty-implausible]: `expanded_uncertainty_um` = 0.0027",
+            "campaign.toml:7:27",
+            "0.0027 mm is 2.7 µm",
+        ],
     );
 }
 
@@ -59,15 +68,20 @@ fn excluded_readings_have_a_reason_that_the_report_repeats() {
     assert_eq!(etalon(&scratch, "run").0, Some(0));
     let all = parameters(&scratch).residuals.count;
     add(&scratch, "campaign.toml", rule);
-    ends(&scratch, "run", 0, &["excluded: 1 reading of `K`, pose 3, cycle 2: stylus slipped"]);
+    ends(
+        &scratch,
+        "run",
+        0,
+        &["[excluded-readings]: excluded: 1 reading, pose 3, cycle 2, target `K`: stylus slipped"],
+    );
     assert_eq!(parameters(&scratch).residuals.count, all - 2);
     assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
     for (from, to, said) in [
-        ("poses = \"3\"", "poses = \"333\"", "this exclusion leaves no reading out at pose 333"),
-        ("poses = \"333\"", "poses = \"3, 777\"", "this exclusion leaves no reading out at pose 777"),
-        ("poses = \"3, 777\"", "poses = \"all\"", "`all` names no poses to exclude"),
-        ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "the exclusions leave no reading"),
-        ("reason = \"stylus slipped\"", "reason = \" \"", "an exclusion needs its reason"),
+        ("poses = \"3\"", "poses = \"333\"", "error[exclusion-matches-nothing]: there is no reading at pose 333"),
+        ("poses = \"333\"", "poses = \"3, 777\"", "error[exclusion-matches-nothing]: there is no reading at pose 777"),
+        ("poses = \"3, 777\"", "poses = \"all\"", "error[exclusion-names-nothing]: `all`"),
+        ("poses = \"all\"\ncycle = 2\ntarget = \"K\"", "poses = \"1-59\"", "error[exclusions-leave-nothing]"),
+        ("reason = \"stylus slipped\"", "reason = \" \"", "error[exclusion-without-reason]"),
     ] {
         scratch.replace("campaign.toml", from, to);
         ends(&scratch, "check", 2, &[said]);
@@ -133,7 +147,15 @@ fn a_tolerance_is_checked_and_kept() {
     // the table's d3 is 0.85 mm from its drawing
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "model = \"prexyt\"", "model = \"prexyt\"\ntolerance = { d3 = 0.5 }");
-    let said = ends(&scratch, "run", 1, &["error[tolerance-exceeded]: 1 parameter is beyond the tolerance of the robot: `d3` = 0.85", "tolerance 0.500 mm"]);
+    let said = ends(
+        &scratch,
+        "run",
+        1,
+        &[
+            "error[tolerance-exceeded]: 1 parameter is beyond the tolerance of the robot: `d3` = 0.85",
+            "tolerance 0.500 mm",
+        ],
+    );
     assert!(said.contains("no controller file is written"), "{said}");
 }
 
@@ -162,7 +184,7 @@ fn a_reversed_joint_that_reaches_no_pose_is_named_before_the_run() {
         cells.join(",") + "\n"
     };
     std::fs::write(&path, text.lines().enumerate().map(reversed).collect::<String>()).unwrap();
-    let parts = ["the nominal robot cannot be where the joints put it", "with `theta2` reversed", "out of reach"];
+    let parts = ["error[nominal-robot-not-at-joints]", "with `theta2` reversed", "out of reach"];
     let said = ends(&scratch, "check", 2, &parts);
     assert!(!said.contains("inf mm"), "{said}");
 }
@@ -215,7 +237,7 @@ fn targets_of_a_table_that_leave_its_plane_are_named() {
         format!("{rest} {:.5}\n", z.parse::<f64>().unwrap() / 25.4)
     };
     std::fs::write(&path, text.lines().map(inches).collect::<String>()).unwrap();
-    ends(&scratch, "check", 0, &["warning: the targets move in a plane", "heights from", "92.03"]);
+    ends(&scratch, "check", 0, &["warning[targets-out-of-plane]", "heights from -92.03", " to -90.28"]);
 }
 
 #[test]
@@ -237,7 +259,11 @@ fn reference_targets_that_make_poses_scatter_more_are_named() {
     };
     std::fs::write(&path, text.lines().map(raised).collect::<String>()).unwrap();
     let (_, said) = etalon(&scratch, "run");
-    assert!(said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0") && said.contains("rigid motion"), "{said}");
+    assert!(
+        said.contains("warning[reference-targets-misshapen]: reference targets of cycle 21 lie 0.0")
+            && said.contains("rigid motion"),
+        "{said}"
+    );
 }
 
 #[test]

@@ -33,7 +33,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
         "no point has the label `R_no`",
         "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
         "feature `rails`: ",
-        "error[world-axis-without-direction]",
+        "error[frame-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
     ];
     let said = said(&scratch, &parts);
@@ -50,7 +50,12 @@ fn rules_on_rigid_parts_are_checked_beside_unreadable_rows() {
     scratch.replace("campaign.toml", "[log]", rigid);
     said(
         &scratch,
-        &["[not-a-number]: `x`", "tolerance_mm = -0.1", "`tolerance_mm` of a rigid part", "each named once"],
+        &[
+            "[not-a-number]: `x`",
+            "tolerance_mm = -0.1",
+            "error[limit-not-positive]: `tolerance_mm`",
+            "error[rigid-targets]",
+        ],
     );
 }
 
@@ -65,7 +70,7 @@ fn every_log_is_joined_and_its_problems_said() {
     let (body, tail) = rest.split_once("[join]").unwrap();
     let logs = format!("{head}[[log]]\nname = \"one\"{body}[[log]]\nname = \"two\"{body}[join]{tail}");
     std::fs::write(scratch.path().join("campaign.toml"), logs).unwrap();
-    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 in lines 4, 297"]);
+    said(&scratch, &["log `one` has 1 key", "log `two` has 1 key", "pose 3, cycle 1 (lines 4, 297)"]);
 }
 
 #[test]

@@ -91,7 +91,7 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("exports/cmm_fixed_width_sdss/D2130_1", Points(PLATE, "mm", 37, 0), "37 holes"),
     ("exports/cmm_fixed_width_sdss/D813*", Points(PLATE, "mm", 82, 0), "82 holes"),
     ("exports/cmm_fixed_width_sdss/D8300_1", Points(PLATE, "mm", 53, 0), "53 holes"),
-    ("exports/cmm_fixed_width_sdss/fit_*.txt", Refused(PLATE, "mm", "header-missing"), "results of a fit, see exports.rs"),
+    ("exports/cmm_fixed_width_sdss/fit_*.txt", Refused(PLATE, "mm", "header-words-missing"), "results of a fit, see exports.rs"),
     // roughness, no coordinates
     ("exports/mitutoyo_sj410_decimal_comma/*.TXT", Nothing("error[file-without-points]: this is a file of roughness parameters"), "kept for its decimal commas"),
     // certificates: what others measured of an instrument, no points

@@ -58,7 +58,7 @@ fn calypso_characteristics_of_one_feature_without_z_are_told() {
         "exports/calypso/excerpt_chr.txt",
         "\"calypso\"",
         "inch",
-        &["the file is in mm (column `unit`)", "_chr.txt:2:"],
+        &["[unit-differs]: the file is in mm (unit)", "_chr.txt:2:"],
     );
 }
 
@@ -236,7 +236,11 @@ fn the_points_of_the_hl6_are_read_with_their_counts_and_its_mixed_separators_ref
         "robots/qkm_polyworks/2020-01-19__angle_info.txt",
         blank,
         "mm",
-        &["angle_info.txt:1\n", "the row has 9 fields; also in lines 2, 3 and 566 more rows"],
+        &[
+            "angle_info.txt:1\n",
+            "9 fields; also in lines 2, 3 and 503 more rows",
+            "1 field; also in lines 26, 35 and 60 more rows",
+        ],
     );
 }
 

@@ -11,7 +11,7 @@ use etalon_documents::{Characteristics, Iso9283NamedStream, Iso9283StreamDocumen
 use etalon_formats::table::ANGLES;
 use etalon_formats::table::XYZ;
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
-use etalon_report::Faces;
+use etalon_report::Renderer;
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
@@ -93,7 +93,7 @@ impl StreamOptions {
         let stream =
             Iso9283NamedStream { name, file: file.display().to_string(), band_mm: self.band_mm, stream: document };
         let streams = Iso9283StreamsDocument { schema: String::new(), streams: vec![stream] };
-        answer(&Faces::test(&Characteristics { streams: Some(streams), ..Characteristics::default() }), json)
+        answer(&Renderer::test(&Characteristics { streams: Some(streams), ..Characteristics::default() }), json)
     }
 
     /// The answer from a recording, commanded poses and a commanded path in memory.

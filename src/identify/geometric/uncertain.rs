@@ -131,7 +131,7 @@ pub struct Scatter {
     pub expected_mm: f64,
     /// Factor by which the uncertainties of the points were enlarged because the residuals scatter
     /// more; otherwise 1.
-    pub enlarged_by: f64,
+    pub inflation_factor: f64,
 }
 
 impl Readings {
@@ -172,10 +172,10 @@ impl Readings {
         let chi_square: f64 = residuals_mm.iter().zip(&variances).map(|(r, v)| r * r / v).sum();
         let dof = residuals_mm.len().saturating_sub(fitted);
         let rejected = dof > 0 && chi_square_exceeds(chi_square, dof);
-        let enlarged_by = if rejected { (chi_square / dof as f64).sqrt() } else { 1.0 };
+        let inflation_factor = if rejected { (chi_square / dof as f64).sqrt() } else { 1.0 };
         for i in points.iter().flatten().flat_map(|x| x.coordinates()) {
             if let Some(u) = self.standard_uncertainties_mm.get_mut(i) {
-                *u *= enlarged_by;
+                *u *= inflation_factor;
             }
         }
         Scatter {
@@ -185,7 +185,7 @@ impl Readings {
             max_mm: residuals_mm.iter().fold(0.0, |m, r| m.max(r.abs())),
             norm_mm: squares.sqrt(),
             expected_mm: mean(variances).sqrt(),
-            enlarged_by,
+            inflation_factor,
         }
     }
 }

@@ -240,8 +240,8 @@ impl Budget {
         self.contributions(|covariance| covariance[k * n + k], |e| self.common[e].1[k])
     }
 
-    /// Contributions from the variance by a covariance of the parameters and the response to each
-    /// common error.
+    /// Contributions by `form`, the variance that a covariance of the parameters gives, and by
+    /// `response`, the derivative of the figure by each common error.
     fn contributions(&self, form: impl Fn(&[f64]) -> f64, response: impl Fn(usize) -> f64) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);

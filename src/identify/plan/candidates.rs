@@ -16,36 +16,36 @@ pub struct Candidates {
     pub observations: Vec<Observation>,
     /// Message for candidates that violate a limit of the nominal robot
     /// ([`Robot::limit_violation`]).
-    pub beyond: Option<Message>,
+    pub limit_violations: Option<Message>,
 }
 
 /// The configurations that are within reach of the nominal robot, those of one pose numbered.
 pub fn within_reach(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidates> {
     let nominal = robot.nominal();
-    let mut beyond = Vec::new();
+    let mut violations = Vec::new();
     let mut by_pose: BTreeMap<PoseName, Vec<Observation>> = BTreeMap::new();
     for o in all {
         match robot.limit_violation(&nominal, &o.joints) {
-            Some(reason) => beyond.push((o.pose, reason)),
+            Some(reason) => violations.push((o.pose, reason)),
             None => by_pose.entry(o.pose).or_default().push(o),
         }
     }
     if by_pose.is_empty() {
         let unreachable = |(pose, reason): &(PoseName, String)| error!("candidates-unreachable", pose, reason);
-        return Err(beyond.first().map_or_else(|| error!("no-candidates"), unreachable).into());
+        return Err(violations.first().map_or_else(|| error!("no-candidates"), unreachable).into());
     }
     let number = |(k, o): (usize, Observation)| Observation { cycle: k as i64 + 1, ..o };
     let observations = by_pose.into_values().flat_map(|of_pose| of_pose.into_iter().enumerate().map(number)).collect();
-    Ok(Candidates { observations, beyond: out_of_reach(&beyond) })
+    Ok(Candidates { observations, limit_violations: out_of_reach(&violations) })
 }
 
-fn out_of_reach(beyond: &[(PoseName, String)]) -> Option<Message> {
+fn out_of_reach(violations: &[(PoseName, String)]) -> Option<Message> {
     const SHOWN: usize = 5;
-    let shown = beyond.iter().take(SHOWN);
+    let shown = violations.iter().take(SHOWN);
     let mut candidates: Vec<Argument> =
         shown.map(|(pose, reason)| phrase!("candidate-violation", pose, reason).argument()).collect();
-    if beyond.len() > SHOWN {
+    if violations.len() > SHOWN {
         candidates.push("...".argument());
     }
-    (!beyond.is_empty()).then(|| warning!("candidates-left-out", count = beyond.len(), candidates))
+    (!violations.is_empty()).then(|| warning!("candidates-left-out", count = violations.len(), candidates))
 }

@@ -145,7 +145,7 @@ fn place_all(
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
         let solution = etalon_math::solve(&problem, &x, Options { iterations: 50, step: 1e-6, ..Options::default() });
         let rms_mm = (solution.cost / points).sqrt();
-        let moved = solution.termination.is_success() || solution.termination == Termination::LostPatience;
+        let moved = solution.termination.is_success() || solution.termination == Termination::IterationLimit;
         if moved && best.as_ref().is_none_or(|b| rms_mm < b.rms_mm) {
             best = Some(Placed { rms_mm, values: problem.all(&solution.x) });
             // a wrong minimum is off by much of the arm's reach, the right one by the robot's

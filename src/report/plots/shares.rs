@@ -60,12 +60,8 @@ mod tests {
             source,
             standard_uncertainty_mm,
         };
-        FigureBudget {
-            quantity: Default::default(),
-            figure,
-            standard_uncertainty_mm: 0.0,
-            contributions: parts.iter().map(part).collect(),
-        }
+        let contributions = parts.iter().map(part).collect();
+        FigureBudget { quantity: ErrorQuantity::Position, figure, standard_uncertainty_mm: 0.0, contributions }
     }
 
     #[test]

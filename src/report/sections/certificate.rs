@@ -1,6 +1,6 @@
 //! Certificate: results for the customer (ISO/IEC 17025:2017, 7.8.4), from the facts, the verdict
-//! and the results of the report. Until all fields are stated it is a draft; results of synthetic data
-//! are no certificate.
+//! and the results of the report. Until all fields are stated it is a draft; results of
+//! synthetic data are no certificate.
 
 use super::{accuracy, checklist, conditions, errors, limits, messages, repeatability};
 use crate::Report;

@@ -12,7 +12,7 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, MapNode, ParametersDocument,
-    PlacedApart, PointError, PoseSet, Statistics,
+    PlacedApart, PointError, PoseSet, Statistics, ToolAccuracy,
 };
 use std::collections::BTreeMap;
 
@@ -46,44 +46,12 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
         section.push(Block::text(tr!(words, "no-errors-are-given")));
     }
     for set in &accuracy.sets {
-        let name = words.tr(&names::set(set.name));
-        let title = match accuracy.point.as_str() {
-            "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
-            point => {
-                tr!(
-                    words,
-                    "set-summary-of",
-                    set = name,
-                    poses = set.poses,
-                    errors = set.count,
-                    point = words.worded(point, accuracy.point_phrase.as_ref())
-                )
-            }
-        };
-        section.push(Block::heading(title));
-        section.push(Block::Table(
-            statistics(accuracy, set, set.name.name(), [phrase!("before"), phrase!("after")], words).on("Errors"),
-        ));
+        section.push(Block::heading(heading(accuracy, set, words)));
+        let names = [phrase!("before"), phrase!("after")];
+        section.push(Block::Table(statistics(accuracy, set, set.name.name(), names, words).on("Errors")));
     }
     if !accuracy.placed_apart.is_empty() {
-        let of = |p: &PlacedApart| match p.is_assessed {
-            true => tr!(
-                words,
-                "readings-redundancy",
-                target = p.name,
-                readings = p.readings,
-                redundancy = number::fixed(p.redundancy, 2)
-            ),
-            false => tr!(
-                words,
-                "readings-not-judged",
-                target = p.name,
-                readings = p.readings,
-                redundancy = number::fixed(p.redundancy, 2)
-            ),
-        };
-        let all: Vec<String> = accuracy.placed_apart.iter().map(of).collect();
-        section.push(Block::text(tr!(words, "targets-placed-by-validation", targets = all.join(", "))));
+        section.push(Block::text(placed_by_validation(&accuracy.placed_apart, words)));
     }
     if !accuracy.effects.is_empty() {
         section.push(Block::heading(tr!(words, "proven-effects")));
@@ -105,31 +73,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
         )));
     }
     if let Some(tool) = &accuracy.tool {
-        section.push(Block::heading(tr!(words, "at-tool-point", count = tool.poses)));
-        let of_tool = ErrorStatistics {
-            quantity: ErrorQuantity::Position,
-            count: tool.poses,
-            unit: "mm".to_owned(),
-            before: tool.before,
-            after: tool.after,
-            expanded_uncertainty: None,
-        };
-        let set = AccuracySet { name: tool.set, poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
-        // the base has no effect here: these errors differ from the errors of the sets before and
-        // after calibration
-        let names = [phrase!("nominal-minus-identified"), phrase!("expected")];
-        section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on("Tool point")));
-        let um = |mm: f64| number::significant(1e3 * mm, 3);
-        section.push(Block::text(tr!(
-            words,
-            "tool-point-expected",
-            parameters = um(tool.parameters_mm),
-            model = um(tool.model_mm),
-            point = um(tool.place_mm),
-            largest = um(tool.expanded_max_mm),
-            undetermined = um(tool.held_mm),
-        )));
-        section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
+        push_tool(&mut section, accuracy, tool, words);
     }
     let table = poses(errors, flagged, words);
     if !table.is_empty() {
@@ -143,6 +87,75 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
     section.push(Block::Table(residuals(errors, words)));
     section.push(Block::Table(nodes(accuracy, words)));
     section.on_terminal()
+}
+
+/// Heading of the errors of a set.
+fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> String {
+    let name = words.tr(&names::set(set.name));
+    match accuracy.point.as_str() {
+        "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
+        point => {
+            tr!(
+                words,
+                "set-summary-of",
+                set = name,
+                poses = set.poses,
+                errors = set.count,
+                point = words.worded(point, accuracy.point_phrase.as_ref())
+            )
+        }
+    }
+}
+
+/// Sentence on targets that are placed by validation poses alone.
+fn placed_by_validation(placed: &[PlacedApart], words: &Words) -> String {
+    let of = |p: &PlacedApart| match p.is_assessed {
+        true => tr!(
+            words,
+            "readings-redundancy",
+            target = p.name,
+            readings = p.readings,
+            redundancy = number::fixed(p.redundancy, 2)
+        ),
+        false => tr!(
+            words,
+            "readings-not-judged",
+            target = p.name,
+            readings = p.readings,
+            redundancy = number::fixed(p.redundancy, 2)
+        ),
+    };
+    let all: Vec<String> = placed.iter().map(of).collect();
+    tr!(words, "targets-placed-by-validation", targets = all.join(", "))
+}
+
+/// Adds the errors at the tool point.
+fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccuracy, words: &Words) {
+    section.push(Block::heading(tr!(words, "at-tool-point", count = tool.poses)));
+    let of_tool = ErrorStatistics {
+        quantity: ErrorQuantity::Position,
+        count: tool.poses,
+        unit: "mm".to_owned(),
+        before: tool.before,
+        after: tool.after,
+        expanded_uncertainty: None,
+    };
+    let set = AccuracySet { name: tool.set, poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
+    // the base has no effect here: these errors differ from the errors of the sets before and
+    // after calibration
+    let names = [phrase!("nominal-minus-identified"), phrase!("expected")];
+    section.push(Block::Table(statistics(accuracy, &set, "tool point", names, words).on("Tool point")));
+    let um = |mm: f64| number::significant(1e3 * mm, 3);
+    section.push(Block::text(tr!(
+        words,
+        "tool-point-expected",
+        parameters = um(tool.parameters_mm),
+        model = um(tool.model_mm),
+        point = um(tool.place_mm),
+        largest = um(tool.expanded_max_mm),
+        undetermined = um(tool.held_mm),
+    )));
+    section.push(Block::detail(Text::worded(&tool.definition, tool.definition_phrase.as_ref(), words)));
 }
 
 /// Figures of the errors.

@@ -50,7 +50,7 @@ pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| headlines(i.accuracy, set, words));
     Verdict {
         class: Grade::of_verdict(judgement.verdict),
-        met: judgement.is_met(),
+        met: judgement.passes(),
         sentences,
         about: about.unwrap_or_default(),
         headlines: shown.into_iter().chain(tool).collect(),
@@ -252,7 +252,7 @@ pub(crate) fn of_validation(accuracy: &AccuracyDocument, words: &Words) -> Verdi
     let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
     let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
     Verdict {
-        met: judgement.is_met(),
+        met: judgement.passes(),
         class: Grade::of_verdict(judgement.verdict),
         sentences: sentences.collect(),
         ..Verdict::default()
@@ -265,7 +265,7 @@ pub(crate) fn of_test(tested: &Characteristics, words: &Words) -> Verdict {
     let judgement = judged.verdict();
     let sentences = named(&judgement, words).into_iter().chain(characteristics(tested, words));
     Verdict {
-        met: judgement.is_met(),
+        met: judgement.passes(),
         class: Grade::of_verdict(judgement.verdict),
         sentences: sentences.chain(reservations(&judgement, words)).collect(),
         ..Verdict::default()
@@ -506,7 +506,7 @@ mod tests {
     #[test]
     fn a_solver_that_failed_is_never_good() {
         let mut documents = Documents::demo();
-        documents.parameters.solver.termination = Termination::LostPatience;
+        documents.parameters.solver.termination = Termination::IterationLimit;
         let verdict = of(&documents);
         assert!(verdict.class == Grade::Bad && verdict.sentences[0].contains("not converged"), "{verdict:?}");
     }

@@ -44,7 +44,7 @@ fn named(text: &str) -> CompareDocument {
 }
 
 fn drawn(kind: &str, document: &CompareDocument, presentation: &Presentation) -> Result<Vec<u8>> {
-    Faces::comparison(document, presentation.clone())?.file(kind)
+    Renderer::comparison(document, presentation.clone())?.file(kind)
 }
 
 fn html(document: &CompareDocument, presentation: &Presentation) -> Result<String> {
@@ -77,7 +77,8 @@ fn it_speaks_one_language() {
 #[test]
 fn what_else_differs_is_the_first_thing_it_says() {
     let mut document = demo();
-    let first = |document: &CompareDocument| Faces::comparison(document, Presentation::default()).unwrap().terminal();
+    let first =
+        |document: &CompareDocument| Renderer::comparison(document, Presentation::default()).unwrap().terminal();
     assert!(!first(&document).contains("Different"), "{}", first(&document));
     let later = &mut document.campaigns[1];
     (later.instrument, later.conditions.load_kg) = (Some("FaroArm".to_owned()), Some(2.0));

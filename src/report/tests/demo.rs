@@ -117,10 +117,10 @@ impl Documents {
                 trends: vec![],
                 schema: "etalon/accuracy/1".to_owned(),
                 point: "the platform's centre as the balls measure it".to_owned(),
-                point_phrase: None,
+                point_phrase: Some(etalon_base::phrase!("platform-as-measured")),
+                definition_phrase: None,
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."
                     .to_owned(),
-                definition_phrase: None,
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
                 placed_apart: Vec::new(),
                 effects: Vec::new(),

@@ -7,7 +7,7 @@ use etalon_base::message::Place;
 use etalon_documents::{Language, PoseSet, Refused, Statistics};
 
 fn html(report: &Report) -> Result<String> {
-    Ok(String::from_utf8(Faces::campaign(report)?.file("html")?).unwrap())
+    Ok(String::from_utf8(Renderer::campaign(report)?.file("html")?).unwrap())
 }
 
 /// Page alone.

@@ -7,7 +7,7 @@ use crate::*;
 use etalon_documents::{Conformity, Iso9283Pose, Language};
 
 fn shown(documents: &Documents) -> String {
-    Faces::campaign(&documents.report()).unwrap().terminal()
+    Renderer::campaign(&documents.report()).unwrap().terminal()
 }
 
 /// Documents with an identification, poses, loads and a recorded motion.
@@ -49,18 +49,20 @@ fn the_exit_code_follows_the_verdict_that_is_shown() {
     let mut judge = |conformity| {
         let limit = &mut documents.tested.poses.as_mut().unwrap().limits[0];
         *limit = limit.clone().with(conformity);
-        Faces::campaign(&documents.report()).unwrap()
+        Renderer::campaign(&documents.report()).unwrap()
     };
-    assert!(judge(Conformity::Conforming).is_met());
-    let faces = judge(Conformity::NotConforming);
-    assert!(!faces.is_met() && faces.terminal().contains("FAIL"));
+    assert!(judge(Conformity::Conforming).passes());
+    let renderer = judge(Conformity::NotConforming);
+    assert!(!renderer.passes() && renderer.terminal().contains("FAIL"));
     // in a test without a campaign every pose must conform
     let mut alone = demo_iso9283::whole();
-    assert!(!Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("poses 1, 2 are undecided."));
+    assert!(
+        !Renderer::test(&alone).passes() && Renderer::test(&alone).terminal().contains("poses 1, 2 are undecided.")
+    );
     let poses = alone.poses.as_mut().unwrap();
     poses.poses.iter_mut().for_each(conform);
     poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
-    assert!(Faces::test(&alone).is_met() && Faces::test(&alone).terminal().contains("all 2 poses conform."));
+    assert!(Renderer::test(&alone).passes() && Renderer::test(&alone).terminal().contains("all 2 poses conform."));
 }
 
 #[test]

@@ -173,7 +173,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
         };
         let all: Vec<f64> = groups.values().filter_map(measured).collect();
         let middle = median(all.iter().copied())?;
-        // of one distance, by the instrument or as it scatters; that of a median is larger by π/2
+        // variance of one distance, by the instrument or as measured; of a median π/2 times more
         let scatter = OF_MEDIAN * median(all.iter().map(|d| (d - middle).abs()))?;
         let of_median = (2.0 * u_mm * u_mm).max(scatter * scatter) * FRAC_PI_2 / all.len() as f64;
         let variance = of_median + 2.0 * part.standard_uncertainty_mm.powi(2);

@@ -26,7 +26,7 @@ fn name(point: &Point) -> &str {
 
 /// Warnings about rows that have the name of one point and lie where another is: in the same pose,
 /// or, for points that stand still, where no other row of their own name lies. Each pair of names
-/// has one warning. There is none where most rows of one name lie at rows of the other: these are
+/// has one warning, and no warning where most rows of one name lie at rows of the other: these are
 /// repeats of the same places.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);

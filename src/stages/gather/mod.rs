@@ -108,7 +108,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(said) => messages.splice(0..0, said).for_each(drop),
             Err(more) => problems.0.extend(more.0),
         }
-        // of what is left
+        // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
     }

@@ -21,7 +21,7 @@ pub(super) struct PointColumns {
 }
 
 impl PointColumns {
-    /// Adds what can be read of the text of an export; gives what is wrong with it.
+    /// Adds the readable rows of the text of an export, and returns its errors.
     pub fn read(&mut self, campaign: &Campaign, export: &Export, text: &Arc<str>, source: &mut Source) -> Problems {
         let file = export.file.get_ref();
         let (mut rows, mut problems) = export.format.read(file, text, export.unit);

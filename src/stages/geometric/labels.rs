@@ -175,7 +175,7 @@ pub fn labelled(definition: &GeometricDefinition, gathered: &Gathered) -> Vec<(S
 }
 
 impl LabelledPoints<'_> {
-    /// Rails and ball R: those of the world frame.
+    /// Rails and ball R, which define the world frame.
     fn base(&self) -> Result<BaseMeasurements> {
         let wrong = || error!("geometric-frame").at(self.campaign.world_place());
         let Some(WorldDefinition {

@@ -230,7 +230,7 @@ fn step(name: Phrase, scatter: &Scatter, coverage_deg: Option<f64>) -> Geometric
         expected_mm: scatter.expected_mm,
         max_mm: scatter.max_mm,
         norm_mm: scatter.norm_mm,
-        enlarged_by: scatter.enlarged_by,
+        enlarged_by: scatter.inflation_factor,
         coverage_deg,
     }
 }

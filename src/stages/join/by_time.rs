@@ -59,7 +59,7 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
     Ok(joined(targets, log, &times, &met, clocks.interpolate))
 }
 
-/// First and last time of each row of the log in nanoseconds: the same, but for standstills.
+/// First and last time of each row of the log (ns); they differ for standstills only.
 fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
     let span = |end: usize| log.rows.iter().map(move |row| row.standing_s.map(|s| s[end]).or(row.time_s));
     let (from, to) = (nanoseconds(span(0), 0.0, "log")?, nanoseconds(span(1), 0.0, "log")?);
@@ -185,7 +185,7 @@ fn joined(targets: &[Target], log: &JointLog, times: &[i64], met: &[Option<Met>]
         row.line = None;
         for ((value, other), name) in row.joints.iter_mut().zip(&log.rows[other].joints).zip(&log.joints) {
             let step = other - *value;
-            // a direction is that of the nearer row
+            // directions are taken from the nearer row
             if name.ends_with(DIRECTION) {
                 continue;
             }

@@ -34,7 +34,7 @@ use unmatched::At;
 /// Observations by log, and what found no partner.
 #[derive(Clone, Debug)]
 pub struct Joined {
-    /// Name of each log and its observations, or those of the table.
+    /// Name of each log and its observations, or the observations of the table.
     pub observations: Vec<(String, Observations)>,
     /// Summary of the rows without a partner, or with two.
     pub messages: Vec<Message>,
@@ -43,7 +43,7 @@ pub struct Joined {
 }
 
 impl Joined {
-    /// Observations that need no join: those of a table.
+    /// Observations of a table, which need no join.
     pub fn of_table(table: DataFrame) -> Self {
         let observations = vec![("observations".to_owned(), Observations::Table(table))];
         Self { observations, messages: Vec::new(), unmatched: Vec::new() }
@@ -353,7 +353,7 @@ fn equal_counts<'a>(
     problems.check().map(|_| ())
 }
 
-/// Motions of a joint by less are those of its encoder at rest, mm or deg.
+/// Largest motion (mm or deg) that the encoder of a standing joint shows.
 const STILL: f64 = 0.01;
 
 /// A log with the directions from which the joints with backlash came: as it states them, or by the

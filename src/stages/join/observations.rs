@@ -33,7 +33,7 @@ pub struct JoinedLog {
     logged: Vec<Vec<f64>>,
     /// Orientations of the bodies at each position, in the world, where they were measured.
     orientations: Vec<Option<[f64; 4]>>,
-    /// Columns of these.
+    /// Columns of the joint values.
     joints: Vec<String>,
     targets: Vec<String>,
     dimension: usize,

@@ -22,7 +22,7 @@ impl<'a> At<'a> {
         Self { file: &log.file, line: row.line }
     }
 
-    /// The row with its key in words and what is wrong with it.
+    /// The row with its key in words and the reason.
     pub fn unmatched(self, key: String, reason: &str) -> Unmatched {
         Unmatched { file: self.file.to_owned(), line: self.line, key, reason: reason.to_owned() }
     }

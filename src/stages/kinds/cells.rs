@@ -26,7 +26,7 @@ pub enum Cell {
     Number(f64),
 }
 
-/// Cells by column, beside those of every kind: columns of text that are empty are missing.
+/// Cells by column, beside the columns of every kind; empty columns of text are missing.
 pub type ByColumn = BTreeMap<String, Cell>;
 
 /// The text in a column, if any.
@@ -47,7 +47,7 @@ pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "object", "properties": properties })
 }
 
-/// Columns of names, beside those of every kind.
+/// Columns of names, beside the columns of every kind.
 pub fn names() -> impl Iterator<Item = &'static str> {
     TEXTS.into_iter().filter(|name| !["kind", "target"].contains(name))
 }
@@ -63,7 +63,7 @@ pub struct Cells {
     pub station: Option<String>,
     /// The others.
     pub by_column: ByColumn,
-    /// They are those of a truth.
+    /// `true` if the cells are part of a truth.
     pub in_truth: bool,
 }
 

@@ -17,7 +17,7 @@ pub struct Facts {
     pub name: &'static str,
     /// Columns of numbers beside positions and uncertainties.
     pub numbers: Vec<&'static str>,
-    /// The columns of these that a truth states; the others are simulated.
+    /// Columns of numbers that a truth states; the others are simulated.
     pub stated: &'static [&'static str],
     /// A row contains the position of its target.
     pub has_position: bool,

@@ -13,7 +13,7 @@ use etalon_identify::{Condition, Settings};
 use etalon_robots::Robot;
 use polars::prelude::DataFrame;
 
-/// Columns of numbers beside those of positions and of single kinds.
+/// Columns of uncertainties.
 const UNCERTAINTIES: [&str; 2] = ["u_mm", "urot_deg"];
 
 /// Columns of numbers of single kinds, in the order in which they are written.
@@ -26,7 +26,7 @@ pub fn numbers() -> Vec<&'static str> {
     all
 }
 
-/// Columns of all kinds beside those of positions, to which the target belongs.
+/// Columns of all kinds beside the columns of positions (the target is one).
 pub fn columns<'a>() -> Vec<&'a str> {
     ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES).collect()
 }
@@ -48,7 +48,7 @@ pub struct Row {
     pub(super) orientation: Written,
     /// The order of three angles of an orientation.
     pub(super) order: Option<AngleOrder>,
-    /// Standard uncertainty of a length: the row's, or that of rows that state none.
+    /// Standard uncertainty of a length (mm): the row's own, or the one stated for all rows.
     pub(super) u_mm: f64,
     pub(super) u_axes_mm: Vector,
     /// Standard uncertainty of a rotation, likewise.

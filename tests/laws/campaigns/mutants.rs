@@ -9,7 +9,7 @@ use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
 use etalon::documents::ErrorQuantity;
-use etalon::report::Faces;
+use etalon::report::Renderer;
 use etalon::run::pipeline;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -171,8 +171,8 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
     }
     let warnings = found.messages().map(|m| numberless(&m.what)).collect();
     // the report is made from whatever was found
-    let faces = Faces::campaign(&found.report())?;
-    Ok(Outcome { met: faces.is_met(), warnings, results, held })
+    let renderer = Renderer::campaign(&found.report())?;
+    Ok(Outcome { met: renderer.passes(), warnings, results, held })
 }
 
 impl Sample {

@@ -50,7 +50,7 @@ impl Ran {
         // where joined exports name none, targets are those whose places were found
         let found = &outcome.identified.as_ref().unwrap().parameters.parameters;
         let of_targets = found.iter().filter(|p| p.role == etalon::documents::Role::Target);
-        let named = campaign.file.observations.first().is_some();
+        let named = !campaign.file.observations.is_empty();
         let targets: Vec<String> =
             of_targets.filter_map(|p| Some(p.name.strip_suffix("_x")?.to_owned())).filter(|_| named).collect();
         let robot = campaign.build_robot_with(&targets).unwrap();

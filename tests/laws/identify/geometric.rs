@@ -201,9 +201,9 @@ fn where_readings_scatter_more_than_the_instrument_states_uncertainties_follow_t
     let measured = measure(&truth, &setup(5), 0.02, 1);
     let (stated, right) =
         (determine(&measured, 0.0064).expect("determined"), determine(&measured, 0.02).expect("determined"));
-    let enlarged = [&stated.base.arc, &stated.mobile.circle].map(|c| c.scatter.enlarged_by);
+    let enlarged = [&stated.base.arc, &stated.mobile.circle].map(|c| c.scatter.inflation_factor);
     assert!(enlarged.iter().all(|by| (2.0..4.5).contains(by)), "{enlarged:?}");
-    assert_eq!(right.base.arc.scatter.enlarged_by, 1.0);
+    assert_eq!(right.base.arc.scatter.inflation_factor, 1.0);
     for (a, b) in results(&stated, &truth).iter().zip(results(&right, &truth)) {
         // K and L of the offsets have no residuals: their scatter is told by the repeats of d1 and d3, not by their points
         if a.0 == "x_o + d1 - x_c" {

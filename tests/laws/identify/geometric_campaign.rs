@@ -151,12 +151,32 @@ fn the_report_shows_both_ways_side_by_side() {
 #[test]
 fn what_does_not_fit_is_said_with_its_place() {
     let cases: [(&str, &str, &str, &str); 8] = [
-        ("exports/geometric.txt", "turn-L-7 ", "turn-M-7 ", "error[ball-missing]: ball `L` is missing (pose 7, cycle 1)"),
-        ("exports/geometric.txt", "offset-K-2-3 ", "offset-K-2-33 ", "error[ball-missing]: ball `K` is missing (pose 2, cycle 3)"),
-        ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"X-{pose}\"", "error[labels-missing]: no point has a label of the form `X-{pose}`"),
+        (
+            "exports/geometric.txt",
+            "turn-L-7 ",
+            "turn-M-7 ",
+            "error[ball-missing]: ball `L` is missing (pose 7, cycle 1)",
+        ),
+        (
+            "exports/geometric.txt",
+            "offset-K-2-3 ",
+            "offset-K-2-33 ",
+            "error[ball-missing]: ball `K` is missing (pose 2, cycle 3)",
+        ),
+        (
+            "campaign.toml",
+            "arc = \"N-{pose}\"",
+            "arc = \"X-{pose}\"",
+            "error[labels-missing]: no point has a label of the form `X-{pose}`",
+        ),
         ("campaign.toml", "arc = \"N-{pose}\"", "arc = \"N-{number}\"", "[label-pattern-invalid]"),
         ("campaign.toml", "actuator = 3", "actuator = 4", "error[actuator-unknown]"),
-        ("campaign.toml", "positions_mm = [0.0, 28.0,", "positions_mm = [28.0,", "error[lead-position-unknown]: position 7 of actuator 1"),
+        (
+            "campaign.toml",
+            "positions_mm = [0.0, 28.0,",
+            "positions_mm = [28.0,",
+            "error[lead-position-unknown]: position 7 of actuator 1",
+        ),
         ("campaign.toml", "origin = \"R_home\"", "origin = \"R_end\"", "error[geometric-frame]"),
         ("campaign.toml", "poses = \"9-13\"", "poses = \"99\"", "error[table-selection-empty]"),
     ];

@@ -381,8 +381,8 @@ fn positions_alone_become_all_working_modes() {
         .enumerate()
         .fold("pose,x_mm,y_mm\n".to_owned(), |t, (k, p)| t + &format!("{k},{},{}\n", p[0], p[1]));
     let table = etalon::formats::tables::observations::observations("c.csv", &csv).unwrap();
-    let Candidates { observations: all, beyond } = configurations(&robot, &table).unwrap();
-    assert_eq!(beyond, None);
+    let Candidates { observations: all, limit_violations } = configurations(&robot, &table).unwrap();
+    assert_eq!(limit_violations, None);
     let expected = measure(&robot, &robot.nominal(), &SEVEN, &mut || 0.0);
     assert_eq!(all.len(), expected.len());
     let near = |a: &Observation, e: &Observation| a.joints.iter().zip(&e.joints).all(|(a, e)| (a - e).abs() < 1e-9);

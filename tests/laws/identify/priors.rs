@@ -4,6 +4,7 @@
 
 use crate::identify::drawn::{Drawn, drawn_arm, number};
 use etalon::base::message::{Message, Severity};
+use etalon::base::phrase;
 use etalon::identify::{Identification, Prior, Settings, fit_frames, identify_from};
 use etalon::robots::Role;
 use etalon::stages::evaluate::{self, Sets};
@@ -53,6 +54,11 @@ fn best_mm(arm: &Drawn, before: &[f64], found: &Identification) -> [f64; 3] {
 /// true where it is said, and no cause.
 fn accuses(message: &Message) -> bool {
     if message.id == "identified-worse-than-nominal" {
+        return false;
+    }
+    // as many coordinates as unknowns of base and target: several places fit, and the message says so
+    let unchecked = phrase!("undescribed-unchecked").to_string();
+    if message.id == "measurements-undescribed" && message.hint.as_ref() == Some(&unchecked) {
         return false;
     }
     let causes = ["check that first", "of another campaign"];

@@ -127,8 +127,9 @@ parameter-held-without-effect = die Daten hängen nicht von `{ $parameter }` ab:
 parameter-held-inseparable = `{ $parameter }` und { $others } sind nicht getrennt identifizierbar: `{ $parameter }` bleibt auf seinem Nennwert
 
 parameter-separable-poorly = `{ $parameter }` ist von { $others } nur mit einer Standardunsicherheit von { FIXED($uncertainty, 2) }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}{ $unit }
+        [deg] {" "}{ $unit }
+       *[other] {""}
     } trennbar: { $held ->
         [placed] er bleibt auf seinem ersten Schätzwert
        *[nominal] er bleibt auf seinem Nennwert, der besser bekannt ist

@@ -44,7 +44,7 @@ base-motion-explains-most = die Parameter gelten nicht mehr: eine Bewegung der B
 base-moved = die Basis hat sich bewegt um { $by }
 base-rotation = Drehung der Basis
 base-shift = Verschiebung der Basis
-batch-ends = { $pass } bestanden, { $conditional } bedingt, { $fail } nicht bestanden, { $failed } nicht gerechnet, { $skipped } übersprungen
+batch-ends = { $pass } bestanden, { $conditional } bedingt, { $undecided } unentschieden, { $fail } nicht bestanden, { $failed } nicht gerechnet, { $skipped } übersprungen
 before = davor
 before-named = { $name }, davor
 bending = Biegung
@@ -662,6 +662,7 @@ position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }, davon 
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
 positions = Positionen
+preconditions-column = Voraussetzungen
 predicted-target-uncertainty = vorhergesagte Unsicherheit der Zielmarken über die Kandidaten (k = 1)
 predicted-u = vorhergesagtes u (k = 1)
 predicted-uncertainty-title = Vorhergesagte Unsicherheit der Parameter

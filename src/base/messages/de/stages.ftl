@@ -184,7 +184,7 @@ column-empty = die Spalte `{ $column }` ist leer oder fehlt
 targets-missing = Zielmarken fehlen bei Pose { $poses }
     .hint = ihre übrigen Zielmarken zählen; eine Pose oder Orientierung braucht alle
 
-key-in-lines = { $key } in den Zeilen { $lines }
+key-in-lines = { $key } (Zeilen { $lines })
 
 log-key-twice = Protokoll `{ $log }` hat { $count ->
         [one] 1 Schlüssel
@@ -687,7 +687,15 @@ parameters-undescribed = die Parameter enthalten { $names }, die robot.toml nich
 
 add-lines = { $lines } in robot.toml vor der ersten Tabelle ergänzen
 
-nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $stated } { $unit } und hatte bei der Identifikation { $identified } { $unit }
+nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $stated }{ $unit ->
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
+    } und hatte bei der Identifikation { $identified }{ $unit ->
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
+    }
     .hint = prüfen, dass die Parameter die dieses Roboters sind
 
 calibration-without-residuals = die Kalibrierung zeigt keine Standardabweichung einer Koordinate
@@ -848,6 +856,8 @@ undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nenn
 
 undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
 
+undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso zu ihnen; mehr Kalibrierposen messen, im Arbeitsraum verteilt
+
 undescribed-other-poses = die Kalibrierposen passen, und keine Bewegung des Systems erklärt die anderen: prüfen, ob Protokoll und Exporte der Validierungsposen dieselben Posen sind (Protokoll einer anderen Kampagne oder anders nummerierte Posen)
 
 prior-of-nominal = Nennparameter haben keine Kovarianz für `--frames prior`
@@ -904,8 +914,9 @@ identified-worse-than-nominal = an den { $set ->
     .hint = mehr Posen messen, über den Arbeitsraum verteilt, oder Parameter festhalten, die sie nicht bestimmen
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [1] { FIXED($value, 4) } (Nennwert { $nominal }, Toleranz { FIXED($tolerance, 3) })
-       *[other] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+       *[other] { FIXED($value, 4) } (Nennwert { $nominal }, Toleranz { FIXED($tolerance, 3) })
     }
 
 tolerance-exceeded = { $count ->
@@ -913,3 +924,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } Parameter liegen
     } außerhalb der Toleranz des Roboters: { $parameters }
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Systeme prüfen; ist der Roboter anders gezeichnet, `tolerance` in der Roboterdatei angeben
+
+format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }

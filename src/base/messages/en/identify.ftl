@@ -272,8 +272,9 @@ parameter-held-inseparable = `{ $parameter }` and { $others } are not separately
 # Do: Measure poses in which these parameters act differently.
 # Example: poses in which a joint moves by 2 degrees only
 parameter-separable-poorly = `{ $parameter }` is separable from { $others } only with a standard uncertainty of { FIXED($uncertainty, 2) }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}{ $unit }
+        [deg] {" "}{ $unit }
+       *[other] {""}
     }: { $held ->
         [placed] it stays at its first estimate
        *[nominal] it is held at its nominal value, which is better known

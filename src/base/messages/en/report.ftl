@@ -44,7 +44,7 @@ base-motion-explains-most = the parameters are no longer valid: a movement of th
 base-moved = the base has moved by { $by }
 base-rotation = base rotation
 base-shift = base shift
-batch-ends = { $pass } pass, { $conditional } conditional, { $fail } fail, { $failed } not run, { $skipped } skipped
+batch-ends = { $pass } pass, { $conditional } conditional, { $undecided } undecided, { $fail } fail, { $failed } not run, { $skipped } skipped
 before = before
 before-named = { $name }, before
 bending = bending
@@ -662,6 +662,7 @@ position-residuals-explained = Position residuals: RMS { $rms } { $unit }, of wh
 position-residuals-rms = position residuals, RMS
 position-rms = position, RMS
 positions = positions
+preconditions-column = Preconditions
 predicted-target-uncertainty = predicted uncertainty of the targets over the candidates (k = 1)
 predicted-u = predicted u (k = 1)
 predicted-uncertainty-title = Predicted uncertainty of the parameters

@@ -385,7 +385,7 @@ column-empty = the column `{ $column }` is empty or missing
 targets-missing = targets are missing at pose { $poses }
     .hint = their other targets still count; a pose or an orientation needs all of them
 
-key-in-lines = { $key } in lines { $lines }
+key-in-lines = { $key } (lines { $lines })
 
 # Means: Several rows of the log have the same pose, or pose and cycle.
 # Matters: It is unknown which joint values belong to the measured points.
@@ -1440,7 +1440,15 @@ add-lines = add { $lines } to robot.toml, before its first table
 # Matters: The parameters are probably those of another robot, or robot.toml was edited since.
 # Do: Check that the parameters are those of this robot.
 # Example: `a_2 = 225` in robot.toml, 270 in parameters.json
-nominal-value-changed = `{ $parameter }` is nominally { $stated } { $unit } in robot.toml and was { $identified } { $unit } when the parameters were identified
+nominal-value-changed = `{ $parameter }` is nominally { $stated }{ $unit ->
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
+    } in robot.toml and was { $identified }{ $unit ->
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
+    } when the parameters were identified
     .hint = check that the parameters are those of this robot
 
 # Means: parameters.json states no standard uncertainty of a coordinate, and its residuals give
@@ -1727,6 +1735,8 @@ undescribed-set-up = check units, order and signs of the joints, the nominal par
 
 undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm leaves { FIXED($left_mm, 3) } mm: base or measuring system has moved between calibration and validation poses
 
+undescribed-unchecked = the calibration poses leave no coordinate to check: other places of base and targets fit them as well; measure more calibration poses, spread over the workspace
+
 undescribed-other-poses = the calibration poses fit, and no motion of the frame explains the others: check whether log and exports of the validation poses are of the same poses (a log of another campaign, or poses that are numbered otherwise)
 
 # Means: `--frames prior` is stated for nominal parameters.
@@ -1853,8 +1863,9 @@ identified-worse-than-nominal = on the { $set ->
     .hint = measure more poses, spread over the workspace, or hold parameters that they do not determine
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [1] { FIXED($value, 4) } (nominal { $nominal }, tolerance { FIXED($tolerance, 3) })
-       *[other] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolerance { FIXED($tolerance, 3) } { $unit })
+       *[other] { FIXED($value, 4) } (nominal { $nominal }, tolerance { FIXED($tolerance, 3) })
     }
 
 # Means: The data alone put parameters beyond their stated tolerance, by more than twice their
@@ -1869,3 +1880,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } parameters are
     } beyond the tolerance of the robot: { $parameters }
     .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file
+
+format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }

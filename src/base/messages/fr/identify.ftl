@@ -127,8 +127,9 @@ parameter-held-without-effect = les données ne dépendent pas de `{ $parameter 
 parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` reste à sa valeur nominale
 
 parameter-separable-poorly = `{ $parameter }` n’est séparable de { $others } qu’avec une incertitude-type de { FIXED($uncertainty, 2) }{ $unit ->
-        [1] {""}
-       *[other] {" "}{ $unit }
+        [mm] {" "}{ $unit }
+        [deg] {" "}{ $unit }
+       *[other] {""}
     } : { $held ->
         [placed] il reste à sa première estimation
        *[nominal] il reste à sa valeur nominale, mieux connue

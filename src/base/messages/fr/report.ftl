@@ -44,7 +44,7 @@ base-motion-explains-most = les paramètres ne sont plus valables : un mouvement
 base-moved = la base a bougé de { $by }
 base-rotation = rotation de la base
 base-shift = déplacement de la base
-batch-ends = { $pass } conformes, { $conditional } sous réserve, { $fail } non conformes, { $failed } non calculées, { $skipped } sautées
+batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécises, { $fail } non conformes, { $failed } non calculées, { $skipped } sautées
 before = avant
 before-named = { $name }, avant
 bending = flexion
@@ -662,6 +662,7 @@ position-residuals-explained = Résidus de position : RMS { $rms } { $unit }, do
 position-residuals-rms = résidus de position, RMS
 position-rms = position, valeur efficace
 positions = positions
+preconditions-column = Conditions préalables
 predicted-target-uncertainty = incertitude prédite des cibles sur les candidates (k = 1)
 predicted-u = u prédite (k = 1)
 predicted-uncertainty-title = Incertitude prévue des paramètres

@@ -184,7 +184,7 @@ column-empty = la colonne `{ $column }` est vide ou manque
 targets-missing = des cibles manquent à la pose { $poses }
     .hint = leurs autres cibles comptent ; une pose ou une orientation les demande toutes
 
-key-in-lines = { $key } aux lignes { $lines }
+key-in-lines = { $key } (lignes { $lines })
 
 log-key-twice = le journal `{ $log }` a { $count ->
         [one] { $count } clé
@@ -687,7 +687,15 @@ parameters-undescribed = les paramètres contiennent { $names }, que robot.toml 
 
 add-lines = ajouter { $lines } à robot.toml, avant son premier tableau
 
-nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated } { $unit } dans robot.toml, et avait { $identified } { $unit } lors de l’identification
+nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $unit ->
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
+    } dans robot.toml, et avait { $identified }{ $unit ->
+        [mm] {" "}mm
+        [deg] {" "}deg
+       *[other] {""}
+    } lors de l’identification
     .hint = vérifier que les paramètres sont ceux de ce robot
 
 calibration-without-residuals = l’étalonnage ne montre aucun écart-type d’une coordonnée
@@ -848,6 +856,8 @@ undescribed-set-up = vérifier unités, ordre et signes des articulations, les p
 
 undescribed-frame-moved = un mouvement du repère de { FIXED($motion_mm, 1) } mm laisse { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
 
+undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles y conviennent aussi ; mesurer davantage de poses d’étalonnage, réparties dans l’espace de travail
+
 undescribed-other-poses = les poses d’étalonnage conviennent, et aucun mouvement du repère n’explique les autres : vérifier que le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
 
 prior-of-nominal = des paramètres nominaux n’ont pas de covariance pour `--frames prior`
@@ -907,8 +917,9 @@ identified-worse-than-nominal = aux poses { $set ->
     .hint = mesurer plus de poses, réparties dans l’espace de travail, ou imposer des paramètres qu’elles ne déterminent pas
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [1] { FIXED($value, 4) } (nominal { $nominal }, tolérance { FIXED($tolerance, 3) })
-       *[other] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
+       *[other] { FIXED($value, 4) } (nominal { $nominal }, tolérance { FIXED($tolerance, 3) })
     }
 
 tolerance-exceeded = { $count ->
@@ -916,3 +927,5 @@ tolerance-exceeded = { $count ->
        *[other] { $count } paramètres dépassent
     } la tolérance du robot : { $parameters }
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales et les repères ; si le robot est dessiné autrement, indiquer `tolerance` dans le fichier du robot
+
+format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
