@@ -424,7 +424,7 @@ mod tests {
             "Verdict: pass.",
             "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
             "largest orientation error at 51 validation poses: 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
-            "Position residuals: RMS 26 µm, of which instrument and frames explain 21.8 µm. What is left is 1.19 times the \
+            "Position residuals: RMS 26.0 µm, of which instrument and frames explain 21.8 µm. What is left is 1.19 times the \
              instrument's uncertainty: the model does not explain everything.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
