@@ -70,10 +70,7 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     let rows = measured(arm.as_ref(), 60, TARGET, 1.0, 3);
     let deg = |q: &[f64]| q.iter().map(|v| v.to_degrees()).collect::<Vec<f64>>();
     // as they are, in degrees and millimetres, which no heading states
-    let text = table(
-        "a1,a2,a3,a4,a5,a6,X,Y,Z\n",
-        rows.iter().map(|(q, p)| deg(q).into_iter().chain(*p).collect()),
-    );
+    let text = table("a1,a2,a3,a4,a5,a6,X,Y,Z\n", rows.iter().map(|(q, p)| deg(q).into_iter().chain(*p).collect()));
     let document = proposed(at, arm.as_ref(), &text);
     assert_eq!(document.kind, "export with joints", "{}", document.toml);
     assert!(document.toml.contains("q1_deg = \"a1\"") && document.toml.contains("unit = \"mm\""), "{}", document.toml);

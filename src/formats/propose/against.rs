@@ -46,11 +46,10 @@ pub(super) fn correct(robot: &dyn Robot, table: &mut Table, found: &mut Interpre
         }
         Outcome::Reproduced(reading) => apply(robot, &trial, &reading, (table, found), &mut remarks),
         Outcome::Ambiguous(reading, other) => {
-            let differs = |k: &usize| reading.order[*k] != other.order[*k] || reading.reversed[*k] != other.reversed[*k];
-            let joints: Vec<String> = (0..reading.order.len())
-                .filter(differs)
-                .map(|k| robot.joints()[k].name.clone())
-                .collect();
+            let differs =
+                |k: &usize| reading.order[*k] != other.order[*k] || reading.reversed[*k] != other.reversed[*k];
+            let joints: Vec<String> =
+                (0..reading.order.len()).filter(differs).map(|k| robot.joints()[k].name.clone()).collect();
             if joints.is_empty() {
                 remarks.doubts.push(phrase!("robot-units-ambiguous", rms_mm = other.rms_mm));
             } else {
@@ -65,8 +64,7 @@ pub(super) fn correct(robot: &dyn Robot, table: &mut Table, found: &mut Interpre
 /// Returns the first trial that the robot reproduces, or the outcome of the first trial.
 fn outcome(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Option<(Trial, Outcome)> {
     let trials = trials(robot, table, found);
-    let supported =
-        |outcome: &Outcome| matches!(outcome, Outcome::Reproduced(_) | Outcome::Ambiguous(..));
+    let supported = |outcome: &Outcome| matches!(outcome, Outcome::Reproduced(_) | Outcome::Ambiguous(..));
     let plainly = |trial: &&Trial| sample(table, trial).is_some_and(|sample| supported(&test(robot, &sample, false)));
     // of many pairs of columns the first that fits as it is; otherwise the first two
     let chosen = if trials.len() > 2 { trials.iter().find(plainly) } else { None };
@@ -104,7 +102,12 @@ fn with_targets(
         return (trial, outcome);
     }
     let taken = |at: usize| trial.joints.contains(&at) || trial.points.contains(&at);
-    let free = |at: usize| matches!(found.taken[at].meaning, Meaning::Unknown | Meaning::Text | Meaning::Label | Meaning::Cycle | Meaning::Count);
+    let free = |at: usize| {
+        matches!(
+            found.taken[at].meaning,
+            Meaning::Unknown | Meaning::Text | Meaning::Label | Meaning::Cycle | Meaning::Count
+        )
+    };
     let candidates =
         (0..table.columns.len()).filter(|at| !taken(*at) && free(*at) && groups(&table.columns[*at]).is_some());
     let mut best = (trial.clone(), outcome);
@@ -317,7 +320,9 @@ pub(super) fn described(
     let points = points.map(|at| table.called(at)).join(", ");
     match origin {
         Origin::Commanded if measured => remarks.doubts.push(phrase!("points-commanded", points, rms_mm = *rms_mm)),
-        Origin::Undecided if measured => remarks.doubts.push(phrase!("points-perhaps-commanded", points, rms_mm = *rms_mm)),
+        Origin::Undecided if measured => {
+            remarks.doubts.push(phrase!("points-perhaps-commanded", points, rms_mm = *rms_mm))
+        }
         _ => {}
     }
 }

@@ -418,7 +418,8 @@ fn origin(robot: &dyn Robot, sample: &Sample, residual: &Residual) -> Origin {
     let reach_mm = 2.0 * sample.spread().1 * residual.unit_mm;
     let joints: f64 = sample.joints.iter().map(|column| half_step(column)).fold(0.0, f64::max);
     let angular = robot.joints().iter().any(|joint| joint.quantity == Quantity::Angle);
-    let in_rad = joints.min(1.0) * if sample.joints.iter().flatten().any(|v| v.abs() > 7.0) { factor("deg") } else { 1.0 };
+    let in_rad =
+        joints.min(1.0) * if sample.joints.iter().flatten().any(|v| v.abs() > 7.0) { factor("deg") } else { 1.0 };
     let of_joints_mm = if angular { in_rad * reach_mm } else { joints };
     match residual.largest_mm {
         largest if largest <= rounding_mm && 2.0 * half <= FINE_MM => Origin::Commanded,

@@ -340,11 +340,8 @@ impl Proposal<'_> {
             return self.observations(joints, &turned);
         }
         document.kind = "export with joints".to_owned();
-        let columns: Vec<String> = joints
-            .iter()
-            .enumerate()
-            .map(|(k, at)| self.joint(k, *at, self.joint_unit(*at)))
-            .collect();
+        let columns: Vec<String> =
+            joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
         let joints = format!("joints = {{ {} }}\n", columns.join(", "));
         let sets = 0..self.found.points.len().max(1);
         let remark = if self.found.by_kinematics { "" } else { JOINTS };
@@ -518,11 +515,8 @@ impl Proposal<'_> {
         if joints.len() >= 2 {
             document.kind = "export with joints".to_owned();
             document.questions.push("which joint each column is, and its unit".to_owned());
-            let columns: Vec<String> = joints
-                .iter()
-                .enumerate()
-                .map(|(k, at)| self.joint(k, *at, self.joint_unit(*at)))
-                .collect();
+            let columns: Vec<String> =
+                joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
             let _ = write!(out, "joints = {{ {} }}\n{JOINTS}", columns.join(", "));
         }
         out

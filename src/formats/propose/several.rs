@@ -112,7 +112,8 @@ const TABLES_OF_POSES: [&str; 3] = ["poses", "commanded", "reference"];
 
 /// Returns one section for attained and commanded poses and reference targets.
 fn poses(parts: &[Part]) -> Option<String> {
-    let file = |kind: &str| parts.iter().find(|part| part.document.kind == kind).map(|part| quoted(&part.document.file));
+    let file =
+        |kind: &str| parts.iter().find(|part| part.document.kind == kind).map(|part| quoted(&part.document.file));
     let (attained, commanded) = (file("poses")?, file("commanded")?);
     let reference = file("reference").map(|file| format!("reference = {file}\n")).unwrap_or_default();
     Some(format!("\n[poses]\nattained = {attained}\ncommanded = {commanded}\n{reference}"))
@@ -125,9 +126,11 @@ fn tail(parts: &mut [Part], log: usize, joined: &[(usize, Join)], targets: &[Str
     let mut out = "\n[join]\n".to_owned();
     let by = joined.first().map(|(_, join)| join.by);
     for (at, join) in joined {
-        let stated = FormatsJoin { log: log_file.clone(), by: join.by.to_owned(), keys: join.keys, matching: join.matching };
+        let stated =
+            FormatsJoin { log: log_file.clone(), by: join.by.to_owned(), keys: join.keys, matching: join.matching };
         let file = parts[*at].document.file.clone();
-        let text = phrase!("files-join", file, log = &*log_file, by = join.by, keys = join.keys, matching = join.matching);
+        let text =
+            phrase!("files-join", file, log = &*log_file, by = join.by, keys = join.keys, matching = join.matching);
         let _ = writeln!(out, "# {}", printable(&text.to_string()));
         parts[*at].document.join = Some(stated);
     }
@@ -192,7 +195,10 @@ fn tested(robot: &dyn Robot, export: &Part, log: &Part, join: &Join) -> Option<(
     let [Some(x), Some(y), Some(z)] = set.columns else { return None };
     let columns = of_log.joint_columns();
     let sample = Sample {
-        joints: columns.iter().map(|c| join.pairs.iter().map(|(_, l)| joints.columns[*c].values[*l]).collect()).collect(),
+        joints: columns
+            .iter()
+            .map(|c| join.pairs.iter().map(|(_, l)| joints.columns[*c].values[*l]).collect())
+            .collect(),
         stated: columns.iter().map(|c| joints.columns[*c].heading.unit).collect(),
         points: [x, y, z].map(|c| join.pairs.iter().map(|(e, _)| points.columns[c].values[*e]).collect()),
         targets: targets_of(export, join),
@@ -288,7 +294,10 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
     let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
     let toml = &mut part.document.toml;
     if toml.contains(TARGET_LINE) {
-        *toml = toml.replace(TARGET_LINE, &format!("target = \"{stem}\"           # named after the file: the file names no target\n"));
+        *toml = toml.replace(
+            TARGET_LINE,
+            &format!("target = \"{stem}\"           # named after the file: the file names no target\n"),
+        );
         add(&stem);
     }
     if toml.contains(LABEL_LINE) {
