@@ -5,7 +5,7 @@ use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};
 use std::path::PathBuf;
 
-/// Propose how to read and join files, with reasons and doubts, as lines to paste into campaign.toml.
+/// Propose how to read and join files, with reasons and doubts, as lines for campaign.toml.
 #[derive(Debug, clap::Args)]
 pub struct Formats {
     /// Files to read.
