@@ -708,6 +708,17 @@ class FormatsColumn(Record):
     why: str
     """Evidence for the contents."""
 
+class FormatsJoin(Record):
+    """Proposed join of an export with a log."""
+    by: str
+    """Key of the join: `pose`, `pose, cycle`, `label`, `row` or `time`."""
+    keys: int
+    """Number of rows of the export."""
+    log: str
+    """File of the log."""
+    matching: int
+    """Number of these rows with a row of the log."""
+
 class FramePose(Record):
     """Pose of a frame in the coordinates of the exports."""
     covariance: list[list[float]] | None
@@ -2418,6 +2429,8 @@ class FormatsDocument(Document):
     """The file as the user named it."""
     format: str | None
     """Name of the format, if the file states one. Such a file needs no proposal."""
+    join: FormatsJoin | None
+    """Join with a log, if several files were named."""
     kind: str
     """Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`, `commanded`,
     `recording` ...

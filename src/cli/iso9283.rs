@@ -82,6 +82,8 @@ enum Test {
         /// Loads: direction,cycle,force_n,x_mm,y_mm[,z_mm]; direction +x to -z, with a row of force
         /// 0 in each cycle.
         table: PathBuf,
+        #[command(flatten)]
+        format: TableFormat,
         /// Print JSON.
         #[arg(long)]
         json: bool,
@@ -174,7 +176,7 @@ impl Iso9283 {
             Some(Test::Path { stream, commanded, options, seed, json }) => {
                 options.run(&stream, commanded.as_deref(), seed, json)
             }
-            Some(Test::Compliance { table, json }) => compliance(&table, json),
+            Some(Test::Compliance { table, format, json }) => compliance(format.read_poses(&table)?, json),
             Some(Test::Plan { options, json }) => options.run(json),
             None => by_options.run(),
         }
@@ -186,7 +188,7 @@ impl ByOptions {
         let commanded = self.commanded.as_deref();
         match (&self.stream, &self.compliance, &self.poses) {
             _ if self.plan => self.layout.run(self.json),
-            (_, Some(table), _) => compliance(table, self.json),
+            (_, Some(table), _) => compliance(TableFile::read(table)?, self.json),
             (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
             (.., Some(poses)) => self.pose.run((poses, commanded), &TableFile::read, self.seed, self.json),
             _ => Err(Problems::from(error!("nothing-to-evaluate")).into()),
@@ -282,8 +284,7 @@ impl Iso9283 {
 }
 
 /// Evaluates static compliance from a table of loads.
-fn compliance(path: &Path, json: bool) -> anyhow::Result<Verdict> {
-    let table = TableFile::read(path)?;
+fn compliance(table: TableFile, json: bool) -> anyhow::Result<Verdict> {
     let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;
     remark(&document.messages);
     let json = json.then(|| to_json(&document)).transpose()?;

@@ -1,5 +1,6 @@
 //! Command `etalon kinematics`.
 
+use super::text_format::TableFormat;
 use super::{Verdict, print_with, remark};
 use crate::run::documents::read_parameters;
 use crate::stages::given::robot_values;
@@ -43,6 +44,8 @@ pub struct KinematicsCommand {
     /// One solution per pose: the nearest to the joints of its row, or of the previous row.
     #[arg(long)]
     nearest: bool,
+    #[command(flatten)]
+    format: TableFormat,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
@@ -65,7 +68,7 @@ impl KinematicsCommand {
             robot.definition_mut().set_nominal(&values);
         }
         let arm = whole_pose(robot.as_ref())?;
-        let file = TableFile::read(&self.table)?;
+        let file = self.format.read_poses(&self.table)?;
         let mut document = KinematicsDocument {
             schema: "etalon/kinematics/1".to_owned(),
             robot: arm.model().to_owned(),

@@ -3,6 +3,7 @@
 use super::given::Given;
 use super::report::Reports;
 use super::table_file::TableFile;
+use super::text_format::TableFormat;
 use super::{Verdict, answer, check_positive, pose_table, progress, remark};
 use crate::simulate::true_values;
 use crate::stages::candidates::configurations;
@@ -66,6 +67,8 @@ pub struct PlanCommand {
     /// together.
     #[arg(long)]
     candidates: PathBuf,
+    #[command(flatten)]
+    format: TableFormat,
     /// Number of poses to choose.
     #[arg(long, value_name = "N")]
     positions: usize,
@@ -136,7 +139,7 @@ impl PlanCommand {
         files::refuse_overwriting(written, self.inputs())?;
         self.reports.check(self.inputs())?;
         let robot_file = read_robot(&self.robot)?;
-        let (robot, candidates) = read(&robot_file, &self.candidates)?;
+        let (robot, candidates) = candidates_of(&robot_file, &self.format.read_poses(&self.candidates)?)?;
         let elsewhere = self.workspace.as_ref().map(|path| read(&robot_file, path)).transpose()?;
         let everywhere = elsewhere.map(|(_, all)| all.observations);
         let document = self.planned(robot.as_ref(), candidates, everywhere, files::sha256_of(self.inputs())?)?;

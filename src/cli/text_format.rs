@@ -4,7 +4,7 @@ use super::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_formats::dialect::FromRow;
-use etalon_formats::dialect::{ColumnRole, ColumnSource, Decimal, Delimiter, Dialect, Header, Unit};
+use etalon_formats::dialect::{ColumnRole, ColumnSource, Decimal, Delimiter, Dialect, Header, Missing, Unit};
 use etalon_formats::{Format, TableLayout};
 use std::path::Path;
 
@@ -81,6 +81,12 @@ pub(super) struct TableFormat {
     /// The table has no header: columns are given by number (--column q1_deg=3).
     #[arg(long)]
     no_header: bool,
+    /// Cells that mean "not measured", in place of the usual ones (an empty cell, nan, N/A ...).
+    #[arg(long, value_name = "TEXT,...", value_delimiter = ',', allow_hyphen_values = true)]
+    missing: Option<Vec<String>>,
+    /// Beginning of lines to skip.
+    #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
+    comment: Option<String>,
     /// Target of all rows of a table without such a column.
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
@@ -122,12 +128,21 @@ impl TableFormat {
             decimal: word("--decimal", &self.decimal)?,
             columns: self.columns.iter().map(column).collect::<Result<_, _>>()?,
             header: Header::Rows(usize::from(!self.no_header)),
+            comment: self.comment.clone(),
+            missing: self.missing.clone().map(missing).transpose()?.unwrap_or_default(),
             lenient,
             target: self.target.clone(),
             pose: self.pose.as_deref().map(|row| word::<FromRow>("--pose", row)).transpose()?,
             ..TableLayout::default()
         })
     }
+}
+
+/// Texts of cells that mean "not measured".
+fn missing(texts: Vec<String>) -> Result<Missing, Problems> {
+    type Texts = serde::de::value::SeqDeserializer<std::vec::IntoIter<String>, serde::de::value::Error>;
+    let found = <Missing as serde::Deserialize>::deserialize(Texts::new(texts.into_iter()));
+    found.map_err(|e| error!("option-refused", option = "--missing", reason = e.to_string()).into())
 }
 
 /// A number of a column, or a heading or an expression.

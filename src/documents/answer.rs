@@ -175,8 +175,25 @@ pub struct FormatsDocument {
     pub doubts: Vec<String>,
     /// Facts that the file cannot state and the campaign must.
     pub questions: Vec<String>,
+    /// Join with a log, if several files were named.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub join: Option<FormatsJoin>,
     /// Proposal as lines for campaign.toml, with reasons, doubts and questions as comments.
     pub toml: String,
+}
+
+/// Proposed join of an export with a log.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormatsJoin {
+    /// File of the log.
+    pub log: String,
+    /// Key of the join: `pose`, `pose, cycle`, `label`, `row` or `time`.
+    pub by: String,
+    /// Number of rows of the export.
+    pub keys: usize,
+    /// Number of these rows with a row of the log.
+    pub matching: usize,
 }
 
 /// A column and its proposed contents.

@@ -2,6 +2,8 @@
 
 mod commanded;
 mod init;
+mod robot;
+mod several;
 mod six_d;
 mod tables;
 

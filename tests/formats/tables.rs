@@ -174,3 +174,105 @@ fn tests_of_poses_read_tables_in_any_layout() {
     let (_, said) = program(&own, &[]);
     assert!(said.contains("--delimiter"), "{said}");
 }
+
+/// `etalon ARGS` in the folder of a campaign: exit code and output.
+fn answer(scratch: &Scratch, arguments: &[&str]) -> (Option<i32>, String) {
+    let output = std::process::Command::new(crate::support::program())
+        .args(arguments)
+        .current_dir(scratch.path())
+        .output()
+        .unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout) + &text(output.stderr))
+}
+
+#[test]
+fn commands_read_tables_in_the_same_language() {
+    // joint values of an arm: commas and names of etalon, or a file of another program
+    let scratch = copy_sample("probe-poses");
+    let file = |name: &str, text: &str| std::fs::write(scratch.path().join(name), text).unwrap();
+    let joints = |sep: &str, point: &str, i: usize| {
+        let values: Vec<String> = (1..=6).map(|k| format!("{}.{}", (7 * i * k) % 60, k).replace('.', point)).collect();
+        format!("{i}{sep}{}", values.join(sep))
+    };
+    let head = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n";
+    file("plain.csv", &(head.to_owned() + &(1..9).map(|i| joints(",", ".", i) + "\n").collect::<String>()));
+    let other: String = (1..9).map(|i| joints(";", ",", i) + "\n").collect();
+    file("other.csv", &format!("% made elsewhere\nNr;A1;A2;A3;A4;A5;A6\n{other}"));
+    file("bare.csv", &other);
+    let of_robot = |table: &'static str, more: &[&'static str]| {
+        let (code, said) =
+            answer(&scratch, &[&["kinematics", "direct", table, "--robot", "robot.toml"], more].concat());
+        assert_eq!(code, Some(0), "{table}: {said}");
+        said
+    };
+    let plain = of_robot("plain.csv", &[]);
+    let named = [
+        "--delimiter",
+        ";",
+        "--decimal",
+        ",",
+        "--comment",
+        "%",
+        "--column",
+        "pose=Nr",
+        "--column",
+        "q1_deg=A1",
+        "--column",
+        "q2_deg=A2",
+        "--column",
+        "q3_deg=A3",
+        "--column",
+        "q4_deg=A4",
+        "--column",
+        "q5_deg=A5",
+        "--column",
+        "q6_deg=A6",
+    ];
+    assert_eq!(of_robot("other.csv", &named), plain);
+    let numbered = [
+        "--delimiter",
+        ";",
+        "--decimal",
+        ",",
+        "--no-header",
+        "--column",
+        "pose=1",
+        "--column",
+        "q1_deg=2",
+        "--column",
+        "q2_deg=3",
+        "--column",
+        "q3_deg=4",
+        "--column",
+        "q4_deg=5",
+        "--column",
+        "q5_deg=6",
+        "--column",
+        "q6_deg=7",
+    ];
+    assert_eq!(of_robot("bare.csv", &numbered), plain);
+    // a slip: the exchanged decimal mark is refused
+    let (code, said) = answer(
+        &scratch,
+        &["kinematics", "direct", "other.csv", "--robot", "robot.toml", "--delimiter", ";", "--comment", "%"],
+    );
+    assert!(code == Some(2) && said.contains("error["), "{said}");
+}
+
+#[test]
+fn loads_are_read_in_the_same_language() {
+    let text = include_str!("../../samples/pose-test/loads.csv");
+    let scratch = Scratch::with(&[
+        ("plain.csv", text),
+        ("other.csv", &text.replace(',', ";").replace('.', ",").replacen("force_n", "F [N]", 1)),
+    ]);
+    let of = |table: &str, more: &[&str]| {
+        let (code, said) = answer(&scratch, &[&["iso9283", "compliance", table, "--json"], more].concat());
+        assert_eq!(code, Some(0), "{said}");
+        said
+    };
+    let plain = of("plain.csv", &[]);
+    let stated = ["--delimiter", ";", "--decimal", ",", "--column", "force_n=F [N]"];
+    assert_eq!(of("other.csv", &stated), plain);
+}

@@ -9,6 +9,7 @@ mod diagnoses;
 mod files;
 mod follow_up;
 mod fuzz;
+mod hints;
 mod kinds;
 mod logs;
 mod qif;

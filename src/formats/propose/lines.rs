@@ -107,7 +107,9 @@ impl Proposal<'_> {
                 None => {
                     document.kind = "log".to_owned();
                     document.reasons.push(format!("a log: {}", self.named(&joints, "the header names joints")));
-                    document.questions.push("which joint each column is, and its unit".to_owned());
+                    if !self.found.by_kinematics {
+                        document.questions.push("which joint each column is, and its unit".to_owned());
+                    }
                     self.log(None)
                 }
             },
@@ -217,7 +219,11 @@ impl Proposal<'_> {
         let unit = points.and_then(|points| self.unit(points));
         let dialect = self.dialect(set);
         let mut out = format!("[[export]]\nfile = {}\nformat = {dialect}\n", quoted(self.file));
-        out += &unit_line(unit.map(Unit::name));
+        let line = unit_line(unit.map(Unit::name));
+        out += &match self.found.by_kinematics {
+            true => line.replace("the file states it", "the kinematics of the nominal robot fit with it"),
+            false => line,
+        };
         let of: Vec<ColumnRole> = roles.iter().copied().filter(|role| role.is_coordinate()).collect();
         let kind = coordinate_type(&of).unwrap_or(CoordinateType::Cartesian);
         if dialect.angle_unit.is_none() && of.iter().any(|role| role.is_angle()) {
@@ -323,6 +329,9 @@ impl Proposal<'_> {
     fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
         document.reasons.push(self.named(joints, "the header names joints beside the points"));
         document.questions.push("which joint each column is, and its unit".to_owned());
+        if self.found.by_kinematics {
+            document.questions.pop();
+        }
         let turned = [self.found.quaternion_columns(), self.found.rotation_columns()].concat();
         if !turned.is_empty() && self.found.points.len() == 1 {
             document.kind = "observations".to_owned();
@@ -331,14 +340,27 @@ impl Proposal<'_> {
             return self.observations(joints, &turned);
         }
         document.kind = "export with joints".to_owned();
-        let columns: Vec<String> = joints
-            .iter()
-            .enumerate()
-            .map(|(k, at)| format!("q{}_{} = {}", k + 1, self.joint_unit(*at), self.column(*at)))
-            .collect();
+        let columns: Vec<String> =
+            joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
         let joints = format!("joints = {{ {} }}\n", columns.join(", "));
         let sets = 0..self.found.points.len().max(1);
-        sets.map(|set| self.export(document, set) + &joints).collect::<String>() + JOINTS
+        let remark = if self.found.by_kinematics { "" } else { JOINTS };
+        sets.map(|set| self.export(document, set) + &joints).collect::<String>() + remark
+    }
+
+    /// Returns the name of a joint: that of the robot, or its number.
+    fn joint_key(&self, k: usize) -> String {
+        self.found.joint_names.get(k).cloned().unwrap_or_else(|| format!("q{}", k + 1))
+    }
+
+    /// Returns the entry of a joint in `columns` of a log or `joints` of an export.
+    fn joint(&self, k: usize, at: usize, unit: &str) -> String {
+        let key = self.joint_key(k);
+        match (self.found.reversed.contains(&at), self.heading(at)) {
+            (false, _) => format!("{key}_{unit} = {}", self.column(at)),
+            (true, Some(name)) => format!("{key}_{unit} = {{ name = {}, per_count = -1 }}", quoted(name)),
+            (true, None) => format!("{key}_{unit} = {{ number = {}, per_count = -1 }}", at + 1),
+        }
     }
 
     /// Returns the unit of the column of a joint, as the suffix of its key.
@@ -356,7 +378,14 @@ impl Proposal<'_> {
             }
         }
         for (k, at) in joints.iter().enumerate() {
-            column(format!("q{}_{}", k + 1, self.joint_unit(*at)), *at);
+            let (key, unit) = (self.joint_key(k), self.joint_unit(*at));
+            columns.push(match self.found.reversed.contains(at) {
+                false => format!("{key}_{unit} = {}", self.column(*at)),
+                true => {
+                    let name = self.heading(*at).map_or_else(|| format!("${}", at + 1), str::to_owned);
+                    format!("{key}_{unit} = {}", quoted(&format!("-1 * {name}")))
+                }
+            });
         }
         columns
     }
@@ -486,11 +515,8 @@ impl Proposal<'_> {
         if joints.len() >= 2 {
             document.kind = "export with joints".to_owned();
             document.questions.push("which joint each column is, and its unit".to_owned());
-            let columns: Vec<String> = joints
-                .iter()
-                .enumerate()
-                .map(|(k, at)| format!("q{}_{} = {}", k + 1, self.joint_unit(*at), self.column(*at)))
-                .collect();
+            let columns: Vec<String> =
+                joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
             let _ = write!(out, "joints = {{ {} }}\n{JOINTS}", columns.join(", "));
         }
         out
@@ -548,7 +574,7 @@ impl Proposal<'_> {
         for (k, at) in self.found.joint_columns().into_iter().enumerate() {
             let unit =
                 unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
-            columns.push(format!("q{}_{unit} = {}", k + 1, self.column(at)));
+            columns.push(self.joint(k, at, unit));
         }
         let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
         out.push_str(JOINTS);

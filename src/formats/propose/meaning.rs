@@ -102,7 +102,7 @@ pub(super) struct PointSet {
 }
 
 /// Interpretation of a table.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Interpretation {
     /// Meaning of each column.
     pub taken: Vec<Taken>,
@@ -114,6 +114,12 @@ pub(super) struct Interpretation {
     pub difference: Option<PointSet>,
     /// Unit of the column of times, if its heading states one.
     pub time_unit: Option<&'static str>,
+    /// Names of the joints in robot.toml; empty if no robot was given.
+    pub joint_names: Vec<String>,
+    /// Columns of joints that count in the opposite direction.
+    pub reversed: Vec<usize>,
+    /// `true` if the kinematics of the nominal robot support the units.
+    pub by_kinematics: bool,
     pub doubts: Vec<String>,
     pub questions: Vec<String>,
 }
@@ -172,7 +178,7 @@ impl Interpretation {
         self.columns(|meaning| if let Meaning::Matrix(i, j) = meaning { Some(3 * i + j) } else { None })
     }
 
-    fn take(&mut self, at: usize, meaning: Meaning, why: impl Into<String>) {
+    pub(super) fn take(&mut self, at: usize, meaning: Meaning, why: impl Into<String>) {
         self.taken[at] = Taken { meaning, why: why.into() };
     }
 

@@ -1,12 +1,17 @@
 //! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
+mod against;
 mod coordinates;
 mod headings;
+mod kinematics;
 mod lines;
 mod meaning;
 mod own;
+mod several;
 mod structure;
 mod table;
+
+pub use several::{FilesProposal, propose_files};
 
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};
@@ -15,9 +20,11 @@ use super::input::{bytes_of, decode};
 use super::logs::LogKind;
 use super::workbook;
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
+use against::Remarks;
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Result, count, printable};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
+use etalon_robots::Robot;
 use lines::{JOINTS, Proposal};
 use meaning::Interpretation;
 use std::path::Path;
@@ -63,6 +70,29 @@ const SHOWN_COLUMNS: usize = 60;
 /// # Errors
 /// If the file is missing, empty or not text, or no reading gives rows of numbers.
 pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
+    propose_file_for(path, None)
+}
+
+/// Proposes readings of a file as [`propose_file`], and tests them against a nominal robot.
+///
+/// # Errors
+/// If the file is missing, empty or not text, or no reading gives rows of numbers.
+pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
+    match robot {
+        Some(robot) => propose_corrected(path, Some(&mut |table, found| against::correct(robot, table, found))),
+        None => propose_corrected(path, None),
+    }
+}
+
+/// Correction of the interpretation of a table before its lines are written.
+type Correct<'a> = &'a mut dyn FnMut(&mut Table, &mut Interpretation) -> Remarks;
+
+/// Returns the correction for one use of several.
+fn reborrowed<'a>(correct: &'a mut Option<Correct<'_>>) -> Option<Correct<'a>> {
+    correct.as_mut().map(|correct| &mut **correct as Correct<'a>)
+}
+
+fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let bytes = bytes_of(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
@@ -70,7 +100,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
         return Err(here(error!("file-empty")).into());
     }
     if workbook::is_workbook(&bytes) {
-        return of_workbook(&name, &bytes).map_err(|message| here(message).into());
+        return of_workbook(&name, &bytes, correct).map_err(|message| here(message).into());
     }
     let (text, encoding) = decoded(bytes).map_err(here)?;
     let other = match known(&text) {
@@ -81,7 +111,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     if let Some(kind) = other {
         return Err(here(error!("file-without-points", kind)).into());
     }
-    let mut document = propose(&name, &text);
+    let mut document = propose_in(&name, &text, None, correct);
     if document.readings.is_empty() && document.format.is_none() {
         return Err(here(error!("no-rows-of-numbers", file = "text")).into());
     }
@@ -97,10 +127,14 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 }
 
 /// Proposes readings of the first sheet with rows of numbers.
-fn of_workbook(file: &str, bytes: &[u8]) -> std::result::Result<FormatsDocument, Message> {
+fn of_workbook(
+    file: &str,
+    bytes: &[u8],
+    mut correct: Option<Correct>,
+) -> std::result::Result<FormatsDocument, Message> {
     let names = workbook::sheets(bytes)?;
     for name in &names {
-        let mut document = propose_in(file, &workbook::text(bytes, name)?, Some(name));
+        let mut document = propose_in(file, &workbook::text(bytes, name)?, Some(name), reborrowed(&mut correct));
         if !document.readings.is_empty() {
             if let Some(doubt) = workbook::others(&names, name) {
                 document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
@@ -133,7 +167,7 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
 /// Proposes readings of a text, and lines for campaign.toml for the first reading. Statements that
 /// the file lacks become questions.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
-    propose_in(file, text, None)
+    propose_in(file, text, None, None)
 }
 
 /// Returns the proposal for a text that states its format.
@@ -163,7 +197,7 @@ fn of_known_format(empty: &FormatsDocument, file: &str, text: &str) -> Option<Fo
 }
 
 /// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
-fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
+fn propose_in(file: &str, text: &str, sheet: Option<&str>, correct: Option<Correct>) -> FormatsDocument {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     if sheet.is_none()
@@ -173,7 +207,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     }
     let log = LogKind::recognise(text).filter(|_| sheet.is_none());
     let guesses = guesses(text, sheet);
-    let tables: Vec<(Table, Interpretation)> = guesses
+    let mut tables: Vec<(Table, Interpretation)> = guesses
         .iter()
         .map(|guess| {
             let table = Table::of(text, guess);
@@ -181,6 +215,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
             (table, found)
         })
         .collect();
+    let remarks = correct.zip(tables.first_mut()).map(|(correct, (table, found))| correct(table, found));
     document.readings = guesses.iter().zip(&tables).map(|(guess, (_, found))| reading(guess, found)).collect();
     let best = guesses.first().zip(tables.first());
     if let Some((_, (table, found))) = best {
@@ -210,6 +245,10 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>) -> FormatsDocument {
     };
     document.reasons = reasons(best, table);
     document.doubts = doubts(&guesses);
+    if let Some(remarks) = remarks {
+        document.reasons.extend(remarks.reasons.iter().map(ToString::to_string));
+        document.doubts.extend(remarks.doubts.iter().map(ToString::to_string));
+    }
     document.doubts.extend(found.doubts.iter().cloned());
     document.questions.extend(found.questions.iter().cloned());
     let lines = match own::recognise(&proposal, &found.joint_columns()) {

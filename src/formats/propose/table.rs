@@ -9,7 +9,7 @@ use crate::lexer::{Row, each_row, marked};
 pub(super) const MOST_ROWS: usize = 200_000;
 
 /// Table of one reading.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Table {
     pub columns: Vec<Column>,
     /// Number of rows that were read.
@@ -19,7 +19,7 @@ pub(super) struct Table {
 }
 
 /// Column of a table.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Column {
     /// Name in the header.
     pub name: Option<String>,
@@ -29,6 +29,8 @@ pub(super) struct Column {
     pub values: Vec<f64>,
     /// Distinct texts, at most [`TEXTS`].
     pub texts: Vec<String>,
+    /// Text of each row; empty for a column of numbers.
+    pub cells: Vec<Box<str>>,
     /// `true` if every text is a date or a time of day.
     pub clock: bool,
 }
@@ -115,6 +117,7 @@ impl Column {
         if self.texts.len() < TEXTS && !self.texts.iter().any(|known| known == field) {
             self.texts.push(field.to_owned());
         }
+        self.cells.push(field.into());
     }
 
     /// `true` for a column of numbers.

@@ -384,3 +384,51 @@ no-rows-of-numbers = { $file ->
        *[text] keine Lesart als getrennter Text ergibt
     } Zeilen mit zwei oder mehr Zahlen
     .hint = die Punkte als Text exportieren, eine Zeile je Punkt
+
+robot-does-not-test = ein Roboter des Modells `{ $model }` prüft den Vorschlag nicht: sein Flansch hat keine freie Pose im Raum
+
+robot-not-tested = der Nennroboter prüft den Vorschlag nicht: nötig sind { $fewest } Zeilen mit Gelenken und Koordinaten, die den Raum aufspannen
+
+robot-contradicts = der Nennroboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
+        [yes] ; die beste lässt { FIXED($rms_mm, 2) } mm (quadratisches Mittel)
+       *[no] {""}
+    }
+
+robot-ambiguous = die Daten bestimmen Reihenfolge und Richtung von { $joints } nicht: eine andere Lesart lässt { FIXED($rms_mm, 3) } mm (quadratisches Mittel)
+
+robot-units-ambiguous = die Daten bestimmen die Einheiten der Gelenke nicht: eine andere Einheit lässt { FIXED($rms_mm, 3) } mm (quadratisches Mittel)
+
+robot-finds-targets = mit einem Ziel für jeden Wert von { $column } reproduziert der Nennroboter die Koordinaten
+
+robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, und die Kinematik des Nennroboters passt mit { $unit }
+
+robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der Nennroboter passt mit umgekehrtem Vorzeichen
+
+robot-orders = der Nennroboter passt mit den Gelenken in der Reihenfolge { $columns }
+
+robot-reproduces = der Nennroboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratisches Mittel von { $rows } Zeilen, Basis und Ziel frei)
+
+points-commanded = { $points } sind kommandiert oder berechnet, nicht gemessen: der Nennroboter berechnet sie bis auf ihre Rundung (Residuum { FIXED($rms_mm, 6) } mm)
+
+points-perhaps-commanded = { $points } sind vielleicht kommandiert, nicht gemessen: das Residuum von { FIXED($rms_mm, 4) } mm liegt innerhalb der Rundung von Koordinaten und Gelenken
+
+file-is = `{ $file }`: { $kind }, { $rows ->
+        [one] 1 Zeile
+       *[other] { $rows } Zeilen
+    }{ $coordinates ->
+        [none] {""}
+        [open] , Koordinaten unbekannter Einheit
+       *[other] , Koordinaten in { $coordinates }
+    }{ $joints ->
+        [none] {""}
+        [open] , Gelenke unbekannter Einheit
+       *[other] , Gelenke in { $joints }
+    }{ $times ->
+        [none] {""}
+        [open] , Zeiten unbekannter Einheit
+       *[other] , Zeiten in { $times }
+    }
+
+files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine Zeile von `{ $log }` nach { $by }
+
+files-not-joined = kein Schlüssel verbindet alle Exporte mit den { $rows } Zeilen von `{ $log }`

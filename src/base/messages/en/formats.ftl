@@ -751,3 +751,51 @@ no-rows-of-numbers = { $file ->
        *[text] no reading as delimited text gives
     } rows with two or more numbers
     .hint = export the points as text, one row each
+
+robot-does-not-test = a robot of the model `{ $model }` does not test the proposal: its flange has no free pose in space
+
+robot-not-tested = the nominal robot does not test the proposal: { $fewest } rows with joints and coordinates that span space are needed
+
+robot-contradicts = the nominal robot does not reproduce { $points } with any order, direction and unit of the joints that was tried{ $known ->
+        [yes] ; the best leaves { FIXED($rms_mm, 2) } mm (root mean square)
+       *[no] {""}
+    }
+
+robot-ambiguous = the data do not determine order and direction of { $joints }: another reading leaves { FIXED($rms_mm, 3) } mm (root mean square)
+
+robot-units-ambiguous = the data do not determine the units of the joints: another unit leaves { FIXED($rms_mm, 3) } mm (root mean square)
+
+robot-finds-targets = with a target for each value of { $column } the nominal robot reproduces the coordinates
+
+robot-contradicts-unit = the heading of { $column } states { $stated }, and the kinematics of the nominal robot fit with { $unit }
+
+robot-reverses = { $column } counts against the direction of `{ $joint }`: the nominal robot fits with the opposite sign
+
+robot-orders = the nominal robot fits with the joints in the order { $columns }
+
+robot-reproduces = the nominal robot reproduces { $points } in { $unit } with a residual of { FIXED($rms_mm, 4) } mm (root mean square of { $rows } rows, base and target free)
+
+points-commanded = { $points } are commanded or computed, not measured: the nominal robot computes them to their rounding (residual { FIXED($rms_mm, 6) } mm)
+
+points-perhaps-commanded = { $points } may be commanded, not measured: the residual of { FIXED($rms_mm, 4) } mm is within the rounding of coordinates and joints
+
+file-is = `{ $file }`: { $kind }, { $rows ->
+        [one] 1 row
+       *[other] { $rows } rows
+    }{ $coordinates ->
+        [none] {""}
+        [open] , coordinates of unknown unit
+       *[other] , coordinates in { $coordinates }
+    }{ $joints ->
+        [none] {""}
+        [open] , joints of unknown unit
+       *[other] , joints in { $joints }
+    }{ $times ->
+        [none] {""}
+        [open] , times of unknown unit
+       *[other] , times in { $times }
+    }
+
+files-join = { $matching } of { $keys } rows of `{ $file }` have a row of `{ $log }` by { $by }
+
+files-not-joined = no key joins all exports with the { $rows } rows of `{ $log }`

@@ -384,3 +384,51 @@ no-rows-of-numbers = { $file ->
        *[text] aucune lecture comme texte délimité ne donne
     } de lignes de deux nombres ou plus
     .hint = exporter les points en texte, une ligne par point
+
+robot-does-not-test = un robot du modèle `{ $model }` ne vérifie pas la proposition : sa bride n’a pas de pose libre dans l’espace
+
+robot-not-tested = le robot nominal ne vérifie pas la proposition : il faut { $fewest } lignes avec articulations et coordonnées qui couvrent l’espace
+
+robot-contradicts = le robot nominal ne reproduit { $points } avec aucun ordre, sens ni unité des articulations essayés{ $known ->
+        [yes] {" "}; le meilleur laisse { FIXED($rms_mm, 2) } mm (moyenne quadratique)
+       *[no] {""}
+    }
+
+robot-ambiguous = les données ne déterminent pas l’ordre et le sens de { $joints } : une autre lecture laisse { FIXED($rms_mm, 3) } mm (moyenne quadratique)
+
+robot-units-ambiguous = les données ne déterminent pas les unités des articulations : une autre unité laisse { FIXED($rms_mm, 3) } mm (moyenne quadratique)
+
+robot-finds-targets = avec une cible pour chaque valeur de { $column }, le robot nominal reproduit les coordonnées
+
+robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, et la cinématique du robot nominal convient avec { $unit }
+
+robot-reverses = { $column } compte à l’inverse de `{ $joint }` : le robot nominal convient avec le signe opposé
+
+robot-orders = le robot nominal convient avec les articulations dans l’ordre { $columns }
+
+robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible libres)
+
+points-commanded = { $points } sont commandées ou calculées, non mesurées : le robot nominal les calcule à leur arrondi près (résidu { FIXED($rms_mm, 6) } mm)
+
+points-perhaps-commanded = { $points } sont peut-être commandées, non mesurées : le résidu de { FIXED($rms_mm, 4) } mm est dans l’arrondi des coordonnées et des articulations
+
+file-is = `{ $file }` : { $kind }, { $rows ->
+        [one] 1 ligne
+       *[other] { $rows } lignes
+    }{ $coordinates ->
+        [none] {""}
+        [open] , coordonnées d’unité inconnue
+       *[other] , coordonnées en { $coordinates }
+    }{ $joints ->
+        [none] {""}
+        [open] , articulations d’unité inconnue
+       *[other] , articulations en { $joints }
+    }{ $times ->
+        [none] {""}
+        [open] , temps d’unité inconnue
+       *[other] , temps en { $times }
+    }
+
+files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne de `{ $log }` par { $by }
+
+files-not-joined = aucune clé ne joint tous les exports aux { $rows } lignes de `{ $log }`

@@ -1,0 +1,429 @@
+//! Test of a proposal against the nominal robot: order, unit and sign of the joints, unit of the
+//! coordinates, and the column of targets with which its kinematics reproduce the coordinates.
+
+use etalon_base::pose::Pose;
+use etalon_robots::{Quantity, Robot};
+
+/// Minimum number of rows: base and target are 15 unknowns.
+pub(super) const FEWEST: usize = 15;
+/// Number of rows with which orders and signs are ranked.
+const RANKED: usize = 24;
+/// Maximum number of rows of the final residual.
+const MOST: usize = 2000;
+/// Largest residual, relative to the spread of the coordinates, of an accepted reading.
+const ACCEPTED: f64 = 0.03;
+/// Factor by which the residual of the next reading has to be larger.
+const DISTINCT: f64 = 3.0;
+/// Residuals (mm) that count as equal.
+const SAME_MM: f64 = 1e-3;
+/// Maximum number of readings that are compared with all rows.
+const NEAR: usize = 64;
+/// Largest step (mm) of rounded coordinates that tells computed from measured ones.
+const FINE_MM: f64 = 0.1;
+/// Allowance for base and target, which are fitted to rounded coordinates.
+const ALLOWANCE: f64 = 1.2;
+/// Difference (mm) of computed coordinates that are not rounded.
+const COMPUTED_MM: f64 = 1e-6;
+/// Units of lengths, and their sizes in mm.
+const LENGTHS: [(&str, f64); 4] = [("mm", 1.0), ("m", 1000.0), ("inch", 25.4), ("um", 0.001)];
+
+/// Rows of joint values and points, column by column.
+pub(super) struct Sample {
+    /// Columns of joint values in the unit of the file; at least as many as the robot has joints.
+    pub joints: Vec<Vec<f64>>,
+    /// Units that the headings of these columns state.
+    pub stated: Vec<Option<&'static str>>,
+    /// Columns x, y, z in the unit of the file.
+    pub points: [Vec<f64>; 3],
+    /// Number of the target of each row.
+    pub targets: Vec<usize>,
+}
+
+/// A reading of the joints and its residual.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Reading {
+    /// For each joint of the robot the index of its column.
+    pub order: Vec<usize>,
+    /// For each joint `true` if the column counts in the opposite direction.
+    pub reversed: Vec<bool>,
+    /// For each joint the unit of its column.
+    pub units: Vec<&'static str>,
+    /// Unit of the coordinates.
+    pub unit: &'static str,
+    /// Root mean square of the residual distances (mm).
+    pub rms_mm: f64,
+    /// Number of rows.
+    pub rows: usize,
+    /// Origin of the coordinates.
+    pub origin: Origin,
+}
+
+/// Origin of coordinates, as their residuals show it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Origin {
+    Measured,
+    /// The nominal robot computes them to their rounding.
+    Commanded,
+    /// Coarse rounding leaves both possible.
+    Undecided,
+}
+
+/// Result of the test.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Outcome {
+    /// One reading reproduces the coordinates.
+    Reproduced(Reading),
+    /// Several readings reproduce the coordinates about equally well.
+    Ambiguous(Reading, Reading),
+    /// No reading reproduces the coordinates; the residual (mm) of the best if there is one.
+    Contradicted(Option<f64>),
+    /// Too few rows, or points in one plane.
+    Untested,
+}
+
+impl Sample {
+    fn rows(&self) -> usize {
+        self.targets.len()
+    }
+
+    /// Returns the sample of about `count` rows, evenly spread.
+    fn thinned(&self, count: usize) -> Self {
+        let rows = self.rows();
+        let count = count.min(rows);
+        let at: Vec<usize> = (0..count).map(|i| i * rows / count.max(1)).collect();
+        let pick = |column: &Vec<f64>| at.iter().map(|i| column[*i]).collect::<Vec<f64>>();
+        Self {
+            joints: self.joints.iter().map(pick).collect(),
+            stated: self.stated.clone(),
+            points: self.points.each_ref().map(pick),
+            targets: at.iter().map(|i| self.targets[*i]).collect(),
+        }
+    }
+
+    /// Returns the rows in which every value is finite.
+    pub fn finite(self) -> Self {
+        let keep: Vec<usize> = (0..self.rows())
+            .filter(|i| self.joints.iter().chain(&self.points).all(|c| c.get(*i).is_some_and(|v| v.is_finite())))
+            .collect();
+        let pick = |column: &Vec<f64>| keep.iter().map(|i| column[*i]).collect::<Vec<f64>>();
+        Self {
+            joints: self.joints.iter().map(pick).collect(),
+            points: self.points.each_ref().map(pick),
+            targets: keep.iter().map(|i| self.targets[*i]).collect(),
+            stated: self.stated,
+        }
+    }
+
+    /// Mean and spread (root mean square distance from the mean) of the points.
+    fn spread(&self) -> ([f64; 3], f64) {
+        let n = self.rows().max(1) as f64;
+        let mean = self.points.each_ref().map(|c| c.iter().sum::<f64>() / n);
+        let square = (0..3).map(|a| self.points[a].iter().map(|v| (v - mean[a]).powi(2)).sum::<f64>()).sum::<f64>();
+        (mean, (square / n).sqrt())
+    }
+
+    /// `true` if the points span space, not a plane or a line.
+    fn spans_space(&self) -> bool {
+        let (mean, spread) = self.spread();
+        let n = self.rows().max(1) as f64;
+        let c = |a: usize, b: usize| {
+            let of = |i: usize| (self.points[a][i] - mean[a]) * (self.points[b][i] - mean[b]);
+            (0..self.rows()).map(of).sum::<f64>() / n / spread.powi(2)
+        };
+        let determinant = c(0, 0) * (c(1, 1) * c(2, 2) - c(1, 2).powi(2))
+            - c(0, 1) * (c(0, 1) * c(2, 2) - c(1, 2) * c(0, 2))
+            + c(0, 2) * (c(0, 1) * c(1, 2) - c(1, 1) * c(0, 2));
+        spread > 0.0 && determinant > 1e-6
+    }
+}
+
+/// Hypothesis: the column, direction and unit of each joint.
+#[derive(Clone, Debug)]
+struct Hypothesis {
+    order: Vec<usize>,
+    reversed: Vec<bool>,
+    units: Vec<&'static str>,
+}
+
+/// Residual of a hypothesis.
+struct Residual {
+    rms_mm: f64,
+    largest_mm: f64,
+    unit: &'static str,
+    unit_mm: f64,
+}
+
+/// Tests the columns of joints against the coordinates.
+/// A thorough test tries other orders and directions than those of the file too.
+pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcome {
+    let count = robot.joints().len();
+    if robot.free_base().is_none() || sample.joints.len() < count || count < 2 || !sample.spans_space() {
+        return Outcome::Untested;
+    }
+    let targets = sample.targets.iter().max().map_or(1, |most| most + 1);
+    if sample.rows() < FEWEST + 3 * (targets - 1) {
+        return Outcome::Untested;
+    }
+    let few = sample.thinned(RANKED + 6 * (targets - 1));
+    let all = if thorough { hypotheses(robot, sample) } else { as_they_are(robot, sample) };
+    let rank = |h: &Hypothesis| residual(robot, &few, h).map_or(f64::INFINITY, |found| found.rms_mm);
+    let mut ranked: Vec<(f64, usize)> = all.iter().enumerate().map(|(i, h)| (rank(h), i)).collect();
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let near = ranked.first().map_or(0.0, |(best, _)| (DISTINCT * best).max(SAME_MM));
+    let many = sample.thinned(MOST);
+    let mut found: Vec<(Residual, usize)> = ranked
+        .iter()
+        .take_while(|(rms, _)| *rms <= near && rms.is_finite())
+        .take(NEAR)
+        .filter_map(|(_, i)| Some((residual(robot, &many, &all[*i])?, *i)))
+        .collect();
+    found.sort_by(|a, b| a.0.rms_mm.total_cmp(&b.0.rms_mm));
+    let Some((best, _)) = found.first() else { return Outcome::Contradicted(None) };
+    if best.rms_mm > ACCEPTED * many.spread().1 * best.unit_mm {
+        return Outcome::Contradicted(Some(best.rms_mm));
+    }
+    let near = (DISTINCT * best.rms_mm).max(SAME_MM);
+    found.retain(|(residual, _)| residual.rms_mm <= near);
+    // of readings that fit alike the first is the one that changes least
+    found.sort_by_key(|(_, i)| *i);
+    let mut readings = found.into_iter().map(|(residual, i)| Reading {
+        origin: origin(robot, &many, &residual),
+        order: all[i].order.clone(),
+        reversed: all[i].reversed.clone(),
+        units: all[i].units.clone(),
+        unit: residual.unit,
+        rms_mm: residual.rms_mm,
+        rows: many.rows(),
+    });
+    match (readings.next(), readings.next()) {
+        (Some(first), Some(second)) => Outcome::Ambiguous(first, second),
+        (Some(first), None) => Outcome::Reproduced(first),
+        (None, _) => Outcome::Contradicted(None),
+    }
+}
+
+/// Returns the residual of a reading with other points, if these are reproduced as well.
+pub(super) fn confirmed(robot: &dyn Robot, sample: &Sample, reading: &Reading) -> Option<Reading> {
+    if sample.rows() < FEWEST || !sample.spans_space() {
+        return None;
+    }
+    let Reading { order, reversed, units, .. } = reading.clone();
+    let many = sample.thinned(MOST);
+    let residual = residual(robot, &many, &Hypothesis { order, reversed, units })?;
+    (residual.rms_mm <= ACCEPTED * many.spread().1 * residual.unit_mm).then(|| Reading {
+        origin: origin(robot, &many, &residual),
+        unit: residual.unit,
+        rms_mm: residual.rms_mm,
+        rows: many.rows(),
+        ..reading.clone()
+    })
+}
+
+/// Returns the hypotheses without exchange and reversal.
+fn as_they_are(robot: &dyn Robot, sample: &Sample) -> Vec<Hypothesis> {
+    let count = robot.joints().len();
+    let windows = 0..=sample.joints.len() - count;
+    let tried: Vec<Tried> = windows.map(|from| ((from..from + count).collect(), vec![false; count])).collect();
+    in_units(robot, sample, &tried)
+}
+
+/// Returns the hypotheses that are tried: the order of the columns with all directions, every pair
+/// exchanged with all directions, and every order with the directions of the columns.
+fn hypotheses(robot: &dyn Robot, sample: &Sample) -> Vec<Hypothesis> {
+    let count = robot.joints().len();
+    let plain: Vec<usize> = (0..count).collect();
+    let signs = |order: &Vec<usize>| {
+        let all = 0..1usize << count.min(8);
+        all.map(|bits| (order.clone(), (0..count).map(|k| bits >> k & 1 == 1).collect())).collect::<Vec<_>>()
+    };
+    let mut tried: Vec<Tried> = Vec::new();
+    for from in 0..=sample.joints.len() - count {
+        let window: Vec<usize> = plain.iter().map(|k| k + from).collect();
+        tried.extend(signs(&window));
+        for a in 0..count {
+            for b in a + 1..count {
+                let mut order = window.clone();
+                order.swap(a, b);
+                tried.extend(signs(&order));
+            }
+        }
+        if count <= 6 {
+            let mut all = Vec::new();
+            permutations(&mut window.clone(), 0, &mut all);
+            // the window and its exchanged pairs are among the others
+            let moved = |order: &Vec<usize>| order.iter().zip(&window).filter(|(a, b)| a != b).count() > 2;
+            tried.extend(all.into_iter().filter(moved).map(|order| (order, vec![false; count])));
+        }
+    }
+    in_units(robot, sample, &tried)
+}
+
+/// Order and directions of the columns.
+type Tried = (Vec<usize>, Vec<bool>);
+
+/// Returns the hypotheses with each pair of units that the headings allow.
+fn in_units(robot: &dyn Robot, sample: &Sample, tried: &[Tried]) -> Vec<Hypothesis> {
+    let count = robot.joints().len();
+    let mut found: Vec<Hypothesis> = Vec::new();
+    for (angle, length) in [("deg", "mm"), ("rad", "mm"), ("deg", "m"), ("rad", "m")] {
+        let unit = |k: usize| if robot.joints()[k].quantity == Quantity::Angle { angle } else { length };
+        let units: Vec<&'static str> = (0..count).map(unit).collect();
+        let same = |h: &Hypothesis| h.units == units;
+        if found.iter().any(same) {
+            continue;
+        }
+        let fits = |order: &[usize]| {
+            order.iter().zip(&units).all(|(column, unit)| sample.stated[*column].is_none_or(|stated| stated == *unit))
+        };
+        let of = tried.iter().filter(|(order, _)| fits(order));
+        found.extend(of.map(|(order, reversed)| Hypothesis {
+            order: order.clone(),
+            reversed: reversed.clone(),
+            units: units.clone(),
+        }));
+    }
+    found
+}
+
+fn permutations(order: &mut Vec<usize>, from: usize, all: &mut Vec<Vec<usize>>) {
+    if from == order.len() {
+        return all.push(order.clone());
+    }
+    for i in from..order.len() {
+        order.swap(from, i);
+        permutations(order, from + 1, all);
+        order.swap(from, i);
+    }
+}
+
+fn factor(unit: &str) -> f64 {
+    match unit {
+        "deg" => 1f64.to_radians(),
+        "m" => 1000.0,
+        _ => 1.0,
+    }
+}
+
+/// Returns the residual of a hypothesis, or `None` if the world would be mirrored, distorted, or of
+/// a scale that is no unit of lengths.
+///
+/// The flange f(q) with rotation R(q) carries the target at c; the world has a position t and the
+/// matrix M of a rotation times the unit: M·p = f + R·c + t is linear in M, c and t.
+fn residual(robot: &dyn Robot, sample: &Sample, of: &Hypothesis) -> Option<Residual> {
+    let arm = robot.free_base()?;
+    let nominal = robot.nominal();
+    let (mean, spread) = sample.spread();
+    let rows = sample.rows();
+    let targets = sample.targets.iter().max().map_or(1, |most| most + 1);
+    let flange = |i: usize| -> Pose {
+        let joint = |k: usize| {
+            let value = sample.joints[of.order[k]][i] * factor(of.units[k]);
+            if of.reversed[k] { -value } else { value }
+        };
+        arm.flange(&nominal, &(0..of.order.len()).map(joint).collect::<Vec<f64>>())
+    };
+    let unknowns = 12 + 3 * targets;
+    let row = |i: usize, pose: &Pose, axis: usize| {
+        let mut row = vec![0.0; unknowns];
+        for b in 0..3 {
+            row[3 * axis + b] = (sample.points[b][i] - mean[b]) / spread;
+            row[12 + 3 * sample.targets[i] + b] = -pose.rotation[axis][b];
+        }
+        row[9 + axis] = -1.0;
+        row
+    };
+    let mut normal = vec![0.0; unknowns * unknowns];
+    let mut right = vec![0.0; unknowns];
+    let poses: Vec<Pose> = (0..rows).map(flange).collect();
+    for (i, pose) in poses.iter().enumerate() {
+        for axis in 0..3 {
+            let row = row(i, pose, axis);
+            let used: Vec<usize> = (0..unknowns).filter(|j| row[*j] != 0.0).collect();
+            for &j in &used {
+                right[j] += row[j] * pose.translation_mm[axis];
+                used.iter().for_each(|&k| normal[j * unknowns + k] += row[j] * row[k]);
+            }
+        }
+    }
+    let x = solved(normal, right, 1e-11 * rows as f64)?;
+    let m: [[f64; 3]; 3] = std::array::from_fn(|a| std::array::from_fn(|b| x[3 * a + b] / spread));
+    let (unit, unit_mm) = unit_of(&m)?;
+    let square = |i: usize| {
+        let of_axis = |axis: usize| {
+            let computed: f64 = row(i, &poses[i], axis).iter().zip(&x).map(|(a, x)| a * x).sum();
+            (computed - poses[i].translation_mm[axis]).powi(2)
+        };
+        (0..3).map(of_axis).sum::<f64>()
+    };
+    let squares: Vec<f64> = (0..rows).map(square).collect();
+    let largest_mm = squares.iter().copied().fold(0.0, f64::max).sqrt();
+    Some(Residual { rms_mm: (squares.iter().sum::<f64>() / rows as f64).sqrt(), largest_mm, unit, unit_mm })
+}
+
+/// Returns the unit of lengths whose size (mm) is the scale of a rotation matrix.
+fn unit_of(m: &[[f64; 3]; 3]) -> Option<(&'static str, f64)> {
+    let determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
+        - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+        + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    let scale = determinant.cbrt();
+    let (unit, size) = LENGTHS.into_iter().find(|(_, size)| (scale / size - 1.0).abs() < 0.05)?;
+    let product = |a: usize, b: usize| (0..3).map(|k| m[a][k] * m[b][k]).sum::<f64>() / (size * size);
+    let orthogonal = |a: usize, b: usize| (product(a, b) - f64::from(u8::from(a == b))).abs() < 0.15;
+    (0..3).all(|a| (a..3).all(|b| orthogonal(a, b))).then_some((unit, size))
+}
+
+/// Returns the solution of a symmetric positive system (Cholesky), with `ridge` on its diagonal.
+fn solved(mut a: Vec<f64>, mut b: Vec<f64>, ridge: f64) -> Option<Vec<f64>> {
+    let n = b.len();
+    for j in 0..n {
+        a[j * n + j] += ridge;
+        for k in 0..j {
+            a[j * n + j] -= a[j * n + k].powi(2);
+        }
+        let pivot = a[j * n + j];
+        if !(pivot > 0.0) {
+            return None;
+        }
+        a[j * n + j] = pivot.sqrt();
+        for i in j + 1..n {
+            let sum: f64 = (0..j).map(|k| a[i * n + k] * a[j * n + k]).sum();
+            a[i * n + j] = (a[i * n + j] - sum) / a[j * n + j];
+        }
+    }
+    for j in 0..n {
+        let sum: f64 = (0..j).map(|k| a[j * n + k] * b[k]).sum();
+        b[j] = (b[j] - sum) / a[j * n + j];
+    }
+    for j in (0..n).rev() {
+        let sum: f64 = (j + 1..n).map(|k| a[k * n + j] * b[k]).sum();
+        b[j] = (b[j] - sum) / a[j * n + j];
+    }
+    b.iter().all(|v| v.is_finite()).then_some(b)
+}
+
+/// Returns half a unit of the last digit of values.
+fn half_step(values: &[f64]) -> f64 {
+    let rounded = |digits: &i32| {
+        let step = 10f64.powi(-digits);
+        values.iter().all(|v| (v / step - (v / step).round()).abs() < 1e-4)
+    };
+    (0..=9).find(rounded).map_or(0.0, |digits| 0.5 * 10f64.powi(-digits))
+}
+
+/// Returns the origin of coordinates with this residual.
+fn origin(robot: &dyn Robot, sample: &Sample, residual: &Residual) -> Origin {
+    let half = sample.points.iter().map(|column| half_step(column)).fold(0.0, f64::max) * residual.unit_mm;
+    let rounding_mm = ALLOWANCE * (3f64.sqrt() * half).max(COMPUTED_MM);
+    // joints that are rounded move the computed point, at most by the spread times the angle
+    let reach_mm = 2.0 * sample.spread().1 * residual.unit_mm;
+    let joints: f64 = sample.joints.iter().map(|column| half_step(column)).fold(0.0, f64::max);
+    let angular = robot.joints().iter().any(|joint| joint.quantity == Quantity::Angle);
+    let in_rad =
+        joints.min(1.0) * if sample.joints.iter().flatten().any(|v| v.abs() > 7.0) { factor("deg") } else { 1.0 };
+    let of_joints_mm = if angular { in_rad * reach_mm } else { joints };
+    match residual.largest_mm {
+        largest if largest <= rounding_mm && 2.0 * half <= FINE_MM => Origin::Commanded,
+        largest if largest <= rounding_mm + of_joints_mm => Origin::Undecided,
+        _ => Origin::Measured,
+    }
+}

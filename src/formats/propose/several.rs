@@ -1,0 +1,439 @@
+//! Proposal for several files: the use of each file, and how the files are joined.
+
+use super::against::{Remarks, described, name_joints};
+use super::kinematics::{Outcome, Sample, test};
+use super::meaning::{Interpretation, Meaning};
+use super::table::{Column, Table};
+use super::{FormatsDocument, against, propose_corrected};
+use crate::dialect::quoted;
+use crate::export::Pattern;
+use etalon_base::message::{Result, printable};
+use etalon_base::phrase;
+use etalon_documents::FormatsJoin;
+use etalon_robots::Robot;
+use std::collections::{BTreeSet, HashMap};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Forms of labels that are tried.
+pub const LABELS: [&str; 8] = [
+    "{target}_{pose}_{cycle}",
+    "{target}-{pose}-{cycle}",
+    "{target}_{pose}",
+    "{target}-{pose}",
+    "{pose}_{target}",
+    "P{pose}_{target}",
+    "{target}{pose}",
+    "P{pose}",
+];
+/// Line of a proposal for labels.
+const LABEL_LINE: &str =
+    "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
+/// Line of a proposal for the target of all rows.
+const TARGET_LINE: &str = "target = \"?\"               # which target the rows are of\n";
+
+/// Proposal for several files.
+#[derive(Debug)]
+pub struct FilesProposal {
+    /// Proposal for each file.
+    pub documents: Vec<FormatsDocument>,
+    /// Lines of all files for campaign.toml.
+    pub toml: String,
+}
+
+/// A file with its proposal and, of a table, its interpretation.
+struct Part {
+    path: PathBuf,
+    document: FormatsDocument,
+    read: Option<(Table, Interpretation)>,
+}
+
+/// Keys of the rows of a file by which it can be joined.
+#[derive(Default)]
+struct Keys {
+    rows: usize,
+    poses: Option<Vec<String>>,
+    /// `true` if the poses are the numbers of the rows.
+    by_row: bool,
+    cycles: Option<Vec<String>>,
+    labels: Option<Vec<String>>,
+    times: Option<Vec<f64>>,
+    /// Form of the labels, and the targets that the labels name.
+    form: Option<(&'static str, Vec<String>)>,
+}
+
+/// Join of an export with a log.
+struct Join {
+    by: &'static str,
+    keys: usize,
+    matching: usize,
+    /// Rows of export and log that belong together.
+    pairs: Vec<(usize, usize)>,
+}
+
+/// Proposes uses of several files that belong to one campaign, and how they are joined.
+///
+/// # Errors
+/// If a file is missing or no table.
+pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
+    let mut parts = paths.iter().map(|path| Part::of(path, robot)).collect::<Result<Vec<Part>>>()?;
+    let log = parts.iter().position(|part| part.document.kind == "log");
+    let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
+    let mut joined: Vec<(usize, Join)> = Vec::new();
+    let mut targets: Vec<String> = Vec::new();
+    for &at in &exports {
+        let keys = Keys::of(&parts[at]);
+        let join = log.and_then(|log| best_join(robot, &parts[at], &keys, &parts[log]));
+        if let (Some(log), Some(robot), Some(join)) = (log, robot, &join) {
+            by_robot(robot, (&mut parts, at, log), join)?;
+        }
+        name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets);
+        joined.extend(join.map(|join| (at, join)));
+    }
+    let tail = match log {
+        Some(log) if !exports.is_empty() => tail(&mut parts, log, &joined, &targets),
+        _ => String::new(),
+    };
+    let tests = poses(&parts);
+    let mut toml = String::new();
+    for part in &parts {
+        let _ = writeln!(toml, "# {}", printable(&part.summary()));
+    }
+    for part in parts.iter().filter(|part| tests.is_none() || !TABLES_OF_POSES.contains(&part.document.kind.as_str())) {
+        let _ = write!(toml, "\n{}", part.document.toml);
+    }
+    toml += &tests.unwrap_or_default();
+    toml += &tail;
+    Ok(FilesProposal { documents: parts.into_iter().map(|part| part.document).collect(), toml })
+}
+
+/// Kinds of tables of a test by ISO 9283.
+const TABLES_OF_POSES: [&str; 3] = ["poses", "commanded", "reference"];
+
+/// Returns one section for attained and commanded poses and reference targets.
+fn poses(parts: &[Part]) -> Option<String> {
+    let file =
+        |kind: &str| parts.iter().find(|part| part.document.kind == kind).map(|part| quoted(&part.document.file));
+    let (attained, commanded) = (file("poses")?, file("commanded")?);
+    let reference = file("reference").map(|file| format!("reference = {file}\n")).unwrap_or_default();
+    Some(format!("\n[poses]\nattained = {attained}\ncommanded = {commanded}\n{reference}"))
+}
+
+/// Returns the lines of the join and of the world.
+fn tail(parts: &mut [Part], log: usize, joined: &[(usize, Join)], targets: &[String]) -> String {
+    let log_file = parts[log].document.file.clone();
+    let log_rows = parts[log].document.rows;
+    let mut out = "\n[join]\n".to_owned();
+    let by = joined.first().map(|(_, join)| join.by);
+    for (at, join) in joined {
+        let stated =
+            FormatsJoin { log: log_file.clone(), by: join.by.to_owned(), keys: join.keys, matching: join.matching };
+        let file = parts[*at].document.file.clone();
+        let text =
+            phrase!("files-join", file, log = &*log_file, by = join.by, keys = join.keys, matching = join.matching);
+        let _ = writeln!(out, "# {}", printable(&text.to_string()));
+        parts[*at].document.join = Some(stated);
+    }
+    match by {
+        Some(by) if joined.iter().all(|(_, join)| join.by == by) => {
+            let value = match by {
+                "pose" => "[\"pose\"]".to_owned(),
+                "pose, cycle" => "[\"pose\", \"cycle\"]".to_owned(),
+                other => format!("\"{other}\""),
+            };
+            let _ = writeln!(out, "by = {value}");
+            if by == "time" {
+                out += "clock_offset_s = \"?\"      # time of the measurement minus time of the log, a number without quotes\n\
+                        tolerance_s = \"?\"         # a number without quotes\n";
+            }
+        }
+        _ => {
+            let text = phrase!("files-not-joined", log = &*log_file, rows = log_rows);
+            let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+            out += "by = \"?\"                 # [\"pose\"], [\"pose\", \"cycle\"], \"label\", \"time\" or \"row\"\n";
+        }
+    }
+    let _ = writeln!(out, "targets = {targets:?}");
+    out + "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
+}
+
+/// Tests joined rows against the robot, and writes the lines of both files again.
+fn by_robot(robot: &dyn Robot, (parts, at, log): (&mut [Part], usize, usize), join: &Join) -> Result<()> {
+    let Some((columns, outcome)) = tested(robot, &parts[at], &parts[log], join) else { return Ok(()) };
+    let (Outcome::Reproduced(reading) | Outcome::Ambiguous(reading, _)) = &outcome else {
+        if let Outcome::Contradicted(best) = outcome {
+            let known = if best.is_some() { "yes" } else { "no" };
+            let points = parts[at].document.file.clone();
+            let doubt = phrase!("robot-contradicts", points, known, rms_mm = best.unwrap_or(0.0)).to_string();
+            parts[at].doubt(&doubt);
+        }
+        return Ok(());
+    };
+    let by_kinematics = parts[log].read.as_ref().is_some_and(|(_, found)| found.by_kinematics);
+    if !by_kinematics {
+        parts[log].again(&mut |table, found| {
+            let mut remarks = Remarks::default();
+            name_joints(robot, &columns, reading, (table, found), &mut remarks);
+            remarks
+        })?;
+    }
+    parts[at].again(&mut |table, found| {
+        let mut remarks = Remarks::default();
+        let points = found.points.first().map(|set| set.columns);
+        if let Some([Some(x), Some(y), Some(z)]) = points {
+            described(table, [x, y, z], reading, true, &mut remarks);
+            found.by_kinematics = true;
+        }
+        remarks
+    })
+}
+
+/// Tests the joints of the log with the points of an export; also returns the columns of joints.
+fn tested(robot: &dyn Robot, export: &Part, log: &Part, join: &Join) -> Option<(Vec<usize>, Outcome)> {
+    let ((points, of_export), (joints, of_log)) = (export.read.as_ref()?, log.read.as_ref()?);
+    let set = of_export.points.first()?;
+    let [Some(x), Some(y), Some(z)] = set.columns else { return None };
+    let columns = of_log.joint_columns();
+    let sample = Sample {
+        joints: columns
+            .iter()
+            .map(|c| join.pairs.iter().map(|(_, l)| joints.columns[*c].values[*l]).collect())
+            .collect(),
+        stated: columns.iter().map(|c| joints.columns[*c].heading.unit).collect(),
+        points: [x, y, z].map(|c| join.pairs.iter().map(|(e, _)| points.columns[c].values[*e]).collect()),
+        targets: targets_of(export, join),
+    };
+    let outcome = test(robot, &sample.finite(), true);
+    Some((columns, outcome))
+}
+
+/// Returns the number of the target of each pair.
+fn targets_of(export: &Part, join: &Join) -> Vec<usize> {
+    let names = export.targets();
+    let mut known: Vec<String> = Vec::new();
+    let mut number = |(row, _): &(usize, usize)| {
+        let name = names.as_ref().map_or("", |names| names[*row].as_str());
+        known.iter().position(|known| known == name).unwrap_or_else(|| {
+            known.push(name.to_owned());
+            known.len() - 1
+        })
+    };
+    join.pairs.iter().map(&mut number).collect()
+}
+
+/// Returns the join by which the most rows of an export have a row of the log. Where a robot is
+/// given, the join must not contradict its kinematics.
+fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, log: &Part) -> Option<Join> {
+    let of_log = Keys::of(log);
+    let both = |a: &Option<Vec<String>>, b: &Option<Vec<String>>| {
+        a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(|(a, b)| format!("{a}\u{1}{b}")).collect()).next()
+    };
+    let by_key = |by: &'static str, mine: &Option<Vec<String>>, of_log: &Option<Vec<String>>| {
+        let (mine, of_log) = (mine.as_ref()?, of_log.as_ref()?);
+        let mut at: HashMap<&str, usize> = HashMap::new();
+        for (i, key) in of_log.iter().enumerate() {
+            if at.insert(key, i).is_some() {
+                return None; // a key of the log names one row
+            }
+        }
+        let pairs: Vec<(usize, usize)> =
+            mine.iter().enumerate().filter_map(|(i, key)| Some((i, *at.get(key.as_str())?))).collect();
+        Some(Join { by, keys: mine.len(), matching: pairs.len(), pairs })
+    };
+    let named = keys.poses.clone().filter(|_| !keys.by_row);
+    let row = (keys.rows == of_log.rows).then(|| Join {
+        by: "row",
+        keys: keys.rows,
+        matching: keys.rows,
+        pairs: (0..keys.rows).map(|i| (i, i)).collect(),
+    });
+    let all = [
+        by_key("pose, cycle", &both(&named, &keys.cycles), &both(&of_log.poses, &of_log.cycles)),
+        by_key("pose", &named, &of_log.poses),
+        by_key("label", &keys.labels, &of_log.labels),
+        by_key("pose", &keys.poses, &of_log.poses),
+        row,
+        by_time(keys, &of_log),
+    ];
+    let enough = |join: &Join| join.matching * 2 > join.keys;
+    let mut usable: Vec<Join> = all.into_iter().flatten().filter(enough).collect();
+    let fits = |join: &Join| {
+        robot.is_none_or(|robot| {
+            tested(robot, export, log, join).is_none_or(|(_, outcome)| !matches!(outcome, Outcome::Contradicted(_)))
+        })
+    };
+    let at = usable.iter().position(fits).unwrap_or(0);
+    (!usable.is_empty()).then(|| usable.swap_remove(at))
+}
+
+/// Joins each time of an export with the nearest row of the log, as far as the times overlap.
+fn by_time(keys: &Keys, log: &Keys) -> Option<Join> {
+    let (mine, logged) = (keys.times.as_ref()?, log.times.as_ref()?);
+    let (first, last) = (logged.first()?, logged.last()?);
+    let nearest = |time: f64| {
+        let after = logged.partition_point(|t| *t < time).min(logged.len() - 1);
+        let before = after.saturating_sub(1);
+        if (logged[before] - time).abs() < (logged[after] - time).abs() { before } else { after }
+    };
+    let within = |(_, time): &(usize, &f64)| (*first..=*last).contains(*time);
+    let pairs: Vec<(usize, usize)> = mine.iter().enumerate().filter(within).map(|(i, t)| (i, nearest(*t))).collect();
+    Some(Join { by: "time", keys: mine.len(), matching: pairs.len(), pairs })
+}
+
+/// Writes the targets of an export, and the form of its labels.
+fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut Vec<String>) {
+    let mut add = |name: &str| {
+        if !targets.iter().any(|known| known == name) {
+            targets.push(name.to_owned());
+        }
+    };
+    let stem: String = Path::new(&part.document.file)
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().chars().filter(|c| c.is_alphanumeric() || *c == '_').collect())
+        .unwrap_or_default();
+    let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
+    let toml = &mut part.document.toml;
+    if toml.contains(TARGET_LINE) {
+        *toml = toml.replace(
+            TARGET_LINE,
+            &format!("target = \"{stem}\"           # named after the file: the file names no target\n"),
+        );
+        add(&stem);
+    }
+    if toml.contains(LABEL_LINE) {
+        let by_label = join.is_some_and(|join| join.by == "label");
+        let mut line = match (&keys.form, by_label) {
+            (Some((form, _)), false) => format!("label = \"{form}\"   # all {} labels have this form\n", keys.rows),
+            _ => String::new(),
+        };
+        let named = keys.form.iter().filter(|_| !by_label).flat_map(|(_, targets)| targets);
+        let mut any = false;
+        for name in named {
+            add(name);
+            any = true;
+        }
+        if !any {
+            line += &format!("target = \"{stem}\"           # the labels name no target\n");
+            add(&stem);
+        }
+        *toml = toml.replace(LABEL_LINE, &line);
+    }
+    for line in toml.lines().filter_map(|line| line.strip_prefix("target = \"")) {
+        line.split('"').next().into_iter().filter(|name| *name != "?").for_each(&mut add);
+    }
+    let of_column = part.read.as_ref().filter(|(_, found)| found.first(Meaning::Target).is_some());
+    if of_column.is_some() {
+        part.targets().unwrap_or_default().iter().for_each(|name| add(name));
+    }
+}
+
+impl Part {
+    fn of(path: &Path, robot: Option<&dyn Robot>) -> Result<Self> {
+        let mut read = None;
+        let document = propose_corrected(
+            path,
+            Some(&mut |table, found| {
+                // joints and points in different files are tested when they are joined
+                let whole = !found.points.is_empty() && !found.joint_columns().is_empty();
+                let remarks = robot.filter(|_| whole).map(|robot| against::correct(robot, table, found));
+                read = Some((table.clone(), found.clone()));
+                remarks.unwrap_or_default()
+            }),
+        )?;
+        Ok(Self { path: path.to_owned(), document, read })
+    }
+
+    /// Writes the proposal again with another correction.
+    fn again(&mut self, correct: super::Correct) -> Result<()> {
+        let mut read = None;
+        self.document = propose_corrected(
+            &self.path,
+            Some(&mut |table, found| {
+                let remarks = correct(table, found);
+                read = Some((table.clone(), found.clone()));
+                remarks
+            }),
+        )?;
+        self.read = read;
+        Ok(())
+    }
+
+    fn doubt(&mut self, text: &str) {
+        self.document.doubts.push(text.to_owned());
+        self.document.toml.insert_str(0, &format!("# DOUBT: {}\n", printable(text)));
+    }
+
+    /// Returns use, number of rows and units of the file.
+    fn summary(&self) -> String {
+        let unit = |wanted: &dyn Fn(Meaning) -> bool| {
+            let (table, found) = self.read.as_ref()?;
+            let at = found.taken.iter().position(|taken| wanted(taken.meaning))?;
+            Some(table.columns[at].heading.unit.unwrap_or("open").to_owned())
+        };
+        let coordinates = unit(&|meaning| matches!(meaning, Meaning::Point(..))).unwrap_or("none".to_owned());
+        let joints = unit(&|meaning| matches!(meaning, Meaning::Joint(_))).unwrap_or("none".to_owned());
+        let times = unit(&|meaning| meaning == Meaning::Time).unwrap_or("none".to_owned());
+        let kind = &*self.document.kind;
+        let (file, rows) = (&*self.document.file, self.document.rows);
+        phrase!("file-is", file, kind, rows, coordinates, joints, times).to_string()
+    }
+
+    /// Returns the target of each row: of its column, or of its label.
+    fn targets(&self) -> Option<Vec<String>> {
+        let (table, found) = self.read.as_ref()?;
+        if let Some(at) = found.first(Meaning::Target) {
+            return Some(texts(&table.columns[at]));
+        }
+        let labels = texts(&table.columns[found.first(Meaning::Label)?]);
+        let (form, _) = form_of(&labels)?;
+        let pattern = Pattern::parse(form).ok()?;
+        let target = |label: &String| Some(pattern.read(label, |_| false)?.target.unwrap_or_default());
+        labels.iter().map(target).collect()
+    }
+}
+
+impl Keys {
+    fn of(part: &Part) -> Self {
+        let Some((table, found)) = &part.read else {
+            return Self { rows: part.document.rows, ..Self::default() };
+        };
+        let column = |meaning: Meaning| found.first(meaning).map(|at| texts(&table.columns[at]));
+        let labels = column(Meaning::Label);
+        let form = labels.as_ref().and_then(|labels| form_of(labels));
+        let pattern = form.as_ref().and_then(|(form, _)| Pattern::parse(form).ok());
+        let of_labels = |of: &dyn Fn(crate::export::LabelNames) -> Option<String>| -> Option<Vec<String>> {
+            let pattern = pattern.as_ref()?;
+            labels.as_ref()?.iter().map(|label| of(pattern.read(label, |_| false)?)).collect()
+        };
+        let mut poses = column(Meaning::Pose).or_else(|| of_labels(&|named| Some(named.pose?.to_string())));
+        let by_row = poses.is_none() && labels.is_none() && part.document.kind == "export";
+        if by_row {
+            poses = Some((1..=table.rows).map(|row| row.to_string()).collect());
+        }
+        let cycles = column(Meaning::Cycle).or_else(|| of_labels(&|named| Some(named.cycle?.to_string())));
+        let ordered = |at: &usize| table.columns[*at].is_ordered();
+        let times = found.first(Meaning::Time).filter(ordered).map(|at| table.columns[at].values.clone());
+        Self { rows: table.rows, poses, by_row, cycles, labels, times, form }
+    }
+}
+
+/// Returns the cells of a column as keys.
+fn texts(column: &Column) -> Vec<String> {
+    match column.is_numeric() {
+        true => column.values.iter().map(f64::to_string).collect(),
+        false => column.cells.iter().map(|cell| cell.trim().to_owned()).collect(),
+    }
+}
+
+/// Returns the form that all labels have, and the targets that they name.
+fn form_of(labels: &[String]) -> Option<(&'static str, Vec<String>)> {
+    let of = |form: &'static str| {
+        let pattern = Pattern::parse(form).ok()?;
+        let named: Vec<_> = labels.iter().map(|label| pattern.read(label, |_| false)).collect::<Option<_>>()?;
+        let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
+        let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose.clone()).collect();
+        let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
+        (!few && targets.len() * 3 <= labels.len()).then(|| (form, targets.into_iter().collect()))
+    };
+    LABELS.into_iter().find_map(of)
+}

@@ -1,0 +1,133 @@
+//! A hint is a line that can be pasted and works: the lines of hints are taken from what the program says, put where the
+//! message points, and the error is gone.
+
+use super::etalon;
+use crate::support::scratch::{Scratch, copy_sample};
+
+/// Fragments between backticks of the hint of this error that are lines of TOML.
+fn lines(said: &str, id: &str) -> Vec<toml::Table> {
+    let at = said.find(&format!("error[{id}]")).unwrap_or_else(|| panic!("no {id}: {said}"));
+    let hint = said[at..].split_once("hint: ").unwrap_or_else(|| panic!("no hint of {id}: {said}")).1;
+    let hint = hint.split("\n\n").next().unwrap_or_default().split("error[").next().unwrap_or_default();
+    let one_line = hint.lines().map(str::trim).collect::<Vec<_>>().join(" ");
+    one_line
+        .split('`')
+        .skip(1)
+        .step_by(2)
+        .filter(|text| text.contains(" = "))
+        .filter_map(|text| toml::from_str(text).ok())
+        .collect()
+}
+
+/// Table of the campaign at a path of keys; numbers are places in lists.
+fn table<'a>(campaign: &'a mut toml::Table, path: &[&str]) -> &'a mut toml::Table {
+    let Some((first, rest)) = path.split_first() else { return campaign };
+    let (key, number) = first.split_once('.').map_or((*first, None), |(key, n)| (key, n.parse::<usize>().ok()));
+    let value = campaign.entry(key).or_insert_with(|| toml::Value::Table(toml::Table::new()));
+    let value = match number {
+        Some(n) => &mut value.as_array_mut().unwrap()[n],
+        None => value,
+    };
+    table(value.as_table_mut().unwrap(), rest)
+}
+
+/// Pastes the first `count` lines of the hint at `path`: the error must be gone.
+fn works(scratch: &Scratch, id: &str, path: &[&str], count: usize) {
+    let (code, said) = etalon(scratch, "check");
+    assert_eq!(code, Some(2), "{said}");
+    let pasted = lines(&said, id);
+    assert!(pasted.len() >= count && count > 0, "{id} has {} lines: {said}", pasted.len());
+    let file = scratch.path().join("campaign.toml");
+    let mut campaign: toml::Table = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    for line in pasted.into_iter().take(count) {
+        table(&mut campaign, path).extend(line);
+    }
+    std::fs::write(&file, toml::to_string(&campaign).unwrap()).unwrap();
+    let (code, after) = etalon(scratch, "check");
+    assert!(!after.contains(&format!("[{id}]")), "{id} remains after its hint: {after}");
+    assert_eq!(code, Some(0), "another error instead of {id}: {after}");
+}
+
+fn rewrite(scratch: &Scratch, file: &str, change: impl Fn(&str) -> String) {
+    let path = scratch.path().join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(path, change(&text)).unwrap();
+}
+
+#[test]
+fn hints_of_delimiter_and_decimal_mark() {
+    for (delimiter, decimal) in [(";", "."), (";", ","), ("\t", ".")] {
+        let scratch = copy_sample("prexyt-cmm");
+        rewrite(&scratch, "encoders.csv", |text| text.replace('.', "#").replace(',', delimiter).replace('#', decimal));
+        works(&scratch, "delimiter-does-not-split", &["log"], 2);
+    }
+}
+
+#[test]
+fn hints_of_encoding() {
+    let scratch = copy_sample("prexyt-cmm");
+    scratch.replace("campaign.toml", "file = \"encoders.csv\"", "file = \"encoders.csv\"\ncomment = \"#\"");
+    let path = scratch.path().join("encoders.csv");
+    let mut bytes = b"# \xb1 0.5 \xb5m\n".to_vec();
+    bytes.extend(std::fs::read(&path).unwrap());
+    std::fs::write(path, bytes).unwrap();
+    works(&scratch, "encoding-invalid", &["log"], 1);
+}
+
+#[test]
+fn hints_of_poses_and_headers() {
+    // rows that name a target and no pose
+    let scratch = Scratch::with(&[
+        ("robot.toml", include_str!("../../samples/prexyt-cmm/robot.toml")),
+        ("k.csv", &points(1.0)),
+        ("l.csv", &points(2.0)),
+        ("log.csv", &format!("pose,a,b,c\n{}", (1..=9).map(|i| format!("{i},{i},{i}0.5,{i}1\n")).collect::<String>())),
+        ("campaign.toml", CAMPAIGN),
+    ]);
+    let (_, said) = etalon(&scratch, "check");
+    let pasted = lines(&said, "target-without-pose");
+    assert_eq!(pasted.first().and_then(|line| line["pose"].as_str()), Some("row"), "{said}");
+    rewrite(&scratch, "campaign.toml", |text| text.replace("target = ", "pose = \"row\"\ntarget = "));
+    let (_, after) = etalon(&scratch, "check");
+    assert!(!after.contains("target-without-pose"), "{after}");
+    // headings where no header is stated
+    rewrite(&scratch, "campaign.toml", |text| text.replace("header = 1, ", ""));
+    let (_, said) = etalon(&scratch, "check");
+    assert_eq!(lines(&said, "header-not-stated")[0]["header"].as_integer(), Some(1), "{said}");
+    rewrite(&scratch, "campaign.toml", |text| text.replace("columns = { x", "header = 1, columns = { x"));
+    let (_, after) = etalon(&scratch, "check");
+    assert!(!after.contains("header-not-stated"), "{after}");
+}
+
+fn points(shift: f64) -> String {
+    let row = |i: usize| format!("{:.4},{:.4},1.0\n", 10.0 * i as f64 + shift, 3.5 * (i * i) as f64);
+    "X,Y,Z\n".to_owned() + &(1..=9).map(row).collect::<String>()
+}
+
+const CAMPAIGN: &str = r#"
+name = "c"
+robot = "robot.toml"
+[instrument]
+name = "i"
+expanded_uncertainty_um = 2.7
+coverage_factor = 2
+[[export]]
+file = "k.csv"
+unit = "mm"
+format = { delimiter = ",", header = 1, columns = { x = "X", y = "Y", z = "Z" } }
+target = "K"
+[[export]]
+file = "l.csv"
+unit = "mm"
+format = { delimiter = ",", header = 1, columns = { x = "X", y = "Y", z = "Z" } }
+target = "L"
+[log]
+file = "log.csv"
+columns = { pose = "pose", rho1_mm = "a", rho2_mm = "b", rho3_mm = "c" }
+[join]
+by = ["pose"]
+[frame.world]
+as_exported = true
+[identify]
+calibration = "all"
+"#;
