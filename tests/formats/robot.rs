@@ -89,6 +89,14 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
         assert!(document.toml.contains(part), "{part}: {}", document.toml);
     }
     assert!(document.reasons.iter().any(|r| r.contains("`j5` counts against the direction of `q5`")));
+    // headings that state another unit than the values have: the lines take the one that fits, and doubt it
+    let text = table(
+        "j1,j2,j3,j4,j5,j6,X [mm],Y [mm],Z [mm]\n",
+        rows.iter().map(|(q, p)| q.iter().copied().chain(p.map(|v| v / 25.4)).collect()),
+    );
+    let document = proposed(at, arm.as_ref(), &text);
+    assert!(document.toml.contains("unit = \"inch\""), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.contains("`X [mm]` states mm")), "{}", document.toml);
     // without a header the six joints are found behind the point
     let text = table("", rows.iter().map(|(q, p)| p.iter().copied().chain(deg(q)).collect()));
     let document = proposed(at, arm.as_ref(), &text);

@@ -73,7 +73,7 @@ fn outcome(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Option<(
     for trial in tried {
         let Some(sample) = sample(table, trial) else { continue };
         let mut outcome = test(robot, &sample, true);
-        if !supported(&outcome) {
+        if !supported(&outcome) && sample.stated.iter().any(Option::is_some) {
             // headings may state units that the values do not have
             let free = Sample { stated: vec![None; sample.stated.len()], ..sample };
             outcome = test(robot, &free, true);
@@ -306,15 +306,13 @@ pub(super) fn described(
     remarks.reasons.push(phrase!("robot-reproduces", points = named, rms_mm = *rms_mm, rows = *rows, unit = *unit));
     for at in points {
         let heading = &mut table.columns[at].heading;
-        match heading.unit.filter(|stated| stated != unit) {
-            Some(stated) if !heading.bare_metre => {
-                let column = table.called(at);
-                remarks.doubts.push(phrase!("robot-contradicts-unit", column, stated, unit = *unit));
-            }
-            _ => {
-                heading.unit = Some(unit);
-                heading.bare_metre = false;
-            }
+        let stated = heading.unit.filter(|stated| stated != unit && !heading.bare_metre);
+        heading.unit = Some(unit);
+        heading.bare_metre = false;
+        heading.fitted = true;
+        if let Some(stated) = stated {
+            let column = table.called(at);
+            remarks.doubts.push(phrase!("robot-contradicts-unit", column, stated, unit = *unit));
         }
     }
     let points = points.map(|at| table.called(at)).join(", ");

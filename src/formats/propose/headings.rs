@@ -9,6 +9,8 @@ pub(super) struct Heading {
     pub unit: Option<&'static str>,
     /// `true` if the unit is a bare `_m`, which may mean "measured".
     pub bare_metre: bool,
+    /// `true` if the kinematics of the nominal robot fit with the unit.
+    pub fitted: bool,
 }
 
 /// Meaning of a word in a heading.

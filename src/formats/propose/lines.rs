@@ -220,7 +220,8 @@ impl Proposal<'_> {
         let dialect = self.dialect(set);
         let mut out = format!("[[export]]\nfile = {}\nformat = {dialect}\n", quoted(self.file));
         let line = unit_line(unit.map(Unit::name));
-        out += &match self.found.by_kinematics {
+        let fitted = |at: &usize| self.table.columns[*at].heading.fitted;
+        out += &match points.is_some_and(|points| points.columns.iter().flatten().all(fitted)) {
             true => line.replace("the file states it", "the kinematics of the nominal robot fit with it"),
             false => line,
         };
