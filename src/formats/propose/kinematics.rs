@@ -381,7 +381,7 @@ fn solved(mut a: Vec<f64>, mut b: Vec<f64>, ridge: f64) -> Option<Vec<f64>> {
             a[j * n + j] -= a[j * n + k].powi(2);
         }
         let pivot = a[j * n + j];
-        if !(pivot > 0.0) {
+        if pivot.is_nan() || pivot <= 0.0 {
             return None;
         }
         a[j * n + j] = pivot.sqrt();

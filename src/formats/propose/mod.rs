@@ -385,7 +385,7 @@ mod tests {
     #[test]
     fn a_sheet_whose_first_row_is_shorter_than_the_others_is_proposed() {
         let text = "4711\t2.0\nP\ta\tb\t1.5\t2.5\t3.5\nQ\ta\tb\t4.5\t5.5\t6.5\n";
-        assert_eq!(propose_in("f.xlsx", text, Some("S")).readings[0].columns.len(), 6);
+        assert_eq!(propose_in("f.xlsx", text, Some("S"), None).readings[0].columns.len(), 6);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
 use etalon_documents::FormatsJoin;
 use etalon_robots::Robot;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -230,7 +230,7 @@ fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, log: &Part) 
     };
     let by_key = |by: &'static str, mine: &Option<Vec<String>>, of_log: &Option<Vec<String>>| {
         let (mine, of_log) = (mine.as_ref()?, of_log.as_ref()?);
-        let mut at: HashMap<&str, usize> = HashMap::new();
+        let mut at: BTreeMap<&str, usize> = BTreeMap::new();
         for (i, key) in of_log.iter().enumerate() {
             if at.insert(key, i).is_some() {
                 return None; // a key of the log names one row
@@ -431,7 +431,7 @@ fn form_of(labels: &[String]) -> Option<(&'static str, Vec<String>)> {
         let pattern = Pattern::parse(form).ok()?;
         let named: Vec<_> = labels.iter().map(|label| pattern.read(label, |_| false)).collect::<Option<_>>()?;
         let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
-        let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose.clone()).collect();
+        let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
         let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
         (!few && targets.len() * 3 <= labels.len()).then(|| (form, targets.into_iter().collect()))
     };
