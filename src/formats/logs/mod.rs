@@ -19,6 +19,7 @@ pub use write::write;
 use super::dialect::{Column, Decimal, Delimiter, Dialect, Encoding, FromRow, Header};
 use super::exports::{Format, Recognised};
 use super::input::{bytes_of, text_of};
+use crate::ros_bag;
 use crate::table::ASSEMBLY;
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
@@ -36,6 +37,7 @@ use toml::Spanned;
 /// A file of a controller.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = crate::dialect::accept_topic)]
 pub struct Log {
     /// Name of the log, if there are several.
     #[serde(default = "default_log")]
@@ -55,7 +57,9 @@ pub struct Log {
     /// Decimal mark.
     #[serde(default)]
     pub decimal: Decimal,
-    /// Sheet of a workbook with the log; `delimiter` and `encoding` do not apply.
+    /// Sheet of a workbook with the log, or as `topic` the topic of a recording (MCAP);
+    /// `delimiter` and `encoding` do not apply.
+    #[serde(alias = "topic")]
     pub sheet: Option<String>,
     /// Header rows before the data; the last one names the columns: a number, `true` (one), `false`
     /// (none), or words of the last one.
@@ -98,6 +102,14 @@ impl Log {
         // the cells of a sheet become a text with tabs
         let other = if self.sheet.is_some() { Delimiter::Tab } else { Delimiter::Comma };
         self.delimiter.unwrap_or(other)
+    }
+
+    /// Returns the format: topics of a recording are messages of ROS.
+    fn kind(&self) -> LogKind {
+        match &self.sheet {
+            Some(topic) if ros_bag::is_topic(topic) => LogKind(&ros::Ros),
+            _ => self.format,
+        }
     }
 
     /// `true` if a row names the columns.
@@ -392,7 +404,7 @@ pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> R
 pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
-    match log.format.0.read(LogText { log, stated, text }, &wanted, source) {
+    match log.kind().0.read(LogText { log, stated, text }, &wanted, source) {
         Ok(columns) => problems.check().map(|_| columns),
         Err(more) => {
             problems.0.extend(more.0);
@@ -427,10 +439,10 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
     if log.period_s.is_some_and(|period| period <= 0.0 || !period.is_finite()) {
         problems.0.push(here(error!("key-not-positive", key = "period_s")));
     }
-    if log.values.is_some() && !log.format.0.has_channels() {
+    if log.values.is_some() && !log.kind().0.has_channels() {
         problems.0.push(here(inapplicable("values")));
     }
-    if !log.has_header() && log.format.0.has_channels() {
+    if !log.has_header() && log.kind().0.has_channels() {
         problems.0.push(here(inapplicable("header")));
     }
     wanted

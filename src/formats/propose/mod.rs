@@ -5,6 +5,7 @@ mod headings;
 mod lines;
 mod meaning;
 mod own;
+mod recording;
 mod structure;
 mod table;
 
@@ -13,7 +14,7 @@ use super::exports::{Format, Recognised, head, recognise};
 use super::guess::{Guess, guesses, names};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
-use super::workbook;
+use super::{ros_bag, workbook};
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Result, count, printable};
@@ -68,6 +69,9 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     let here = |message: Message| message.at(Place::file(name.as_str()));
     if bytes.is_empty() {
         return Err(here(error!("file-empty")).into());
+    }
+    if ros_bag::is_recording(&bytes) {
+        return recording::of_recording(&name, &bytes).map_err(|message| here(message).into());
     }
     if workbook::is_workbook(&bytes) {
         return of_workbook(&name, &bytes).map_err(|message| here(message).into());
