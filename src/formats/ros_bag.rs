@@ -479,7 +479,9 @@ mod tests {
 
         fn list(&mut self, values: &[f64]) -> &mut Self {
             self.put(&(values.len() as u32).to_le_bytes());
-            values.iter().for_each(|v| drop(self.put(&v.to_le_bytes()).data.len()));
+            for value in values {
+                self.put(&value.to_le_bytes());
+            }
             self
         }
 
@@ -493,14 +495,18 @@ mod tests {
     fn joints(big: bool, stamp: (i32, u32), names: &[&str], position: &[f64], velocity: &[f64]) -> Vec<u8> {
         let mut message = Written::header(big, stamp.0, stamp.1);
         message.put(&(names.len() as u32).to_le_bytes());
-        names.iter().for_each(|name| drop(message.text(name).data.len()));
+        for name in names {
+            message.text(name);
+        }
         message.list(position).list(velocity).list(&[]);
         message.data
     }
 
     fn pose(values: [f64; 7]) -> Vec<u8> {
         let mut message = Written::header(false, 12, 5_000_000);
-        values.iter().for_each(|v| drop(message.put(&v.to_le_bytes()).data.len()));
+        for value in values {
+            message.put(&value.to_le_bytes());
+        }
         message.data
     }
 

@@ -2,6 +2,7 @@
 
 mod commanded;
 mod init;
+mod recordings;
 mod six_d;
 mod tables;
 

@@ -10,7 +10,7 @@ mod files;
 mod follow_up;
 mod fuzz;
 mod kinds;
-mod logs;
+pub(crate) mod logs;
 mod qif;
 mod readers;
 mod recovery;

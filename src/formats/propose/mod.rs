@@ -1,5 +1,6 @@
 //! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
+mod arrays;
 mod coordinates;
 mod headings;
 mod lines;
@@ -72,6 +73,9 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     }
     if ros_bag::is_recording(&bytes) {
         return recording::of_recording(&name, &bytes).map_err(|message| here(message).into());
+    }
+    if let Some(format) = LogKind::of_arrays(&bytes) {
+        return arrays::of_arrays(&name, &bytes, format).map_err(|message| here(message).into());
     }
     if workbook::is_workbook(&bytes) {
         return of_workbook(&name, &bytes).map_err(|message| here(message).into());

@@ -19,6 +19,8 @@ line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
 
 file-not-text = `{ $file }` ist { $kind ->
         [matlab] eine MATLAB-Datei
+        [matlab-7.3] eine MATLAB-Datei von -v7.3 (HDF5)
+        [numpy] eine NumPy-Datei
         [hdf5] eine HDF5-Datei
         [gzip] mit gzip komprimiert
         [xls] eine alte Excel-Mappe (.xls)
@@ -28,7 +30,9 @@ file-not-text = `{ $file }` ist { $kind ->
     }
     .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)
     .hint = { $kind ->
-        [matlab] die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [matlab] als Protokoll `format = "matlab"` angeben; sonst die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [matlab-7.3] sie in MATLAB neu mit `-v7` speichern: S = load('DATEI'); save('NEU.mat', '-struct', 'S', '-v7')
+        [numpy] als Protokoll `format = "numpy"` angeben; sonst die Tabelle mit `numpy.savetxt` als Text schreiben und die Spalten angeben
         [hdf5] die Tabelle als Text schreiben und die Spalten angeben
         [gzip] die Datei entpacken
         [xls] sie als .xlsx oder als Text speichern
@@ -425,3 +429,21 @@ ros-messages-of-other-joints = { $count ->
 recording-without-known-topics = die Aufzeichnung hat kein Topic mit Gelenkwerten, Posen oder Punkten: { $found }
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped oder geometry_msgs/PointStamped
     .hint = ein Topic mit einem dieser Typen aufzeichnen
+
+array-missing = die Datei hat kein Zahlenfeld `{ $column }`
+
+array-part-unknown = `{ $column }` ist nicht eine Spalte: `{ $name }` hat die Größe { $shape }
+    .hint = den Teil wie in der Sprache der Datei schreiben: `{ $example }`
+
+array-lengths-differ = `{ $first }` hat { $count } Zahlen und `{ $second }` hat { $other }
+    .expected = Spalten gleicher Länge
+    .hint = Felder einer Aufzeichnung angeben; eine Matrix, deren Spalten Zeitpunkte sind, hat ihre Gelenke in Zeilen
+
+arrays-unreadable = die Datei kann nicht als Felder von { $format ->
+        [numpy] NumPy (.npz, .npy)
+       *[matlab] MATLAB (.mat von -v6 oder -v7)
+    } gelesen werden
+    .hint = sie neu speichern oder `format` berichtigen
+
+arrays-too-large = die Felder der Datei sind größer als { $most_mib } MiB
+    .hint = nur die Felder der Messung speichern

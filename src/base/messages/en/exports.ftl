@@ -36,6 +36,8 @@ line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
 # Example: a MATLAB file `poses.mat`
 file-not-text = `{ $file }` is { $kind ->
         [matlab] a MATLAB file
+        [matlab-7.3] a MATLAB file of -v7.3 (HDF5)
+        [numpy] a file of NumPy
         [hdf5] an HDF5 file
         [gzip] compressed with gzip
         [xls] an old Excel workbook (.xls)
@@ -45,7 +47,9 @@ file-not-text = `{ $file }` is { $kind ->
     }
     .expected = text, a workbook (.xlsx), or a recording (.mcap)
     .hint = { $kind ->
-        [matlab] write its table as text with `writematrix`, and state the columns
+        [matlab] as a log, state `format = "matlab"`; otherwise write its table as text with `writematrix`, and state the columns
+        [matlab-7.3] save it again in MATLAB with `-v7`: S = load('FILE'); save('NEW.mat', '-struct', 'S', '-v7')
+        [numpy] as a log, state `format = "numpy"`; otherwise write its table as text with `numpy.savetxt`, and state the columns
         [hdf5] write its table as text, and state the columns
         [gzip] unpack the file
         [xls] save it as .xlsx or as text
@@ -725,3 +729,41 @@ ros-messages-of-other-joints = { $count ->
 recording-without-known-topics = the recording has no topic with joint values, poses or points: { $found }
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped or geometry_msgs/PointStamped
     .hint = record a topic with one of these types
+
+# Means: The file has no array of numbers of this name, or the part is not written as in its language.
+# Matters: The column cannot be read.
+# Do: Use an array of the file; `etalon formats FILE` lists them.
+# Example: `q1_rad = "Q(:,1)"` for the variable `q`
+array-missing = the file has no array of numbers `{ $column }`
+
+# Means: The stated part of an array is not one column or row of it.
+# Matters: It is unknown which numbers are the column.
+# Do: Write the part as in Python or MATLAB.
+# Example: `q1_rad = "q"` for a matrix of six columns
+array-part-unknown = `{ $column }` is not one column: `{ $name }` is { $shape }
+    .hint = write the part as in the language of the file: `{ $example }`
+
+# Means: Two columns of a log have different lengths.
+# Matters: It is unknown which values belong together.
+# Do: State arrays of one recording, and of equal length.
+# Example: times at 1 kHz beside joints at 100 Hz
+array-lengths-differ = `{ $first }` has { $count } numbers and `{ $second }` has { $other }
+    .expected = columns of equal length
+    .hint = state arrays of one recording; a matrix whose columns are times has its joints in rows
+
+# Means: The file is damaged, or is not of the stated format.
+# Matters: Its numbers cannot be read.
+# Do: Save the file again.
+# Example: a copy that ended early
+arrays-unreadable = the file cannot be read as arrays of { $format ->
+        [numpy] NumPy (.npz, .npy)
+       *[matlab] MATLAB (.mat of -v6 or -v7)
+    }
+    .hint = save it again, or correct `format`
+
+# Means: The arrays are larger than etalon reads into memory.
+# Matters: The file cannot be read as one table.
+# Do: Save the arrays of the measurement alone.
+# Example: a day of joint values at 10 kHz
+arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
+    .hint = save the arrays of the measurement alone

@@ -19,6 +19,8 @@ line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } MiB
 
 file-not-text = `{ $file }` est { $kind ->
         [matlab] un fichier MATLAB
+        [matlab-7.3] un fichier MATLAB de -v7.3 (HDF5)
+        [numpy] un fichier NumPy
         [hdf5] un fichier HDF5
         [gzip] comprimé par gzip
         [xls] un ancien classeur Excel (.xls)
@@ -28,7 +30,9 @@ file-not-text = `{ $file }` est { $kind ->
     }
     .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)
     .hint = { $kind ->
-        [matlab] écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [matlab] pour un journal, indiquer `format = "matlab"` ; sinon écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [matlab-7.3] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
+        [numpy] pour un journal, indiquer `format = "numpy"` ; sinon écrire son tableau en texte avec `numpy.savetxt`, et indiquer les colonnes
         [hdf5] écrire son tableau en texte, et indiquer les colonnes
         [gzip] décomprimer le fichier
         [xls] l’enregistrer en .xlsx ou en texte
@@ -425,3 +429,21 @@ ros-messages-of-other-joints = { $count ->
 recording-without-known-topics = l’enregistrement n’a aucun sujet avec des valeurs articulaires, des poses ou des points : { $found }
     .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped ou geometry_msgs/PointStamped
     .hint = enregistrer un sujet de l’un de ces types
+
+array-missing = le fichier n’a pas de tableau de nombres `{ $column }`
+
+array-part-unknown = `{ $column }` n’est pas une colonne : `{ $name }` est de taille { $shape }
+    .hint = écrire la partie comme dans le langage du fichier : `{ $example }`
+
+array-lengths-differ = `{ $first }` a { $count } nombres et `{ $second }` en a { $other }
+    .expected = des colonnes de même longueur
+    .hint = indiquer des tableaux d’un même enregistrement ; une matrice dont les colonnes sont des instants a ses articulations en lignes
+
+arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format ->
+        [numpy] NumPy (.npz, .npy)
+       *[matlab] MATLAB (.mat de -v6 ou -v7)
+    }
+    .hint = l’enregistrer de nouveau, ou corriger `format`
+
+arrays-too-large = les tableaux du fichier dépassent { $most_mib } MiB
+    .hint = enregistrer seulement les tableaux de la mesure
