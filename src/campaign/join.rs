@@ -20,6 +20,9 @@ pub struct Join {
     /// Time of the measurement minus time of the log, for a join by time; with `standstills` it is
     /// determined from the log.
     pub clock_offset_s: Option<ClockOffset>,
+    /// With `standstills` the rate of the clocks is determined with the offset, within 100 ppm, for
+    /// clocks that drift apart.
+    pub clock_rate: Option<ClockRate>,
     /// Largest difference of the times, for a join by time.
     pub tolerance_s: Option<f64>,
     /// Interpolates joint values between the previous and the next row, for a join by time.
@@ -42,6 +45,14 @@ impl JsonSchema for ClockOffset {
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "anyOf": [{ "type": "number" }, { "const": "standstills" }] })
     }
+}
+
+/// Rate of two clocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ClockRate {
+    /// Determined from the standstills of the log, if no offset alone fits.
+    Standstills,
 }
 
 /// Offset of two clocks.

@@ -16,7 +16,7 @@ mod urdf;
 
 pub use geometric::*;
 pub use iso9283::*;
-pub use join::{ClockOffset, Join, JoinBy};
+pub use join::{ClockOffset, ClockRate, Join, JoinBy};
 pub use robot_file::RobotFile;
 pub use selection::{Selection, Selections, StatedPoses};
 pub use toml_file::UnreadKeys;

@@ -35,8 +35,14 @@ impl CampaignFile {
                 self.logs.push(log);
             }
         }
-        let by_row =
-            Join { by: JoinBy::Row, targets: None, clock_offset_s: None, tolerance_s: None, interpolate: false };
+        let by_row = Join {
+            by: JoinBy::Row,
+            targets: None,
+            clock_offset_s: None,
+            clock_rate: None,
+            tolerance_s: None,
+            interpolate: false,
+        };
         self.join.get_or_insert(by_row);
         wrong
     }

@@ -220,6 +220,7 @@ pub struct Homing {
 /// A table of observations: measured quantities and joint values, row by row.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = etalon_formats::dialect::accept_topic)]
 pub struct ObservationsDefinition {
     /// File of the table: delimited text with a header, or a workbook (.xlsx).
     #[schemars(with = "String")]
@@ -233,8 +234,9 @@ pub struct ObservationsDefinition {
     /// Character encoding, if no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
-    /// Sheet of a workbook that contains the table; delimiter, decimal mark and encoding do not
-    /// apply.
+    /// Sheet of a workbook that contains the table, or as `topic` the topic of a recording (MCAP);
+    /// delimiter, decimal mark and encoding do not apply.
+    #[serde(alias = "topic")]
     pub sheet: Option<String>,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,

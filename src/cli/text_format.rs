@@ -70,8 +70,8 @@ pub(super) struct TableFormat {
     /// Character encoding, if no byte-order mark states it.
     #[arg(long)]
     encoding: Option<String>,
-    /// Sheet of a workbook (.xlsx) that contains the table.
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
+    /// Sheet of a workbook (.xlsx), or topic of a recording (MCAP), that contains the table.
+    #[arg(long, visible_alias = "topic", value_name = "NAME", conflicts_with_all = ["delimiter", "decimal", "encoding"])]
     sheet: Option<String>,
     /// Source of a column that has another name in the file; may be repeated.
     ///

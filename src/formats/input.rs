@@ -2,7 +2,8 @@
 //! its end. Text is decoded strictly, in the stated encoding or in that of the byte-order mark.
 
 use super::exports::Format;
-use super::workbook;
+use super::logs::LogKind;
+use super::{ros_bag, workbook};
 use crate::dialect::Encoding;
 use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use etalon_base::catalogue::Phrase;
@@ -18,15 +19,36 @@ pub fn read_text(path: &Path, encoding: Option<Encoding>, place: &Place) -> Read
     Ok((text, bytes))
 }
 
-/// Text of a file in a format: of a sheet of a workbook, or of a binary file with one character for
-/// each byte.
+/// Text of a file in a format: of a sheet of a workbook, of a topic of a recording, or of a binary
+/// file with one character for each byte.
 pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &Format) -> Read<String> {
     let text = match &format.dialect.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
+        Some(topic) if ros_bag::is_recording(bytes) => ros_bag::text(bytes, topic),
+        Some(topic) if ros_bag::is_topic(topic) => Err(error!("recording-missing", topic)),
         Some(sheet) => workbook::text(bytes, sheet),
+        None if LogKind::of_arrays(bytes).is_some() => return Err(arrays_not_text(path, bytes).into()),
+        None if ros_bag::is_recording(bytes) => Err(topic_not_stated(bytes)),
         None => decode(bytes.to_vec(), encoding),
     };
     Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
+}
+
+/// Error about a file of arrays where a text is expected.
+fn arrays_not_text(path: &Path, bytes: &[u8]) -> Message {
+    let kind = LogKind::of_arrays(bytes).map_or("", |format| format.about().name);
+    error!("file-not-text", file = path.display().to_string(), kind)
+}
+
+/// Error about a recording without a statement of the topic.
+fn topic_not_stated(bytes: &[u8]) -> Message {
+    match ros_bag::topics(bytes) {
+        Ok(topics) => {
+            let readable = topics.iter().filter(|topic| topic.kind.is_some());
+            error!("topic-not-stated").hint_names("", readable.map(|topic| topic.name.as_str()))
+        }
+        Err(message) => message,
+    }
 }
 
 /// Bytes of an input file.
@@ -76,7 +98,7 @@ fn files_in(folder: &Path) -> Vec<String> {
 
 /// Maximum length of a line of text (bytes).
 const LONGEST_LINE: usize = 1 << 20;
-/// Maximum length of a line of XML, of a workbook or of a PLY file (bytes).
+/// Maximum length of a line of XML, of a workbook, a recording or a PLY file (bytes).
 const LONGEST_XML: usize = 256 << 20;
 /// Number of bytes that are read at a time.
 const PIECE: usize = 1 << 20;
@@ -116,20 +138,25 @@ fn bounded(mut from: impl io::Read, file: &str) -> Result<Vec<u8>, Message> {
     }
 }
 
-/// XML, a zip archive, or PLY, which may be binary.
+/// XML, a zip archive, a recording, arrays, or PLY, which may be binary.
 fn is_document(bytes: &[u8]) -> bool {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
-    text.starts_with(b"<") || bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"ply")
+    text.starts_with(b"<")
+        || bytes.starts_with(b"PK\x03\x04")
+        || bytes.starts_with(b"ply")
+        || ros_bag::is_recording(bytes)
+        || LogKind::of_arrays(bytes).is_some()
 }
 
 /// First bytes of kinds of files without text, and the kind.
-const KINDS: [(&[u8], &str); 6] = [
-    (b"MATLAB 5.0 MAT-file", "matlab"),
-    (b"MATLAB 7.3 MAT-file", "matlab"),
+const KINDS: [(&[u8], &str); 7] = [
+    (b"MATLAB 7.3 MAT-file", "matlab-7.3"),
     (b"\x89HDF", "hdf5"),
     (b"\x1f\x8b", "gzip"),
     (b"\xd0\xcf\x11\xe0", "xls"),
     (b"%PDF", "pdf"),
+    (b"SQLite format 3\0", "rosbag2"),
+    (b"#ROSBAG V2.0", "rosbag1"),
 ];
 
 /// Rejects a kind of file without text.

@@ -15,6 +15,7 @@ mod lexer;
 mod logs;
 mod points;
 mod propose;
+pub(crate) mod ros_bag;
 pub mod table;
 pub mod tables;
 mod workbook;

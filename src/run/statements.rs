@@ -137,7 +137,11 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
         };
         problems.0.push(message.at(campaign.place_of(&["join", "by"])));
     }
-    let beside = [clocks[0], clocks[1], ("interpolate", join.interpolate)];
+    if join.clock_rate.is_some() && by_time && !estimated {
+        problems.0.push(error!("clock-rate-without-offset").at(campaign.place_of(&["join", "clock_rate"])));
+    }
+    let rate = ("clock_rate", join.clock_rate.is_some());
+    let beside = [clocks[0], clocks[1], rate, ("interpolate", join.interpolate)];
     for (key, _) in beside.iter().filter(|(_, stated)| *stated && !by_time) {
         problems.0.push(error!("key-of-other-join", key, by = "time").at(campaign.place_of(&["join", key])));
     }

@@ -232,3 +232,61 @@ fn two_files_of_one_target_number_their_rows_apart() {
     let problems = Campaign::read(&scratch.path()).unwrap_err().to_string();
     assert!(problems.contains("`row - 1` is not the number of a row"), "{problems}");
 }
+
+/// A log of an hour with a standstill of two seconds at each pose, and points measured at the start of every other standstill
+/// and at the end of the rest, by a clock of this rate.
+fn drifting(rate: f64, join: &str) -> Scratch {
+    let scratch = timed(join, 0.0, None, false);
+    let path = |name: &str| scratch.path().join(name);
+    let read = |name: &str| std::fs::read_to_string(path(name)).unwrap();
+    let start = |i: usize| (90 * i + 7 * (i * i % 11)) as f64;
+    let mut log = String::from("t,RP1,RP2,RP3\n");
+    for (i, line) in read("encoders.csv").lines().skip(1).enumerate() {
+        let joints = line.split_once(',').unwrap().1;
+        (0..3).for_each(|k| log += &format!("{},{joints}\n", start(i) + f64::from(k)));
+    }
+    let mut export = String::new();
+    for (row, line) in read("exports/poses.txt").lines().enumerate() {
+        // two targets a pose
+        let i = row / 2;
+        let logged = start(i) + [0.05, 1.95][i % 2];
+        let cells: Vec<&str> = line.split(';').collect();
+        let measured = logged + 500.0 + rate * (logged - 2000.0);
+        export += &format!("{};{measured};{};{};{}\n", cells[0], cells[2], cells[3], cells[4]);
+    }
+    let stated = read("campaign.toml");
+    let stated = stated
+        .replace("columns = { time_s", "standstill = { at_least_s = 1.0, within_mm = 0.001 }\ncolumns = { time_s");
+    std::fs::write(path("encoders.csv"), log).unwrap();
+    std::fs::write(path("exports/poses.txt"), export).unwrap();
+    std::fs::write(path("campaign.toml"), stated).unwrap();
+    scratch
+}
+
+#[test]
+fn the_rate_of_the_clocks_comes_from_the_standstills_within_that_of_crystals() {
+    let offset = "by = \"time\"\nclock_offset_s = \"standstills\"\ntolerance_s = 0";
+    let both = format!("{offset}\nclock_rate = \"standstills\"");
+    let alone = run(&drifting(60e-6, offset)).unwrap_err();
+    assert!(alone.0.iter().any(|m| m.is("clock-offset-none", &[])), "{alone}");
+    let outcome = run(&drifting(60e-6, &both)).unwrap_or_else(|e| panic!("{e}"));
+    let said = outcome.messages.iter().find(|m| m.is("clock-rate-from-standstills", &[("log", &"log")]));
+    println!("{}", said.unwrap_or_else(|| panic!("{:?}", outcome.messages)));
+    let errors = &outcome.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
+    assert!(errors.after.max < 1e-9, "{errors:?}");
+    // equal rates: the offset alone is used, and that is said
+    let outcome = run(&drifting(0.0, &both)).unwrap_or_else(|e| panic!("{e}"));
+    assert!(outcome.messages.iter().any(|m| m.is("clock-rate-insignificant", &[])), "{:?}", outcome.messages);
+    // no crystal drifts so far
+    let wrong = run(&drifting(400e-6, &both)).unwrap_err();
+    assert!(wrong.0.iter().any(|m| m.is("clock-rate-none", &[])), "{wrong}");
+}
+
+#[test]
+fn a_rate_of_the_clocks_needs_their_offset_from_standstills() {
+    let stated = "by = \"time\"\nclock_offset_s = 0.0\ntolerance_s = 1.0\nclock_rate = \"standstills\"";
+    let problems = run(&timed(stated, 0.0, None, false)).unwrap_err();
+    assert!(problems.0.iter().any(|m| m.is("clock-rate-without-offset", &[])), "{problems}");
+    let problems = run(&timed("by = \"row\"\nclock_rate = \"standstills\"", 0.0, None, false)).unwrap_err();
+    assert!(problems.0.iter().any(|m| m.is("key-of-other-join", &[("key", &"clock_rate")])), "{problems}");
+}

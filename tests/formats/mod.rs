@@ -4,6 +4,7 @@ mod commanded;
 mod init;
 mod robot;
 mod several;
+mod recordings;
 mod six_d;
 mod tables;
 

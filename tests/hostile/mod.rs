@@ -11,7 +11,7 @@ mod follow_up;
 mod fuzz;
 mod hints;
 mod kinds;
-mod logs;
+pub(crate) mod logs;
 mod qif;
 mod readers;
 mod recovery;

@@ -3,6 +3,7 @@
 use super::columns::{ColumnAt, ColumnRole, Columns};
 use super::source::Cells;
 use super::text::{AngleUnit, CoordinateType, Header, Missing, Thousands};
+use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::error;
 use etalon_base::message::{Message, printable, printable_character};
@@ -15,12 +16,15 @@ use std::fmt;
 /// and `sheet`.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
+#[schemars(transform = super::accept_topic)]
 pub struct Dialect {
     /// Delimiter of the columns.
     pub delimiter: Option<Delimiter>,
     /// Width of each column (characters), for columns without a delimiter.
     pub widths: Vec<usize>,
-    /// Name of the sheet of an Excel workbook.
+    /// Name of the sheet of an Excel workbook, or as `topic` the name of a topic of a recording
+    /// (MCAP).
+    #[serde(alias = "topic")]
     pub sheet: Option<String>,
     /// Decimal mark.
     pub decimal: Decimal,
@@ -442,7 +446,7 @@ impl fmt::Display for Dialect {
             keys.push(("widths", format!("[{}]", widths.join(", "))));
         }
         if let Some(sheet) = &self.sheet {
-            keys.push(("sheet", quoted(sheet)));
+            keys.push((if ros_bag::is_topic(sheet) { "topic" } else { "sheet" }, quoted(sheet)));
         }
         if self.sheet.is_none() || self.decimal != Decimal::default() {
             keys.push(("decimal", quoted(self.decimal.name())));

@@ -27,6 +27,20 @@ fn accept_aliases(schema: &mut Schema) {
     }
 }
 
+/// Adds the key `topic`, which is another name of `sheet` for a topic of a recording.
+pub fn accept_topic(schema: &mut Schema) {
+    let properties = schema.get_mut("properties").and_then(Value::as_object_mut);
+    if let Some((properties, mut sheet)) =
+        properties.and_then(|all| all.get("sheet").cloned().map(|sheet| (all, sheet)))
+    {
+        if let Some(topic) = sheet.as_object_mut() {
+            let description = "Name of the topic of a recording (MCAP) instead of `sheet`: `/joint_states`.";
+            topic.insert("description".to_owned(), description.into());
+        }
+        properties.insert("topic".to_owned(), sheet);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,6 +9,7 @@ use crate::dialect::{
 use crate::lexer::pose_name;
 use crate::lexer::{self, Row, WHOLE, column_index, each_row, marked};
 use crate::points::{Line, Names, Point};
+use crate::ros_bag;
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::{Pose, Vector, norm};
@@ -160,9 +161,11 @@ fn points<'t>(
     let mut problems = Problems::default();
     if let Some(header) = &header {
         let lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
-        let other = |(_, name): &(&ColumnRole, &Cow<str>)| Unit::of_heading(name).is_some_and(|said| said != unit);
+        let of_topic = dialect.sheet.as_deref().filter(|name| ros_bag::is_topic(name)).map(|_| Unit::Metre);
+        let unit_of = |name: &str| of_topic.or_else(|| Unit::of_heading(name));
+        let other = |(_, name): &(&ColumnRole, &Cow<str>)| unit_of(name).is_some_and(|said| said != unit);
         if let Some((_, name)) = lengths.into_iter().find(other) {
-            let of_file = Unit::of_heading(name).map_or("", Unit::name);
+            let of_file = unit_of(name).map_or("", Unit::name);
             let message = error!("unit-differs", of_file, how = **name, stated = unit.name());
             problems.0.push(message.at(header.place(file)));
         }

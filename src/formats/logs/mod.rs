@@ -1,9 +1,12 @@
 //! Logs of controllers: the section `[log]` of a campaign, the reader, and the formats (one file
 //! each).
 
+mod arrays;
 mod galil;
 mod joint_log;
 mod kuka_rsi;
+mod matlab;
+mod numpy;
 mod ros;
 mod sheet;
 pub mod standstill;
@@ -11,14 +14,16 @@ mod twincat;
 mod ur_rtde;
 mod write;
 
+pub(crate) use arrays::ArrayParts;
 pub use joint_log::{DIRECTION, is_common_column, meaning};
 pub use joint_log::{JointLog, LogRow, is_joint_column};
 pub(crate) use sheet::{one_column, row_width, words_missing};
 pub use write::write;
 
-use super::dialect::{Column, Decimal, Delimiter, Dialect, Encoding, FromRow, Header};
+use super::dialect::{Column, ColumnAt, Decimal, Delimiter, Dialect, Encoding, FromRow, Header};
 use super::exports::{Format, Recognised};
 use super::input::{bytes_of, text_of};
+use crate::ros_bag;
 use crate::table::ASSEMBLY;
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
@@ -36,6 +41,7 @@ use toml::Spanned;
 /// A file of a controller.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = crate::dialect::accept_topic)]
 pub struct Log {
     /// Name of the log, if there are several.
     #[serde(default = "default_log")]
@@ -55,7 +61,9 @@ pub struct Log {
     /// Decimal mark.
     #[serde(default)]
     pub decimal: Decimal,
-    /// Sheet of a workbook with the log; `delimiter` and `encoding` do not apply.
+    /// Sheet of a workbook with the log, or as `topic` the topic of a recording (MCAP);
+    /// `delimiter` and `encoding` do not apply.
+    #[serde(alias = "topic")]
     pub sheet: Option<String>,
     /// Header rows before the data; the last one names the columns: a number, `true` (one), `false`
     /// (none), or words of the last one.
@@ -95,9 +103,17 @@ pub struct StandstillCriterion {
 impl Log {
     /// Returns the delimiter of the columns.
     pub fn delimiter(&self) -> Delimiter {
-        // the cells of a sheet become a text with tabs
-        let other = if self.sheet.is_some() { Delimiter::Tab } else { Delimiter::Comma };
+        // the cells of a sheet and the numbers of arrays become a text with tabs
+        let other = if self.sheet.is_some() || self.format.0.has_arrays() { Delimiter::Tab } else { Delimiter::Comma };
         self.delimiter.unwrap_or(other)
+    }
+
+    /// Returns the format: topics of a recording are messages of ROS.
+    fn kind(&self) -> LogKind {
+        match &self.sheet {
+            Some(topic) if ros_bag::is_topic(topic) => LogKind(&ros::Ros),
+            _ => self.format,
+        }
     }
 
     /// `true` if a row names the columns.
@@ -111,6 +127,14 @@ impl Log {
     /// If the file cannot be read, is not text of this encoding, or lacks the sheet.
     pub fn text(&self, path: &Path) -> Result<(String, Vec<u8>)> {
         let bytes = bytes_of(path)?;
+        let named = self.columns.values().filter_map(|column| match &column.at {
+            ColumnAt::Name(name) => Some(name.as_str()),
+            ColumnAt::Number(_) => None,
+        });
+        if let Some(text) = self.format.0.table(&bytes, &named.collect::<Vec<_>>()) {
+            let file = path.display().to_string();
+            return Ok((text.map_err(|message| message.within(phrase!("in-file", file)))?, bytes));
+        }
         let format = Format::from(Dialect { sheet: self.sheet.clone(), ..Dialect::default() });
         Ok((text_of(path, &bytes, self.encoding, &format)?, bytes))
     }
@@ -135,8 +159,16 @@ fn one_row() -> Header {
 }
 
 /// All formats. A new format needs its file and a line here.
-const FORMATS: [&dyn LogFormat; 6] =
-    [&sheet::Delimited, &galil::Galil, &ur_rtde::UrRtde, &kuka_rsi::KukaRsi, &twincat::TwinCat, &ros::Ros];
+const FORMATS: [&dyn LogFormat; 8] = [
+    &sheet::Delimited,
+    &galil::Galil,
+    &ur_rtde::UrRtde,
+    &kuka_rsi::KukaRsi,
+    &twincat::TwinCat,
+    &ros::Ros,
+    &numpy::Numpy,
+    &matlab::Matlab,
+];
 
 /// Log of a campaign, and the text of its file.
 #[derive(Clone, Copy)]
@@ -204,6 +236,26 @@ pub(crate) trait LogFormat: Sync {
         false
     }
 
+    /// `true` if files hold arrays in place of text: `table` reads them.
+    fn has_arrays(&self) -> bool {
+        false
+    }
+
+    /// `true` if bytes begin like a file of arrays of this format.
+    fn holds(&self, _bytes: &[u8]) -> bool {
+        false
+    }
+
+    /// Returns the arrays of a file, with the text of each part that can be a column.
+    fn arrays(&self, _bytes: &[u8]) -> std::result::Result<Vec<ArrayParts>, Message> {
+        Ok(Vec::new())
+    }
+
+    /// Returns the wanted parts of the arrays of a file as a text with tabs.
+    fn table(&self, _bytes: &[u8], _wanted: &[&str]) -> Option<std::result::Result<String, Message>> {
+        None
+    }
+
     /// Reads the wanted columns.
     fn read(&self, log: LogText, wanted: &[Wanted], source: &mut Source) -> Result<Columns> {
         sheet::read(log, wanted, source)
@@ -230,6 +282,16 @@ impl LogKind {
 
     pub(crate) fn about(self) -> About {
         self.0.about()
+    }
+
+    /// Returns the format of a file of arrays.
+    pub(crate) fn of_arrays(bytes: &[u8]) -> Option<Self> {
+        FORMATS.into_iter().find(|format| format.holds(bytes)).map(Self)
+    }
+
+    /// Returns the arrays of a file, with the text of each part that can be a column.
+    pub(crate) fn arrays(self, bytes: &[u8]) -> std::result::Result<Vec<ArrayParts>, Message> {
+        self.0.arrays(bytes)
     }
 
     /// Returns the unit of the column with this name, if the format fixes it.
@@ -392,7 +454,7 @@ pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> R
 pub(super) fn columns(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<Columns> {
     let mut problems = Problems::default();
     let wanted = wanted(stated, log, &mut problems);
-    match log.format.0.read(LogText { log, stated, text }, &wanted, source) {
+    match log.kind().0.read(LogText { log, stated, text }, &wanted, source) {
         Ok(columns) => problems.check().map(|_| columns),
         Err(more) => {
             problems.0.extend(more.0);
@@ -427,10 +489,20 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
     if log.period_s.is_some_and(|period| period <= 0.0 || !period.is_finite()) {
         problems.0.push(here(error!("key-not-positive", key = "period_s")));
     }
-    if log.values.is_some() && !log.format.0.has_channels() {
+    if log.values.is_some() && !log.kind().0.has_channels() {
         problems.0.push(here(inapplicable("values")));
     }
-    if !log.has_header() && log.format.0.has_channels() {
+    let text = [
+        ("delimiter", log.delimiter.is_some()),
+        ("decimal", log.decimal != Decimal::default()),
+        ("encoding", log.encoding.is_some()),
+        ("comment", log.comment.is_some()),
+        ("sheet", log.sheet.is_some()),
+    ];
+    for (key, _) in text.iter().filter(|(_, stated)| *stated && log.kind().0.has_arrays()) {
+        problems.0.push(here(inapplicable(key)));
+    }
+    if !log.has_header() && (log.kind().0.has_channels() || log.kind().0.has_arrays()) {
         problems.0.push(here(inapplicable("header")));
     }
     wanted

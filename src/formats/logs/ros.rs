@@ -1,14 +1,18 @@
-//! ROS messages as CSV.
+//! ROS messages as CSV, or as a topic of a recording (MCAP).
 //!
 //! The order of joints in a JointState is arbitrary. Joints are found by name, in the header
-//! (`lbr_joint_1,lbr_joint_2,...`) or in the rows of `rostopic echo -p`
-//! (`field.name0,...,field.position0,...`).
+//! (`lbr_joint_1,lbr_joint_2,...`), in the rows of `rostopic echo -p`
+//! (`field.name0,...,field.position0,...`) or in the messages of a recording
+//! (`position.lbr_joint_1`).
 
 use super::sheet::Sheet;
-use super::{About, LogFormat};
+use super::{About, LogFormat, Wanted, other_unit};
+use crate::dialect::ColumnAt;
 use crate::exports::Recognised;
-use etalon_base::error;
-use etalon_base::message::Problems;
+use crate::ros_bag::{POSITION, STAMP};
+use etalon_base::message::{Message, Problems};
+use etalon_base::{error, phrase};
+use etalon_documents::Refused;
 
 /// ROS messages: joints in any order, named by the header or by their rows.
 pub(super) struct Ros;
@@ -18,7 +22,7 @@ impl LogFormat for Ros {
         About {
             name: "ros",
             title: "ROS CSV",
-            description: "ROS messages as CSV: joints in any order, named by the header or by their rows.",
+            description: "ROS messages as CSV or a topic of a recording: joints in any order, by name.",
         }
     }
 
@@ -35,9 +39,45 @@ impl LogFormat for Ros {
         false
     }
 
+    fn statement(&self, wanted: &Wanted) -> Option<Message> {
+        position_unit(wanted)
+    }
+
     fn name_columns(&self, sheet: &mut Sheet, problems: &mut Problems) {
         name_joints(sheet, problems);
     }
+
+    fn cut(&self, sheet: &mut Sheet, wanted: &[(usize, &Wanted)], _problems: &mut Problems) -> Vec<Refused> {
+        of_other_joints(sheet, wanted).into_iter().collect()
+    }
+}
+
+/// Returns the error of a joint value of a recording in another unit than rad or m
+/// (JointState.msg).
+fn position_unit(wanted: &Wanted) -> Option<Message> {
+    let ColumnAt::Name(column) = &wanted.column.at else { return None };
+    let stated = wanted.unit().filter(|_| column.starts_with(POSITION) && wanted.column.per_count.is_none())?;
+    let known = match stated {
+        "deg" => "rad",
+        "mm" | "um" => "m",
+        _ => return None,
+    };
+    other_unit(wanted, column, stated, known)
+}
+
+/// Leaves out messages without any wanted joint: several nodes publish to one topic, each its own
+/// joints.
+fn of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)]) -> Option<Refused> {
+    let header = sheet.header.as_ref()?;
+    let is_joint = |at: &usize| header.fields.get(*at).is_some_and(|name| name.starts_with(POSITION));
+    let joints: Vec<usize> = wanted.iter().map(|(at, _)| *at).filter(is_joint).collect();
+    let others = |row: &crate::lexer::Row| !joints.is_empty() && joints.iter().all(|at| row.field(*at).is_empty());
+    let count = sheet.rows.iter().filter(|row| others(row)).count();
+    let first = sheet.rows.iter().find(|row| others(row))?;
+    let reason = phrase!("ros-messages-of-other-joints", count).to_string();
+    let refused = Refused { line: first.line, text: first.text.to_owned(), reason };
+    sheet.rows.retain(|row| !others(row));
+    Some(refused)
 }
 
 /// Returns the unit of a column (REP 103: rad and m; times of `rostopic echo` in ns). Positions may
@@ -45,8 +85,9 @@ impl LogFormat for Ros {
 fn unit_of(column: &str) -> Option<&'static str> {
     match column {
         "%time" | "field.header.stamp" => Some("ns"),
-        _ if column.starts_with("field.velocity") => Some("rad/s"),
-        _ if column.starts_with("field.effort") => Some("Nm"),
+        STAMP => Some("s"),
+        _ if column.starts_with("field.velocity") || column.starts_with("velocity.") => Some("rad/s"),
+        _ if column.starts_with("field.effort") || column.starts_with("effort.") => Some("Nm"),
         _ => None,
     }
 }

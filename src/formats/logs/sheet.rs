@@ -54,14 +54,14 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     }
     source.dialect = format!(
         "{}delimited by `{}`, decimal `{}`",
-        if log.format.about().title.is_empty() { String::new() } else { format!("{}, ", log.format.about().title) },
+        if log.kind().about().title.is_empty() { String::new() } else { format!("{}, ", log.kind().about().title) },
         log.delimiter().name(),
         log.decimal.name()
     );
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
     source.rows_read = sheet.rows.len();
-    log.format.0.name_columns(&mut sheet, &mut problems);
+    log.kind().0.name_columns(&mut sheet, &mut problems);
     let mut placed = Vec::new();
     for wanted in wanted {
         match place_of(log, wanted, &sheet) {
@@ -70,7 +70,7 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
         }
     }
     if problems.0.is_empty() {
-        source.refused = log.format.0.cut(&mut sheet, &placed, &mut problems);
+        source.refused = log.kind().0.cut(&mut sheet, &placed, &mut problems);
     }
     let mut columns = Columns {
         rows: (1..=sheet.rows.len() as i64).collect(),
@@ -82,7 +82,7 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
         columns.columns.push((wanted.name.clone(), values));
     }
     problems.check()?;
-    columns.said.extend(log.format.0.remark(sheet.file, &columns));
+    columns.said.extend(log.kind().0.remark(sheet.file, &columns));
     Ok(columns)
 }
 
@@ -151,10 +151,10 @@ pub(crate) fn one_column(delimiter: Delimiter, guess: Option<&Dialect>) -> Messa
 
 /// Returns the index of a column given by number or heading.
 fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<usize, Message> {
-    log.format.0.statement(wanted).map_or(Ok(()), Err)?;
+    log.kind().0.statement(wanted).map_or(Ok(()), Err)?;
     let index = match (&wanted.column.at, &sheet.header) {
-        (ColumnAt::Number(_), _) if !log.format.0.has_stable_order() => {
-            return Err(error!("column-by-number", format = log.format.about().name));
+        (ColumnAt::Number(_), _) if !log.kind().0.has_stable_order() => {
+            return Err(error!("column-by-number", format = log.kind().about().name));
         }
         (ColumnAt::Number(number), _) if *number > sheet.width() => {
             return Err(error!("column-number-unknown", number, columns = sheet.width()));
@@ -164,7 +164,7 @@ fn place_of(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Result<us
         (ColumnAt::Name(name), None) => return Err(error!("header-not-stated", column = name)),
     };
     let heading = sheet.header.as_ref().and_then(|header| header.fields.get(index));
-    heading.map_or(Ok(()), |heading| unit_agrees(log.format, wanted, heading))?;
+    heading.map_or(Ok(()), |heading| unit_agrees(log.kind(), wanted, heading))?;
     Ok(index)
 }
 
@@ -226,7 +226,7 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
         return Values::Real(read);
     }
     if wanted.is_joint() {
-        log.format.0.check_joint(sheet, at, &read, problems);
+        log.kind().0.check_joint(sheet, at, &read, problems);
     }
     let (whole, modes) = (wanted.name == "cycle", wanted.name == ASSEMBLY);
     for (value, row) in read.iter().zip(&sheet.rows) {

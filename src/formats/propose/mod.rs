@@ -1,6 +1,7 @@
 //! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
 mod against;
+mod arrays;
 mod coordinates;
 mod headings;
 mod kinematics;
@@ -8,6 +9,7 @@ mod lines;
 mod meaning;
 mod own;
 mod several;
+mod recording;
 mod structure;
 mod table;
 
@@ -18,7 +20,7 @@ use super::exports::{Format, Recognised, head, recognise};
 use super::guess::{Guess, guesses, names};
 use super::input::{bytes_of, decode};
 use super::logs::LogKind;
-use super::workbook;
+use super::{ros_bag, workbook};
 use crate::dialect::{ColumnRole, Encoding, Unit, quoted};
 use against::Remarks;
 use etalon_base::error;
@@ -98,6 +100,12 @@ fn propose_corrected(path: &Path, correct: Option<Correct>) -> Result<FormatsDoc
     let here = |message: Message| message.at(Place::file(name.as_str()));
     if bytes.is_empty() {
         return Err(here(error!("file-empty")).into());
+    }
+    if ros_bag::is_recording(&bytes) {
+        return recording::of_recording(&name, &bytes).map_err(|message| here(message).into());
+    }
+    if let Some(format) = LogKind::of_arrays(&bytes) {
+        return arrays::of_arrays(&name, &bytes, format).map_err(|message| here(message).into());
     }
     if workbook::is_workbook(&bytes) {
         return of_workbook(&name, &bytes, correct).map_err(|message| here(message).into());

@@ -1,6 +1,7 @@
 //! Points meet the log by the clock: with the nearest row, with the standstill they fall into, or
 //! between two rows.
 
+use super::clock::Clock;
 use super::unmatched::At;
 use super::{Remarks, Row, Target, contradictions};
 use etalon_base::message::{Problems, Result};
@@ -12,8 +13,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Settings of a join by time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clocks {
-    /// Time of the measurement minus time of the log.
-    pub offset_s: f64,
+    /// Clock of the measurement against the clock of the log.
+    pub clock: Clock,
     /// Largest time between a point and its rows (s).
     pub tolerance_s: f64,
     /// Joint values are those between the row before and the row after.
@@ -32,7 +33,8 @@ struct Met {
 /// row becomes the pose, or between rows the number of the time.
 pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remarks: &mut Remarks) -> Result<Vec<Row>> {
     let name = &log.name;
-    let times = nanoseconds(targets.iter().map(|t| t.point.time_s), clocks.offset_s, "export")?;
+    let times = targets.iter().map(|t| t.point.time_s.map(|time_s| clocks.clock.of_log(time_s)));
+    let times = nanoseconds(times, "export")?;
     let spans = spans(log)?;
     let tolerance_ns = (clocks.tolerance_s * 1e9).round() as i64;
     let met: Vec<Option<Met>> = times
@@ -62,7 +64,7 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
 /// First and last time of each row of the log (ns); they differ for standstills only.
 fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
     let span = |end: usize| log.rows.iter().map(move |row| row.standing_s.map(|s| s[end]).or(row.time_s));
-    let (from, to) = (nanoseconds(span(0), 0.0, "log")?, nanoseconds(span(1), 0.0, "log")?);
+    let (from, to) = (nanoseconds(span(0), "log")?, nanoseconds(span(1), "log")?);
     if let Some(i) = from.windows(2).position(|w| w[1] <= w[0]) {
         return Err(error!("log-times-not-increasing", log = log.name, row = i + 2).into());
     }
@@ -70,8 +72,8 @@ fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
 }
 
 /// Times in whole nanoseconds; `of` names the file in the error about a missing time.
-fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, offset_s: f64, of: &str) -> Result<Vec<i64>> {
-    let whole = |t: Option<f64>| t.filter(|t| t.is_finite()).map(|t| ((t - offset_s) * 1e9).round() as i64);
+fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, of: &str) -> Result<Vec<i64>> {
+    let whole = |t: Option<f64>| t.filter(|t| t.is_finite()).map(|t| (t * 1e9).round() as i64);
     let times: Option<Vec<i64>> = times_s.map(whole).collect();
     Ok(times.ok_or_else(|| error!("times-missing", of))?)
 }

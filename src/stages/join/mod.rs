@@ -16,11 +16,12 @@ use crate::stages::joint_range::{self, JointRow, Joints};
 use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
+use clock::Clock;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, warning};
-use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy};
+use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
 use etalon_formats::{JointLog, LogRow, Point};
 use etalon_identify::{Covariance, directions, turned};
@@ -176,9 +177,9 @@ fn with_log(
         JoinBy::Pose => by_key(targets, log, &["pose"], remarks)?,
         JoinBy::Row => by_key(targets, log, &["row"], remarks)?,
         JoinBy::Time => {
-            let offset_s = offset_s(campaign, join, targets, log, remarks)?;
+            let clock = clock(campaign, join, targets, log, remarks)?;
             let tolerance_s = join.tolerance_s.unwrap_or(0.0);
-            by_time(targets, log, Clocks { offset_s, tolerance_s, interpolate: join.interpolate }, remarks)?
+            by_time(targets, log, Clocks { clock, tolerance_s, interpolate: join.interpolate }, remarks)?
         }
         // what the log touches has no partner among the robot's targets
         JoinBy::Label => Vec::new(),
@@ -198,20 +199,37 @@ fn with_log(
     Ok(joined)
 }
 
-/// The offset of the clocks: as stated, or from the standstills of the log, which is remarked.
-fn offset_s(
-    campaign: &Campaign,
-    join: &Join,
-    targets: &[Target],
-    log: &JointLog,
-    remarks: &mut Remarks,
-) -> Result<f64> {
+/// The clocks: as stated, or from the standstills of the log, which is remarked.
+fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, remarks: &mut Remarks) -> Result<Clock> {
     if join.clock_offset_s != Some(ClockOffset::Standstills) {
-        return Ok(join.stated_offset_s().unwrap_or(0.0));
+        return Ok(Clock::with_offset(join.stated_offset_s().unwrap_or(0.0)));
     }
     let standstills: Vec<(f64, f64)> = log.rows.iter().filter_map(|row| row.standing_s.map(|[a, b]| (a, b))).collect();
     let place = || campaign.place_of(&["join", "clock_offset_s"]);
     let times: Vec<f64> = targets.iter().filter_map(|t| t.point.time_s).collect();
+    if join.clock_rate == Some(ClockRate::Standstills) {
+        let found = clock::offset_and_rate(&times, &standstills).map_err(|m| m.at(place()))?;
+        let [low_ppm, high_ppm] = found.rates.map(|rate| 1e6 * rate);
+        let clock = found.clock;
+        let message = match clock.rate == 0.0 {
+            true => warning!("clock-rate-insignificant", log = log.name, low_ppm, high_ppm),
+            false => warning!(
+                "clock-rate-from-standstills",
+                log = log.name,
+                rate_ppm = 1e6 * clock.rate,
+                u_ppm = 1e6 * found.rate_uncertainty,
+                low_ppm,
+                high_ppm,
+                offset_s = clock.offset_s,
+                u_s = found.offset_uncertainty_s,
+                reference_s = clock.reference_s
+            ),
+        };
+        remarks.messages.push(message.at(campaign.place_of(&["join", "clock_rate"])));
+        if clock.rate != 0.0 {
+            return Ok(clock);
+        }
+    }
     let found = clock::offset(&times, &standstills).map_err(|m| m.at(place()))?;
     let message = warning!(
         "clock-from-standstills",
@@ -221,7 +239,7 @@ fn offset_s(
         half_width_s = found.half_width_s
     );
     remarks.messages.push(message.at(place()));
-    Ok(found.offset_s)
+    Ok(Clock::with_offset(found.offset_s))
 }
 
 /// The smallest difference of the times of a point and of a row of the log, clocks set by the

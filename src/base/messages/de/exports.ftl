@@ -19,17 +19,25 @@ line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
 
 file-not-text = `{ $file }` ist { $kind ->
         [matlab] eine MATLAB-Datei
+        [matlab-7.3] eine MATLAB-Datei von -v7.3 (HDF5)
+        [numpy] eine NumPy-Datei
         [hdf5] eine HDF5-Datei
         [gzip] mit gzip komprimiert
         [xls] eine alte Excel-Mappe (.xls)
+        [rosbag1] eine Aufzeichnung von ROS 1 (.bag)
+        [rosbag2] eine SQLite-Datenbank, wie rosbag2 sie aufzeichnet (.db3)
        *[pdf] ein PDF-Dokument
     }
-    .expected = Text oder eine Arbeitsmappe (.xlsx)
+    .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)
     .hint = { $kind ->
-        [matlab] die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [matlab] als Protokoll `format = "matlab"` angeben; sonst die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
+        [matlab-7.3] sie in MATLAB neu mit `-v7` speichern: S = load('DATEI'); save('NEU.mat', '-struct', 'S', '-v7')
+        [numpy] als Protokoll `format = "numpy"` angeben; sonst die Tabelle mit `numpy.savetxt` als Text schreiben und die Spalten angeben
         [hdf5] die Tabelle als Text schreiben und die Spalten angeben
         [gzip] die Datei entpacken
         [xls] sie als .xlsx oder als Text speichern
+        [rosbag1] sie umwandeln: `rosbags-convert --src DATEI --dst ORDNER --dst-storage mcap`; dann die .mcap-Datei und `topic` angeben
+        [rosbag2] sie in MCAP umwandeln: `ros2 bag convert -i DATEI -o out.yaml`; out.yaml enthält `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] die Punkte als Text exportieren
     }
 
@@ -368,3 +376,74 @@ further-messages = { $count ->
         [one] 1 weitere Meldung
        *[other] { $count } weitere Meldungen
     } zu dieser Datei
+
+recording-unreadable = die Aufzeichnung kann nicht gelesen werden: { $fault ->
+        [checksum] die Prüfsumme eines Blocks weicht ab
+        [compression] ein Block ist anders als mit LZ4 oder Zstandard komprimiert
+        [size] ein Block ist größer als 256 MiB
+        [unpack] ein Block kann nicht entpackt werden
+        [channel] eine Nachricht hat keinen Kanal
+       *[end] sie endet mitten in einem Eintrag
+    }
+    .hint = sie mit `mcap recover DATEI -o REPARIERT` reparieren oder neu kopieren
+
+recording-missing = die Datei ist keine MCAP-Aufzeichnung und hat daher kein Topic `{ $topic }`
+    .hint = die .mcap-Datei im Ordner der Aufzeichnung angeben oder `topic` weglassen
+
+topic-not-stated = die Datei ist eine Aufzeichnung (MCAP), und `topic` fehlt
+
+topic-missing = die Aufzeichnung hat keine Nachricht des Topics `{ $topic }`
+
+topic-too-large = die Nachrichten des Topics `{ $topic }` sind größer als { $most_mib } MiB
+    .hint = die Aufzeichnung auf die Zeit der Messungen kürzen: `mcap filter DATEI -o KURZ --start SEKUNDEN --end SEKUNDEN`
+
+topic-type-unknown = das Topic `{ $topic }` hat Nachrichten des Typs `{ $message }`
+    .expected = { $known }
+    .hint = das Topic der Gelenkwerte oder der gemessenen Posen angeben: `etalon formats DATEI` nennt die Topics
+
+topic-encoding-unknown = die Nachrichten des Topics `{ $topic }` haben die Kodierung `{ $encoding }`
+    .expected = `cdr`, die Kodierung von ROS 2
+    .hint = die Aufzeichnung nach ROS 2 umwandeln: `rosbags-convert --src DATEI --dst ORDNER --dst-storage mcap`
+
+ros-message-malformed = die Nachricht { $number } des Topics `{ $topic }` hat nicht den Aufbau ihres Typs
+    .hint = ohne `--compression-mode message` aufzeichnen; `ros2 bag convert` schreibt eine solche Aufzeichnung neu
+
+joint-state-lengths-differ = die Nachricht { $number } des Topics `{ $topic }` hat { $names } Gelenknamen und { $positions } Positionen
+    .expected = eine Position für jeden Namen oder keine Position
+    .hint = den Knoten berichtigen, der das Topic veröffentlicht
+
+joint-state-name-twice = die Nachricht { $number } des Topics `{ $topic }` nennt das Gelenk `{ $joint }` zweimal
+    .hint = den Knoten berichtigen, der das Topic veröffentlicht
+
+topic-without-positions = keine Nachricht des Topics `{ $topic }` hat Positionen ({ $count ->
+        [one] 1 Nachricht
+       *[other] { $count } Nachrichten
+    })
+    .hint = das Topic mit den gemessenen Positionen angeben: `etalon formats DATEI` nennt die Topics
+
+ros-messages-of-other-joints = { $count ->
+        [one] Nachricht
+       *[other] erste von { $count } Nachrichten
+    } ohne eines der Gelenke in `columns`: von einem anderen Knoten veröffentlicht
+
+recording-without-known-topics = die Aufzeichnung hat kein Topic mit Gelenkwerten, Posen oder Punkten: { $found }
+    .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped oder geometry_msgs/PointStamped
+    .hint = ein Topic mit einem dieser Typen aufzeichnen
+
+array-missing = die Datei hat kein Zahlenfeld `{ $column }`
+
+array-part-unknown = `{ $column }` ist nicht eine Spalte: `{ $name }` hat die Größe { $shape }
+    .hint = den Teil wie in der Sprache der Datei schreiben: `{ $example }`
+
+array-lengths-differ = `{ $first }` hat { $count } Zahlen und `{ $second }` hat { $other }
+    .expected = Spalten gleicher Länge
+    .hint = Felder einer Aufzeichnung angeben; eine Matrix, deren Spalten Zeitpunkte sind, hat ihre Gelenke in Zeilen
+
+arrays-unreadable = die Datei kann nicht als Felder von { $format ->
+        [numpy] NumPy (.npz, .npy)
+       *[matlab] MATLAB (.mat von -v6 oder -v7)
+    } gelesen werden
+    .hint = sie neu speichern oder `format` berichtigen
+
+arrays-too-large = die Felder der Datei sind größer als { $most_mib } MiB
+    .hint = nur die Felder der Messung speichern

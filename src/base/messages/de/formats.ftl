@@ -154,6 +154,11 @@ log-key-inapplicable = `{ $key }` gilt nicht für { $column ->
     .hint = { $key ->
         [per_count] `per_count` ist der Wert eines Impulses des Messgebers eines Gelenks: entfernen
         [values] `values` gehört zu `format = "twincat"`: entfernen
+        [comment] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
+        [decimal] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
+        [delimiter] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
+        [encoding] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
+        [sheet] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
         [header] ein TwinCAT-Export nennt seine Kanäle: `header` entfernen
        *[other] Kanäle eines TwinCAT-Exports haben eigene Zeiten: `{ $key }` entfernen
     }

@@ -187,3 +187,6 @@ input-changed = `{ $file }` hat sich während des Laufs geändert
 
 identify-missing = die Kampagne hat kein [identify], das die Posen zur Beurteilung der Parameter nennt
     .hint = `calibration` und `validation` in [identify] angeben
+
+clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
+    .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen

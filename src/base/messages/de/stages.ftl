@@ -926,3 +926,12 @@ tolerance-exceeded = { $count ->
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Systeme prüfen; ist der Roboter anders gezeichnet, `tolerance` in der Roboterdatei angeben
 
 format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }
+
+clock-rate-from-standstills = die Uhr der Messung geht um { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) gegen die Uhr des Protokolls `{ $log }` (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
+    .hint = mit diesem Versatz und Gang fällt jeder Messpunkt in einen Stillstand; mit einem Versatz allein nicht
+
+clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
+    .hint = `clock_rate` weglassen: der Versatz allein wird verwendet
+
+clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
+    .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben

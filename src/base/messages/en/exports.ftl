@@ -36,17 +36,25 @@ line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
 # Example: a MATLAB file `poses.mat`
 file-not-text = `{ $file }` is { $kind ->
         [matlab] a MATLAB file
+        [matlab-7.3] a MATLAB file of -v7.3 (HDF5)
+        [numpy] a file of NumPy
         [hdf5] an HDF5 file
         [gzip] compressed with gzip
         [xls] an old Excel workbook (.xls)
+        [rosbag1] a recording of ROS 1 (.bag)
+        [rosbag2] a SQLite database, as rosbag2 records it (.db3)
        *[pdf] a PDF document
     }
-    .expected = text, or a workbook (.xlsx)
+    .expected = text, a workbook (.xlsx), or a recording (.mcap)
     .hint = { $kind ->
-        [matlab] write its table as text with `writematrix`, and state the columns
+        [matlab] as a log, state `format = "matlab"`; otherwise write its table as text with `writematrix`, and state the columns
+        [matlab-7.3] save it again in MATLAB with `-v7`: S = load('FILE'); save('NEW.mat', '-struct', 'S', '-v7')
+        [numpy] as a log, state `format = "numpy"`; otherwise write its table as text with `numpy.savetxt`, and state the columns
         [hdf5] write its table as text, and state the columns
         [gzip] unpack the file
         [xls] save it as .xlsx or as text
+        [rosbag1] convert it: `rosbags-convert --src FILE --dst FOLDER --dst-storage mcap`; then state the .mcap file and `topic`
+        [rosbag2] convert it to MCAP: `ros2 bag convert -i FILE -o out.yaml`, where out.yaml holds `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] export the points as text
     }
 
@@ -620,3 +628,142 @@ further-messages = { $count ->
         [one] 1 further message
        *[other] { $count } further messages
     } about this file
+
+# Means: The recording (MCAP) is damaged or not finished.
+# Matters: Messages behind the damage are missing.
+# Do: Repair it with `mcap recover`, or record again.
+# Example: a recorder that was stopped by a power failure leaves no end of the file
+recording-unreadable = the recording cannot be read: { $fault ->
+        [checksum] the checksum of a chunk differs
+        [compression] a chunk has another compression than LZ4 and Zstandard
+        [size] a chunk is larger than 256 MiB
+        [unpack] a chunk cannot be unpacked
+        [channel] a message has no channel
+       *[end] it ends within a record
+    }
+    .hint = repair it with `mcap recover FILE -o REPAIRED`, or copy it again
+
+# Means: `topic` is stated for a file that is not an MCAP recording.
+# Matters: Only recordings have topics; the file is another one, or of an older kind.
+# Do: Name the `.mcap` file inside the folder of the recording, or leave `topic` out.
+# Example: `topic = "/joint_states"` for a CSV file
+recording-missing = the file is not an MCAP recording, so that it has no topic `{ $topic }`
+    .hint = name the .mcap file in the folder of the recording, or leave `topic` out
+
+# Means: A recording (MCAP) holds several topics, and the statement names none.
+# Matters: It is unknown which messages hold the measurements or joint values.
+# Do: State `topic`; `etalon formats FILE` lists the topics.
+# Example: a log with `file = "run_0.mcap"` without `topic`
+topic-not-stated = the file is a recording (MCAP), and `topic` is missing
+
+# Means: The recording has no message of this topic.
+# Matters: There is nothing to read.
+# Do: State a topic of the recording.
+# Example: `topic = "/joint_state"` for the topic `/joint_states`
+topic-missing = the recording has no message of topic `{ $topic }`
+
+# Means: The messages of the topic are larger than etalon reads into memory.
+# Matters: The recording cannot be read as one table.
+# Do: Cut the recording to the time of the measurements with `ros2 bag convert` or `mcap filter`.
+# Example: a day of joint values at 1 kHz
+topic-too-large = the messages of topic `{ $topic }` are larger than { $most_mib } MiB
+    .hint = cut the recording to the time of the measurements: `mcap filter FILE -o SHORTER --start SECONDS --end SECONDS`
+
+# Means: Messages of this type hold no joint values or coordinates that etalon reads.
+# Matters: The topic cannot be a log or an export.
+# Do: State a topic with one of the expected types.
+# Example: `topic = "/tf"`
+topic-type-unknown = topic `{ $topic }` has messages of type `{ $message }`
+    .expected = { $known }
+    .hint = state the topic of the joint values or measured poses: `etalon formats FILE` lists the topics
+
+# Means: The messages are not in CDR, the encoding of ROS 2.
+# Matters: Their numbers cannot be read.
+# Do: Convert the recording to ROS 2, for example with `rosbags-convert`.
+# Example: a recording of ROS 1 that was converted to MCAP
+topic-encoding-unknown = the messages of topic `{ $topic }` have the encoding `{ $encoding }`
+    .expected = `cdr`, the encoding of ROS 2
+    .hint = convert the recording to ROS 2: `rosbags-convert --src FILE --dst FOLDER --dst-storage mcap`
+
+# Means: A message does not have the layout of its type.
+# Matters: The numbers in it are unknown.
+# Do: Record again without compression of single messages, and without a changed message definition.
+# Example: `ros2 bag record --compression-mode message`
+ros-message-malformed = message { $number } of topic `{ $topic }` does not have the layout of its type
+    .hint = record without `--compression-mode message`; `ros2 bag convert` writes such a recording again
+
+# Means: A JointState message has another number of positions than of names.
+# Matters: It is unknown which joint a position belongs to.
+# Do: Correct the node that publishes the topic.
+# Example: seven names, and six positions because the gripper has none
+joint-state-lengths-differ = message { $number } of topic `{ $topic }` has { $names } names of joints and { $positions } positions
+    .expected = a position for each name, or no position
+    .hint = correct the node that publishes the topic
+
+# Means: A JointState message names a joint twice.
+# Matters: It is unknown which of the two positions is the joint's.
+# Do: Correct the node that publishes the topic.
+# Example: the driver merges the arm with itself
+joint-state-name-twice = message { $number } of topic `{ $topic }` names the joint `{ $joint }` twice
+    .hint = correct the node that publishes the topic
+
+# Means: All JointState messages of the topic have an empty list of positions.
+# Matters: The recording holds no joint values, only velocities or efforts.
+# Do: State the topic with the measured positions.
+# Example: the topic of commands `/joint_commands` in place of `/joint_states`
+topic-without-positions = no message of topic `{ $topic }` has positions ({ $count ->
+        [one] 1 message
+       *[other] { $count } messages
+    })
+    .hint = state the topic with the measured positions: `etalon formats FILE` lists the topics
+
+ros-messages-of-other-joints = { $count ->
+        [one] message
+       *[other] first of { $count } messages
+    } without any of the joints in `columns`: published by another node
+
+# Means: The recording (MCAP) has no topic with joint values, poses or points that etalon reads.
+# Matters: The recording holds no measurements, or in messages of another type.
+# Do: Record JointState, PoseStamped or PointStamped messages.
+# Example: a recording of camera images
+recording-without-known-topics = the recording has no topic with joint values, poses or points: { $found }
+    .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped or geometry_msgs/PointStamped
+    .hint = record a topic with one of these types
+
+# Means: The file has no array of numbers of this name, or the part is not written as in its language.
+# Matters: The column cannot be read.
+# Do: Use an array of the file; `etalon formats FILE` lists them.
+# Example: `q1_rad = "Q(:,1)"` for the variable `q`
+array-missing = the file has no array of numbers `{ $column }`
+
+# Means: The stated part of an array is not one column or row of it.
+# Matters: It is unknown which numbers are the column.
+# Do: Write the part as in Python or MATLAB.
+# Example: `q1_rad = "q"` for a matrix of six columns
+array-part-unknown = `{ $column }` is not one column: `{ $name }` is { $shape }
+    .hint = write the part as in the language of the file: `{ $example }`
+
+# Means: Two columns of a log have different lengths.
+# Matters: It is unknown which values belong together.
+# Do: State arrays of one recording, and of equal length.
+# Example: times at 1 kHz beside joints at 100 Hz
+array-lengths-differ = `{ $first }` has { $count } numbers and `{ $second }` has { $other }
+    .expected = columns of equal length
+    .hint = state arrays of one recording; a matrix whose columns are times has its joints in rows
+
+# Means: The file is damaged, or is not of the stated format.
+# Matters: Its numbers cannot be read.
+# Do: Save the file again.
+# Example: a copy that ended early
+arrays-unreadable = the file cannot be read as arrays of { $format ->
+        [numpy] NumPy (.npz, .npy)
+       *[matlab] MATLAB (.mat of -v6 or -v7)
+    }
+    .hint = save it again, or correct `format`
+
+# Means: The arrays are larger than etalon reads into memory.
+# Matters: The file cannot be read as one table.
+# Do: Save the arrays of the measurement alone.
+# Example: a day of joint values at 10 kHz
+arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
+    .hint = save the arrays of the measurement alone

@@ -296,6 +296,11 @@ log-key-inapplicable = `{ $key }` does not apply to { $column ->
     .hint = { $key ->
         [per_count] `per_count` is the value of one encoder count of a joint: remove it
         [values] `values` belongs to `format = "twincat"`: remove it
+        [comment] a file of arrays has no text: remove `{ $key }`
+        [decimal] a file of arrays has no text: remove `{ $key }`
+        [delimiter] a file of arrays has no text: remove `{ $key }`
+        [encoding] a file of arrays has no text: remove `{ $key }`
+        [sheet] a file of arrays has no text: remove `{ $key }`
         [header] a TwinCAT export names its channels: remove `header`
        *[other] channels of a TwinCAT export have their own times: remove `{ $key }`
     }

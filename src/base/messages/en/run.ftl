@@ -413,3 +413,10 @@ input-changed = `{ $file }` changed while the campaign was run
 # Example: `etalon validate` on a campaign that tests repeatability only
 identify-missing = the campaign has no [identify], which names the poses to judge parameters on
     .hint = state `calibration` and `validation` in [identify]
+
+# Means: `clock_rate` is stated, and `clock_offset_s` is a number.
+# Matters: Offset and rate are determined from the same standstills.
+# Do: State `clock_offset_s = "standstills"`, or leave `clock_rate` out.
+# Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
+clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
+    .hint = state `clock_offset_s = "standstills"`, or leave `clock_rate` out

@@ -1882,3 +1882,27 @@ tolerance-exceeded = { $count ->
     .hint = check signs, units and order of the joints, the nominal values, and the frames; where the robot is drawn otherwise, state `tolerance` in the robot file
 
 format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }
+
+# Means: The clocks drift apart: no offset alone puts every measured point into a standstill. Offset
+# and rate were determined together.
+# Matters: Joint values are from the standstill of each point. The rate is within 100 ppm, as crystals
+# are: the log of another run does not fit.
+# Do: Nothing, if points were measured during standstills only. Synchronise the clocks next time.
+# Example: `clock_rate = "standstills"` for an instrument and a controller that run for an hour
+clock-rate-from-standstills = the clock of the measurement runs { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) against the clock of log `{ $log }` (possible: { FIXED($low_ppm, 1) } to { FIXED($high_ppm, 1) } ppm); offset { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) at { FIXED($reference_s, 3) } s of the log
+    .hint = with this offset and rate every measured point falls into a standstill; no offset alone does so
+
+# Means: An offset alone puts every measured point into a standstill: the clocks may be of equal rate.
+# Matters: The rate is not applied. The true rate is within the stated range.
+# Do: Leave `clock_rate` out.
+# Example: clocks that differ by 5 ppm, and a measurement of ten minutes
+clock-rate-insignificant = the standstills of log `{ $log }` show no difference of the rates of the clocks: it is between { FIXED($low_ppm, 1) } and { FIXED($high_ppm, 1) } ppm
+    .hint = leave `clock_rate` out: the offset alone is used
+
+# Means: At no offset and no rate of the clocks does every measured point fall into a standstill.
+# Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another run.
+# Quartz clocks differ by less than the stated rate.
+# Do: Check that the log belongs to the measurement, and leave points measured in motion out.
+# Example: the log of yesterday's run
+clock-rate-none = at no offset of the clocks and no rate within ± { $most_ppm } ppm does every measured point fall into a standstill of the log
+    .hint = check that the log is of this measurement, and remove points measured in motion; or state `clock_offset_s` as a number

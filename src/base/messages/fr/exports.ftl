@@ -19,17 +19,25 @@ line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } MiB
 
 file-not-text = `{ $file }` est { $kind ->
         [matlab] un fichier MATLAB
+        [matlab-7.3] un fichier MATLAB de -v7.3 (HDF5)
+        [numpy] un fichier NumPy
         [hdf5] un fichier HDF5
         [gzip] comprimé par gzip
         [xls] un ancien classeur Excel (.xls)
+        [rosbag1] un enregistrement de ROS 1 (.bag)
+        [rosbag2] une base SQLite, comme rosbag2 l’enregistre (.db3)
        *[pdf] un document PDF
     }
-    .expected = du texte ou un classeur (.xlsx)
+    .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)
     .hint = { $kind ->
-        [matlab] écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [matlab] pour un journal, indiquer `format = "matlab"` ; sinon écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
+        [matlab-7.3] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
+        [numpy] pour un journal, indiquer `format = "numpy"` ; sinon écrire son tableau en texte avec `numpy.savetxt`, et indiquer les colonnes
         [hdf5] écrire son tableau en texte, et indiquer les colonnes
         [gzip] décomprimer le fichier
         [xls] l’enregistrer en .xlsx ou en texte
+        [rosbag1] le convertir : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap` ; puis indiquer le fichier .mcap et `topic`
+        [rosbag2] la convertir en MCAP : `ros2 bag convert -i FICHIER -o out.yaml`, où out.yaml contient `output_bags: [{"{"} uri: mcap, storage_id: mcap, all_topics: true {"}"}]`
        *[pdf] exporter les points en texte
     }
 
@@ -368,3 +376,74 @@ further-messages = { $count ->
         [one] { $count } autre message
        *[other] { $count } autres messages
     } sur ce fichier
+
+recording-unreadable = l’enregistrement ne peut pas être lu : { $fault ->
+        [checksum] la somme de contrôle d’un bloc diffère
+        [compression] un bloc a une autre compression que LZ4 et Zstandard
+        [size] un bloc dépasse 256 MiB
+        [unpack] un bloc ne peut pas être décomprimé
+        [channel] un message n’a pas de canal
+       *[end] il se termine au milieu d’un élément
+    }
+    .hint = le réparer avec `mcap recover FICHIER -o REPARE`, ou le copier de nouveau
+
+recording-missing = le fichier n’est pas un enregistrement MCAP et n’a donc pas de sujet `{ $topic }`
+    .hint = indiquer le fichier .mcap du dossier de l’enregistrement, ou omettre `topic`
+
+topic-not-stated = le fichier est un enregistrement (MCAP), et `topic` manque
+
+topic-missing = l’enregistrement n’a aucun message du sujet `{ $topic }`
+
+topic-too-large = les messages du sujet `{ $topic }` dépassent { $most_mib } MiB
+    .hint = réduire l’enregistrement à la durée des mesures : `mcap filter FICHIER -o COURT --start SECONDES --end SECONDES`
+
+topic-type-unknown = le sujet `{ $topic }` a des messages de type `{ $message }`
+    .expected = { $known }
+    .hint = indiquer le sujet des valeurs articulaires ou des poses mesurées : `etalon formats FICHIER` liste les sujets
+
+topic-encoding-unknown = les messages du sujet `{ $topic }` ont le codage `{ $encoding }`
+    .expected = `cdr`, le codage de ROS 2
+    .hint = convertir l’enregistrement en ROS 2 : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap`
+
+ros-message-malformed = le message { $number } du sujet `{ $topic }` n’a pas la structure de son type
+    .hint = enregistrer sans `--compression-mode message` ; `ros2 bag convert` réécrit un tel enregistrement
+
+joint-state-lengths-differ = le message { $number } du sujet `{ $topic }` a { $names } noms d’articulations et { $positions } positions
+    .expected = une position pour chaque nom, ou aucune position
+    .hint = corriger le nœud qui publie le sujet
+
+joint-state-name-twice = le message { $number } du sujet `{ $topic }` nomme deux fois l’articulation `{ $joint }`
+    .hint = corriger le nœud qui publie le sujet
+
+topic-without-positions = aucun message du sujet `{ $topic }` n’a de positions ({ $count ->
+        [one] 1 message
+       *[other] { $count } messages
+    })
+    .hint = indiquer le sujet des positions mesurées : `etalon formats FICHIER` liste les sujets
+
+ros-messages-of-other-joints = { $count ->
+        [one] message
+       *[other] premier de { $count } messages
+    } sans aucune des articulations de `columns` : publié par un autre nœud
+
+recording-without-known-topics = l’enregistrement n’a aucun sujet avec des valeurs articulaires, des poses ou des points : { $found }
+    .expected = sensor_msgs/JointState, geometry_msgs/PoseStamped ou geometry_msgs/PointStamped
+    .hint = enregistrer un sujet de l’un de ces types
+
+array-missing = le fichier n’a pas de tableau de nombres `{ $column }`
+
+array-part-unknown = `{ $column }` n’est pas une colonne : `{ $name }` est de taille { $shape }
+    .hint = écrire la partie comme dans le langage du fichier : `{ $example }`
+
+array-lengths-differ = `{ $first }` a { $count } nombres et `{ $second }` en a { $other }
+    .expected = des colonnes de même longueur
+    .hint = indiquer des tableaux d’un même enregistrement ; une matrice dont les colonnes sont des instants a ses articulations en lignes
+
+arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format ->
+        [numpy] NumPy (.npz, .npy)
+       *[matlab] MATLAB (.mat de -v6 ou -v7)
+    }
+    .hint = l’enregistrer de nouveau, ou corriger `format`
+
+arrays-too-large = les tableaux du fichier dépassent { $most_mib } MiB
+    .hint = enregistrer seulement les tableaux de la mesure

@@ -154,6 +154,11 @@ log-key-inapplicable = `{ $key }` ne s’applique pas à { $column ->
     .hint = { $key ->
         [per_count] `per_count` est la valeur d’une impulsion du codeur d’une articulation : la supprimer
         [values] `values` appartient à `format = "twincat"` : la supprimer
+        [comment] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
+        [decimal] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
+        [delimiter] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
+        [encoding] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
+        [sheet] un fichier de tableaux n’a pas de texte : retirer `{ $key }`
         [header] un export TwinCAT nomme ses voies : supprimer `header`
        *[other] les voies d’un export TwinCAT ont leurs propres temps : supprimer `{ $key }`
     }

@@ -187,3 +187,6 @@ input-changed = `{ $file }` a changé pendant l’exécution de la campagne
 
 identify-missing = la campagne n’a pas de [identify], qui nomme les poses pour juger les paramètres
     .hint = indiquer `calibration` et `validation` dans [identify]
+
+clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
+    .hint = indiquer `clock_offset_s = "standstills"`, ou omettre `clock_rate`

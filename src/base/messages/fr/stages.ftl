@@ -929,3 +929,12 @@ tolerance-exceeded = { $count ->
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales et les repères ; si le robot est dessiné autrement, indiquer `tolerance` dans le fichier du robot
 
 format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
+
+clock-rate-from-standstills = l’horloge de la mesure avance de { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) par rapport à celle du journal `{ $log }` (possible : { FIXED($low_ppm, 1) } à { FIXED($high_ppm, 1) } ppm) ; décalage { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) à { FIXED($reference_s, 3) } s du journal
+    .hint = avec ce décalage et cette dérive, chaque point mesuré tombe dans un arrêt ; aucun décalage seul n’y suffit
+
+clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune dérive entre les horloges : elle est comprise entre { FIXED($low_ppm, 1) } et { FIXED($high_ppm, 1) } ppm
+    .hint = omettre `clock_rate` : seul le décalage est utilisé
+
+clock-rate-none = à aucun décalage des horloges et à aucune dérive dans ± { $most_ppm } ppm chaque point mesuré ne tombe dans un arrêt du journal
+    .hint = vérifier que le journal est celui de cette mesure et retirer les points mesurés en mouvement ; ou indiquer `clock_offset_s` par un nombre

@@ -1,0 +1,240 @@
+//! Arrays of a file of NumPy or MATLAB as a table: a cell for each number, a column for each stated
+//! part of an array.
+
+use etalon_base::error;
+use etalon_base::message::Message;
+use std::fmt::Write as _;
+
+/// Maximum unpacked size of the arrays of a file (bytes).
+pub(super) const LARGEST: u64 = 2 << 30;
+
+/// Numbers of an array.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Numbers {
+    /// Real numbers.
+    Real(Vec<f64>),
+    /// Whole numbers, which a time in nanoseconds needs with all its digits.
+    Whole(Vec<i64>),
+}
+
+/// An array with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Array {
+    pub name: String,
+    /// Lengths along its axes.
+    pub shape: Vec<usize>,
+    pub numbers: Numbers,
+    /// `true` if the numbers of a column are neighbours, `false` if those of a row are.
+    pub by_columns: bool,
+}
+
+/// Spelling of a part of an array: `q[:,0]` of NumPy, `q(:,1)` of MATLAB.
+#[derive(Clone, Copy)]
+pub(super) struct Spelling {
+    pub open: char,
+    pub close: char,
+    /// Number of the first column.
+    pub first: usize,
+}
+
+/// An array that can be columns of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ArrayParts {
+    pub name: String,
+    /// Length of its longer axis.
+    pub count: usize,
+    /// Text of each part along the longer axis: `q[:,0]`, `q[:,1]`.
+    pub parts: Vec<String>,
+}
+
+/// Part of an array.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Part {
+    All,
+    Column(usize),
+    Row(usize),
+}
+
+impl Spelling {
+    /// Splits a text into the name of an array and its part.
+    fn split<'t>(&self, text: &'t str) -> Option<(&'t str, Part)> {
+        let Some((name, index)) = text.split_once(self.open) else { return Some((text, Part::All)) };
+        let (row, column) = index.strip_suffix(self.close)?.split_once(',')?;
+        let number = |text: &str| text.trim().parse::<usize>().ok()?.checked_sub(self.first);
+        let part = match (row.trim(), column.trim()) {
+            (":", column) => Part::Column(number(column)?),
+            (row, ":") => Part::Row(number(row)?),
+            _ => return None,
+        };
+        Some((name.trim(), part))
+    }
+
+    /// Returns the text of the first column or row of an array, whichever is along its longer axis.
+    fn example(&self, array: &Array) -> String {
+        let Self { open, close, first } = self;
+        match array.shape[..] {
+            [rows, columns] if rows == 1 || columns == 1 => array.name.clone(),
+            [rows, columns] if columns > rows => format!("{}{open}{first},:{close}", array.name),
+            [_, _] => format!("{}{open}:,{first}{close}", array.name),
+            _ => array.name.clone(),
+        }
+    }
+
+    /// Returns the arrays, with the text of each part along the longer axis.
+    pub fn parts(&self, arrays: &[Array]) -> Vec<ArrayParts> {
+        let Self { open, close, first } = self;
+        let parts = |array: &Array| {
+            let name = &array.name;
+            let (count, parts) = match array.shape[..] {
+                [count] => (count, vec![name.clone()]),
+                [rows, columns] if rows == 1 || columns == 1 => (rows * columns, vec![name.clone()]),
+                [rows, columns] if columns > rows => {
+                    (columns, (0..rows).map(|i| format!("{name}{open}{},:{close}", i + first)).collect())
+                }
+                [rows, columns] => {
+                    (rows, (0..columns).map(|j| format!("{name}{open}:,{}{close}", j + first)).collect())
+                }
+                _ => return None,
+            };
+            Some(ArrayParts { name: name.clone(), count, parts })
+        };
+        arrays.iter().filter_map(parts).collect()
+    }
+
+    /// Returns texts of the arrays that can be columns.
+    fn examples(&self, arrays: &[Array]) -> Vec<String> {
+        arrays.iter().filter(|array| (1..=2).contains(&array.shape.len())).map(|array| self.example(array)).collect()
+    }
+}
+
+/// Count, first index and step of the numbers of a part.
+type Run = (usize, usize, usize);
+
+impl Array {
+    /// Returns where the numbers of a part are, if the array has this part.
+    fn run(&self, part: Part) -> Option<Run> {
+        let (rows, columns) = match self.shape[..] {
+            [count] => {
+                return (part == Part::All).then_some((count, 0, 1));
+            }
+            [rows, columns] => (rows, columns),
+            _ => return None,
+        };
+        let (row_step, column_step) = if self.by_columns { (1, rows) } else { (columns, 1) };
+        match part {
+            Part::All => (rows == 1 || columns == 1).then_some((rows * columns, 0, 1)),
+            Part::Column(j) => (j < columns).then_some((rows, j * column_step, row_step)),
+            Part::Row(i) => (i < rows).then_some((columns, i * row_step, column_step)),
+        }
+    }
+
+    fn write(&self, at: usize, into: &mut String) {
+        let _ = match &self.numbers {
+            Numbers::Real(values) => write!(into, "{}", values.get(at).copied().unwrap_or(f64::NAN)),
+            Numbers::Whole(values) => write!(into, "{}", values.get(at).copied().unwrap_or_default()),
+        };
+    }
+}
+
+/// Returns the stated parts of arrays as a table with these texts as header.
+///
+/// # Errors
+/// If an array is missing, a part is not one column or row, or two parts have different lengths.
+pub(super) fn table(arrays: &[Array], wanted: &[&str], spelling: Spelling) -> Result<String, Message> {
+    let names = spelling.examples(arrays);
+    let mut parts: Vec<(&str, &Array, Run)> = Vec::new();
+    for &column in wanted {
+        if parts.iter().any(|(other, ..)| *other == column) {
+            continue;
+        }
+        let named = spelling.split(column);
+        let found = named.and_then(|(name, part)| Some((arrays.iter().find(|array| array.name == name)?, part)));
+        let Some((array, part)) = found else {
+            let message = error!("array-missing", column);
+            return Err(message.hint_names(column, names.iter().map(String::as_str)));
+        };
+        let Some(run) = array.run(part) else {
+            let shape = array.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
+            return Err(error!(
+                "array-part-unknown",
+                column,
+                name = array.name,
+                shape,
+                example = spelling.example(array)
+            ));
+        };
+        if let Some((other, _, (count, ..))) = parts.first().filter(|(.., (count, ..))| *count != run.0) {
+            return Err(error!("array-lengths-differ", first = *other, count = *count, second = column, other = run.0));
+        }
+        parts.push((column, array, run));
+    }
+    let Some((.., (count, ..))) = parts.first() else {
+        return Err(error!("log-columns-missing").hint_names("", names.iter().map(String::as_str)));
+    };
+    let mut text = parts.iter().map(|(column, ..)| *column).collect::<Vec<_>>().join("\t");
+    for i in 0..*count {
+        for (k, (_, array, (_, start, step))) in parts.iter().enumerate() {
+            text.push(if k == 0 { '\n' } else { '\t' });
+            array.write(start + i * step, &mut text);
+        }
+    }
+    text.push('\n');
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_base::phrase;
+
+    const NUMPY: Spelling = Spelling { open: '[', close: ']', first: 0 };
+    const MATLAB: Spelling = Spelling { open: '(', close: ')', first: 1 };
+
+    fn arrays() -> Vec<Array> {
+        let array = |name: &str, shape: &[usize], values: &[f64]| Array {
+            name: name.to_owned(),
+            shape: shape.to_vec(),
+            numbers: Numbers::Real(values.to_vec()),
+            by_columns: false,
+        };
+        vec![
+            array("t", &[2], &[0.5, 1.5]),
+            array("q", &[2, 3], &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]),
+            array("cube", &[1, 1, 1], &[1.0]),
+        ]
+    }
+
+    #[test]
+    fn parts_are_those_of_the_language() {
+        let all = arrays();
+        assert_eq!(
+            table(&all, &["t", "q[:,0]", "q[:, 2]"], NUMPY).unwrap(),
+            "t\tq[:,0]\tq[:, 2]\n0.5\t1\t3\n1.5\t4\t6\n"
+        );
+        assert_eq!(
+            table(&all, &["t", "q(:,1)", "q(:,3)"], MATLAB).unwrap(),
+            "t\tq(:,1)\tq(:,3)\n0.5\t1\t3\n1.5\t4\t6\n"
+        );
+        assert_eq!(table(&all, &["q[1,:]"], NUMPY).unwrap(), "q[1,:]\n4\n5\n6\n");
+        let mut turned = all.clone();
+        turned[1] = Array { shape: vec![3, 2], by_columns: true, ..turned[1].clone() };
+        assert_eq!(table(&turned, &["q[:,1]"], NUMPY).unwrap(), "q[:,1]\n4\n5\n6\n");
+    }
+
+    #[test]
+    fn parts_that_are_no_column_are_refused() {
+        let error = |wanted: &[&str], spelling| table(&arrays(), wanted, spelling).unwrap_err();
+        let hint = phrase!("known-names", names = ["t", "q[0,:]"]);
+        assert!(error(&["joints[:,0]"], NUMPY).is("array-missing", &[("column", &"joints[:,0]"), ("hint", &hint)]));
+        assert!(error(&["q"], NUMPY).is("array-part-unknown", &[("shape", &"2 x 3")]));
+        assert!(
+            error(&["q[:,3]"], NUMPY).is("array-part-unknown", &[])
+                && error(&["cube"], NUMPY).is("array-part-unknown", &[])
+        );
+        // MATLAB counts from 1
+        assert!(error(&["q(:,0)"], MATLAB).is("array-missing", &[]));
+        let lengths = error(&["t", "q[1,:]"], NUMPY);
+        assert!(lengths.is("array-lengths-differ", &[("first", &"t"), ("count", &2), ("other", &3)]), "{lengths}");
+        assert!(error(&[], NUMPY).is("log-columns-missing", &[]));
+    }
+}

@@ -1,0 +1,63 @@
+//! Proposal for a file of arrays of NumPy or MATLAB: a log.
+
+use super::with_remarks;
+use crate::dialect::quoted;
+use crate::logs::{ArrayParts, LogKind};
+use etalon_base::error;
+use etalon_base::message::Message;
+use etalon_documents::FormatsDocument;
+use std::fmt::Write as _;
+
+/// Proposes lines for the arrays of a file.
+///
+/// # Errors
+/// If the file cannot be read, or has no array of numbers with one or two axes.
+pub(super) fn of_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<FormatsDocument, Message> {
+    let arrays = format.arrays(bytes)?;
+    // joints are the parts of the array with the most parts
+    let widest = arrays.iter().filter(|array| array.count > 1).max_by_key(|array| (array.parts.len(), array.count));
+    let Some(widest) = widest else { return Err(error!("no-rows-of-numbers", file = "arrays")) };
+    let about = format.about();
+    let mut document = FormatsDocument {
+        schema: "etalon/formats/1".to_owned(),
+        file: file.to_owned(),
+        format: Some(about.name.to_owned()),
+        kind: "log".to_owned(),
+        rows: widest.count,
+        ..FormatsDocument::default()
+    };
+    document.reasons.push(format!("it holds arrays of {}", about.title));
+    let shown = |array: &ArrayParts| format!("`{}` ({} x {})", array.name, array.count, array.parts.len());
+    let all: Vec<String> = arrays.iter().map(shown).collect();
+    document.reasons.push(format!("its arrays of numbers are {}", all.join(", ")));
+    let beside = |array: &&ArrayParts| array.count == widest.count && array.parts.len() == 1;
+    let is_time = |array: &&ArrayParts| {
+        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
+        ["t", "time", "times", "timestamp", "stamp", "tout"].contains(&name.as_str())
+    };
+    let time = arrays.iter().filter(beside).find(is_time);
+    let mut columns: Vec<String> = Vec::new();
+    if let Some(time) = time {
+        columns.push(format!("time_s = {}", quoted(&time.name)));
+        document.questions.push(format!("whether `{}` is in seconds (`time_ms`, `time_ns` otherwise)", time.name));
+    }
+    let joints: Vec<&String> = match widest.parts.len() {
+        1 => {
+            let others = arrays.iter().filter(beside).filter(|array| Some(&array.name) != time.map(|t| &t.name));
+            others.flat_map(|array| &array.parts).collect()
+        }
+        _ => widest.parts.iter().collect(),
+    };
+    columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_UNIT = {}", quoted(part))));
+    document.questions.push("which joint each column is, and its unit".to_owned());
+    let mut lines = String::new();
+    let _ = write!(
+        lines,
+        "[log]\nfile = {}\nformat = \"{}\"\ncolumns = {{ {} }}\n",
+        quoted(file),
+        about.name,
+        columns.join(", ")
+    );
+    document.toml = with_remarks(&document, &lines);
+    Ok(document)
+}
