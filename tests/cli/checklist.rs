@@ -88,8 +88,8 @@ const ISO_9283: &[Line] = &[
     ("6.5", "measurement point", "conditions", "centre of ball K"),
     ("6.6", "instrument and its uncertainty", "conditions", "U = "),
     ("6.7", "load and its centre", "conditions", "0.5 kg"),
-    ("6.8", "velocity", "conditions", "100 % of the rated one"),
-    ("6.9", "poses and cycles", "conditions", "visits of each"),
+    ("6.8", "velocity", "conditions", "100 % of the rated velocity"),
+    ("6.9", "poses and cycles", "conditions", "visits each"),
     ("7", "RP", "repeatability", "RP"),
     ("12", "deviations from the standard", "conditions", "one velocity only"),
 ];

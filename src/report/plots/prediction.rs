@@ -116,7 +116,7 @@ mod tests {
         assert_eq!(cells, [2, 2, 3, 3, 2, 2]);
         assert!(figures[1].svg.contains("x 0, y 0, z 20 mm") && !figures[1].svg.contains("x 0, y 0, z 0 mm"));
         assert!(
-            figures[1].svg.contains("nominal minus identified 300 µm; expected 6.00 µm (k = 1), 95 % at most 12.0 µm")
+            figures[1].svg.contains("nominal minus identified 300 µm; expected 6.00 µm (k = 1), 95 % within 12.0 µm")
         );
         // 400 µm is the darkest colour on the common scale, and 6 µm the lightest; on their own
         // scale both are dark
