@@ -195,6 +195,6 @@ fn what_is_not_stated_is_said_to_be_not_stated() {
         ] {
             assert!(not_stated.contains(&what), "{sample}: {what} is not among {not_stated:?}");
         }
-        assert!(html.contains("the campaign states none") && !html.contains("of robot prexyt"), "{sample}");
+        assert!(html.contains("the campaign states no rule") && !html.contains("of robot prexyt"), "{sample}");
     }
 }

@@ -28,9 +28,9 @@ fn the_demo_page_has_what_a_reader_needs() {
         "<b>2.0895 → 0.0442 <small>mm</small></b>",
         "U = 2.7 µm per coordinate (k = 2)",
         "held: not separately identifiable",
-        "arrows enlarged ",
+        "measured minus predicted, magnified ",
         "is not a number (column y)",
-        "1.19 times what the instrument alone",
+        "1.19 × the value from the instrument alone",
     ];
     for text in needed {
         assert!(page.contains(text), "{text}");
@@ -247,7 +247,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
 fn a_test_report_has_what_the_standard_asks_for() {
     let (documents, tested) = (Documents::demo(), demo_iso9283::tested());
     let page = html(&Report { identified: None, tested: &tested, ..documents.report() }).unwrap();
-    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from the method", "SHA-256"] {
+    for what in ["operator", "mounting", "load centre", "warm-up", "deviations from the method", "SHA-256"] {
         assert!(page.contains(what), "{what}");
     }
     let sha256 = &documents.import.sources[0].sha256;
