@@ -62,7 +62,7 @@ const ISO_17025: &[Line] = &[
     ("7.8.2.1 l", "relate only to the item", "", "These results relate only to the item tested."),
     ("7.8.2.1 m", "results with units", "errors", "µm"),
     ("7.8.2.1 n", "deviations from the method", "conditions", "one velocity only"),
-    ("7.8.2.1 n", "exclusions", "import", "refused"),
+    ("7.8.2.1 n", "exclusions", "import", "rejected"),
     ("7.8.2.1 o", "who authorises", "conditions", "B. Roy"),
     ("7.8.2.1 o", "who authorises, to sign", "signatures", "Approved by"),
     ("7.8.2.1 p", "results of external providers", "conditions", "results of external providers"),
