@@ -138,7 +138,7 @@ impl Argument {
     fn text(&self, language: &str) -> String {
         match self {
             Self::Whole(value) => value.to_string(),
-            Self::Number(value) => marked(value.to_string(), language),
+            Self::Number(value) => marked(shortest(*value), language),
             Self::Text(text) => text.clone(),
             Self::List(all) => all.iter().map(|one| one.text(language)).collect::<Vec<_>>().join(", "),
             Self::Phrase(phrase) => phrase.text(language),
@@ -299,10 +299,23 @@ fn comma<M>(value: &FluentValue, _: &M) -> Option<String> {
 fn number(value: &FluentValue, language: &str) -> Option<String> {
     let FluentValue::Number(number) = value else { return None };
     let text = match number.options.minimum_fraction_digits {
-        Some(decimals) => format!("{:.decimals$}", number.value),
-        None => number.value.to_string(),
+        Some(decimals) if number.value.abs() < LARGE => format!("{:.decimals$}", number.value),
+        _ => shortest(number.value),
     };
     Some(marked(text, language))
+}
+
+/// Smallest number that is written with an exponent: a double holds no more whole digits.
+const LARGE: f64 = 1e16;
+/// Largest number that is written with an exponent, except zero.
+const SMALL: f64 = 1e-12;
+
+/// A number without rounding; one with hundreds of zeros has an exponent.
+fn shortest(value: f64) -> String {
+    match value == 0.0 || (SMALL..LARGE).contains(&value.abs()) {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    }
 }
 
 /// A decimal number with the decimal mark of a language.
@@ -417,6 +430,20 @@ mod tests {
         assert!(length(0.5).to_string().contains("p1.5") && length(0.5).to_string().contains("0.5000"));
         assert!(length(0.5).text("fr").contains("p1.5") && length(0.5).text("fr").contains("0,5000"));
         assert!(length(f64::NAN).to_string().contains("NaN"));
+    }
+
+    #[test]
+    fn a_ratio_has_no_unit_and_no_number_has_hundreds_of_digits() {
+        let beyond = |value: f64, unit: &str| {
+            crate::phrase!("value-beyond-tolerance", parameter = "p", value, unit, nominal = 1.0, tolerance = 0.05)
+        };
+        assert_eq!(beyond(-0.99959, "1").to_string(), "`p` = -0.9996 (nominal 1, tolerance 0.050)");
+        assert_eq!(beyond(1.2, "mm").to_string(), "`p` = 1.200 mm (nominal 1 mm, tolerance 0.050 mm)");
+        assert!(beyond(-2.5e300, "mm").text("de").starts_with("`p` = -2,5e300 mm ("));
+        let step = |step: f64| crate::phrase!("column-step", column = "x", step, unit = "mm").to_string();
+        let written = [1e300, 1e-300, 1e15, 0.000001, 0.0].map(step);
+        let shown = ["1e300", "1e-300", "1000000000000000", "0.000001", "0"].map(|step| format!("x to {step} mm"));
+        assert_eq!(written, shown);
     }
 
     #[test]

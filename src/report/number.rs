@@ -78,6 +78,14 @@ pub(crate) fn probability(p: f64) -> String {
     if p < LEAST_PROBABILITY { format!("< {LEAST_PROBABILITY}") } else { significant(p, 2) }
 }
 
+/// Smallest percentage that is shown.
+const LEAST_PERCENTAGE: f64 = 0.1;
+
+/// Percentage of a risk; small ones are shown as a bound, because their digits are meaningless.
+pub(crate) fn percent(percentage: f64) -> String {
+    if percentage < LEAST_PERCENTAGE { format!("< {LEAST_PERCENTAGE}") } else { significant(percentage, 2) }
+}
+
 /// A probability in a sentence: `p = 0.012`, or `p < 0.001`.
 pub(crate) fn p_value(p: f64) -> String {
     let shown = probability(p);

@@ -109,11 +109,15 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
 
 /// Checks the logs against the joints of the robot.
 pub(super) fn logs(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
-    for log in &campaign.file.logs {
+    for (i, log) in campaign.file.logs.iter().enumerate() {
         let named = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         let same = campaign.file.logs.iter().filter(|l| l.name == log.name).count();
         if log.name.is_empty() || !log.name.chars().all(named) || same > 1 {
-            problems.0.push(error!("log-name-invalid", name = log.name).at(campaign.place(&log.file)));
+            let stated = |path: &[&str]| Some(campaign.place_of(path)).filter(|place| place.line.is_some());
+            let place = stated(&["log", "name"]).or_else(|| stated(&["log", &i.to_string(), "name"]));
+            let place =
+                place.filter(|_| !campaign.unread.affects(&["log"])).unwrap_or_else(|| campaign.place(&log.file));
+            problems.0.push(error!("log-name-invalid", name = log.name).at(place));
         }
         let known = |key: &str| {
             etalon_formats::is_common_column(key)

@@ -285,7 +285,12 @@ fn tables_that_would_mislead_a_control_are_refused() {
     assert_ne!(stale, found);
     std::fs::write(cross.scratch.path().join("found.json"), &stale).unwrap();
     let (out, code, said) = cross.table(&["--axis", "q1_mm=0:100:50"]);
-    assert!(code == Some(2) && out.is_empty() && said.contains("error[nominal-value-changed]: `gain_2` is nominally 1 in robot.toml"), "{said}");
+    assert!(
+        code == Some(2)
+            && out.is_empty()
+            && said.contains("error[nominal-value-changed]: `gain_2` is nominally 1 in robot.toml"),
+        "{said}"
+    );
     std::fs::write(cross.scratch.path().join("found.json"), &found).unwrap();
     cross.scratch.replace("found.json", "step_vanished", "lost_patience");
     let (out, code, said) = cross.table(&["--axis", "q1_mm=0:100:50"]);

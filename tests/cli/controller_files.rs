@@ -241,7 +241,7 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
 #[test]
 fn a_file_that_is_hardly_better_than_nominal_says_so() {
     let twin =
-        twin(&Arm { gains: [0.0, 0.0, 0.0, 3e-3, 3e-3, 3e-3], homed_at: 0.0, poses: [[60.0, 60.0], [31.0, 5.0]] });
+        twin(&Arm { gains: [0.0, 0.0, 0.0, 3e-3, 3e-3, 3e-3], homed_at: 0.0, poses: [[60.0, 60.0], [9.0, 5.0]] });
     let folder = twin.folder.path();
     let ran = etalon(&folder, &["run", "."]);
     let said = text(&ran.stderr);

@@ -58,11 +58,7 @@ fn a_position_between_both_assembly_modes_is_an_error() {
     std::fs::write(folder.path().join("o.csv"), lines + &row).unwrap();
     let refused = etalon(folder.path(), &["identify", "--robot", "robot.toml", "--observations", "o.csv"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(
-        text(&refused.stderr).contains("error[assembly-mode-ambiguous]: pose 99 cycle 1"),
-        "{}",
-        text_of(&refused)
-    );
+    assert!(text(&refused.stderr).contains("error[assembly-mode-ambiguous]: pose 99 cycle 1"), "{}", text_of(&refused));
 }
 
 #[test]

@@ -96,12 +96,19 @@ fn what_is_out_of_reach_is_told_and_never_chosen() {
     let found = plan(folder.path(), &["--positions", "8", "--nodes", "0"]);
     assert_eq!(found.chosen.iter().map(|c| c.pose).collect::<Vec<_>>(), [1, 2, 3, 4, 5, 6, 7, 8]);
     let told = found.messages[0].to_string();
-    for part in ["warning[candidates-left-out]: 2 candidates", "c.csv", "pose 9 (rho1 = 170.001 mm", "pose 10 (rho2 = -1 mm"] {
+    for part in
+        ["warning[candidates-left-out]: 2 candidates", "c.csv", "pose 9 (rho1 = 170.001 mm", "pose 10 (rho2 = -1 mm"]
+    {
         assert!(told.contains(part), "{part}: {told}");
     }
     rows(&prexyt, "pose,rho1_mm,rho2_mm,rho3_mm\n1,0,301,300\n");
     let none = etalon(folder.path(), &["plan", "--robot", "robot.toml", "--candidates", "c.csv", "--positions", "1"]);
-    assert!(text(&none.stderr).contains("error[candidates-unreachable]: no candidate is within reach: pose 1 (rho2 = 301 mm"), "{}", text_of(&none));
+    assert!(
+        text(&none.stderr)
+            .contains("error[candidates-unreachable]: no candidate is within reach: pose 1 (rho2 = 301 mm"),
+        "{}",
+        text_of(&none)
+    );
     // a five-bar with its distal links in line, one folded, one that does not close, and one beyond its encoder
     let limits = format!("{FIVE_BAR}theta2_deg = [-100.0, 100.0]\n");
     let joints = ["113.71,66.29,1", "100,80,1", "0,180,1", "50,130,1"];

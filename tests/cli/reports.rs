@@ -193,7 +193,7 @@ fn before_has_one_meaning_in_a_report() {
     let terminal = text_of(&etalon(scratch.root(), &["report", "campaign/out"]));
     let pdf = text_of_pdf(&scratch.path().join("out/report.pdf")).unwrap_or_default();
     for face in [&page, &terminal, &pdf] {
-        let definitions = face.matches("before:").count();
+        let definitions = face.matches("before: nominal").count();
         assert!(definitions == 1 || !std::ptr::eq(face, &page) && definitions == 0, "{definitions}: {face}");
     }
     // the tool point: the place of the base plays no part in it

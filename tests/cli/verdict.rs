@@ -103,7 +103,7 @@ fn each_kind_of_observation_has_its_own_error_uncertainty_and_limit() {
         scratch.replace("campaign.toml", key, "position_max_mm");
         let run = etalon(scratch.root(), &["run", "campaign"]);
         assert_eq!(run.status.code(), Some(1), "{sample}: {}", text_of(&run));
-        assert!(text(&run.stdout).contains("not assessable"), "{sample}: {}", text(&run.stdout));
+        assert!(text(&run.stdout).contains("Not assessable"), "{sample}: {}", text(&run.stdout));
         let verdict: VerdictDocument = document(&scratch, "verdict.json");
         assert_eq!(verdict.verdict, Some(Acceptance::Undecided), "{sample}");
         assert_eq!(verdict.reasons, [Reason::NotAssessable { limit: LimitQuantity::PositionMaxMm }], "{sample}");

@@ -199,6 +199,8 @@ fn with_unplaced_targets(more: usize) -> Scratch {
     }
     std::fs::write(scratch.path().join("observations.csv"), rows).unwrap();
     scratch.replace("campaign.toml", "calibration = \"1-60\"", "calibration = \"1-40\"");
+    // its points have no distances
+    scratch.replace("campaign.toml", "distance_max_mm = 0.4", "position_max_mm = 0.4");
     scratch
 }
 

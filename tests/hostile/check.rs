@@ -19,7 +19,8 @@ fn unreadable_rows_hide_nothing() {
         "encoders.csv:2:5",
         "no point has the label `rail3_b`",
         "error[selection-without-pose]: `calibration`",
-        "the limit `position_max_mm` must be positive",
+        "error[key-not-positive]: `position_max_mm`",
+        "campaign.toml:46:19",
         "`bending` means nothing for this model",
     ];
     ends(&scratch, "check", 2, &parts);
@@ -34,9 +35,19 @@ fn what_only_a_run_used_to_find_is_found_by_check() {
         &["error[sets-overlap]: poses in both calibration and validation: 9, 10, 11, 12"],
     );
     let axis = "y_axis = [\"R_home\", \"R_end\"]";
-    broken("campaign.toml", axis, "y_axis = [\"R_home\"]", &["error[world-axis-without-direction]"]);
+    broken(
+        "campaign.toml",
+        axis,
+        "y_axis = [\"R_home\"]",
+        &["error[frame-axis-without-direction]", "campaign.toml:36:11"],
+    );
     let rails = "plane = [\"rail2_a\", \"rail2_b\", \"rail3_a\"]";
-    broken("campaign.toml", rails, "plane = [\"R_home\"]", &["feature `rails`", "campaign.toml:3"]);
+    broken(
+        "campaign.toml",
+        rails,
+        "plane = [\"R_home\"]",
+        &["error[direction-undetermined]: feature `rails`", "campaign.toml:31:10"],
+    );
     broken(
         "campaign.toml",
         "by = [\"pose\", \"cycle\"]",
@@ -82,7 +93,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     campaign(
         "\"cycle\"]",
         "\"cycle\"]\ntargets = [\"K\", \"M\"]",
-        &["error[not-of-this-robot]: `M`", "campaign.toml:"],
+        &["error[target-not-of-robot]: `M`", "campaign.toml:29:17"],
     );
     campaign("robot = \"robot.toml\"", "robot = \"robot.toml\"\noutput = \"exports\"", &["[input-in-output-folder]"]);
     campaign("rho3_mm = \"RP3\"", "rho3_mm = \"RP3\", rho3_m = \"RP1\"", &["error[log-column-twice]: `rho3_mm`"]);

@@ -264,7 +264,12 @@ fn log_rows_of_another_width_are_refused() {
 
 #[test]
 fn a_log_name_cannot_be_a_path() {
-    broken("campaign.toml", "[log]", "[log]\nname = \"../../x\"", &["`../../x` cannot be the name of a log"]);
+    broken(
+        "campaign.toml",
+        "[log]",
+        "[log]\nname = \"../../x\"",
+        &["error[log-name-invalid]: `../../x`", "campaign.toml:24:8", "name = \"../../x\""],
+    );
 }
 
 #[test]
@@ -327,7 +332,7 @@ fn a_frame_that_its_points_cannot_carry_is_refused() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "[\"rail2_a\", \"rail2_b\", \"rail3_a\"]", "[\"rail2_a\"]");
     let (code, said) = etalon(&scratch, "run");
-    assert!(code == Some(2) && said.contains("feature `rails`: its points do not determine its direction"), "{said}");
+    assert!(code == Some(2) && said.contains("error[direction-undetermined]: feature `rails`"), "{said}");
 }
 
 #[test]

@@ -65,8 +65,12 @@ fn a_wrong_unit_is_one_error() {
 fn a_column_for_a_joint_that_the_robot_does_not_have() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho4_mm = \"RP3\"");
-    let said =
-        refused(&scratch, &["error[not-of-this-robot]: `rho4_mm`", "no column for joint `rho3`", "campaign.toml:25"]);
+    let parts = [
+        "error[log-joint-unknown]: `rho4_mm`",
+        "campaign.toml:25:77",
+        "error[log-joint-missing]: log `log` has no column for joint `rho3`",
+    ];
+    let said = refused(&scratch, &parts);
     assert_eq!(errors(&said), 2, "{said}");
 }
 

@@ -53,7 +53,11 @@ fn an_uncertainty_in_millimetres_is_not_one_in_micrometres() {
         &scratch,
         "check",
         2,
-        &["is not an uncertainty of a measured coordinate in micrometres", "0.0027 mm is 2.7 um"],
+        &[
+            "error[key-uncertainty-implausible]: `expanded_uncertainty_um` = 0.0027",
+            "campaign.toml:7:27",
+            "0.0027 mm is 2.7 µm",
+        ],
     );
 }
 
@@ -180,7 +184,7 @@ fn a_reversed_joint_that_reaches_no_pose_is_named_before_the_run() {
         cells.join(",") + "\n"
     };
     std::fs::write(&path, text.lines().enumerate().map(reversed).collect::<String>()).unwrap();
-    let parts = ["the nominal robot cannot be where the joints put it", "with `theta2` reversed", "out of reach"];
+    let parts = ["error[nominal-robot-not-at-joints]", "with `theta2` reversed", "out of reach"];
     let said = ends(&scratch, "check", 2, &parts);
     assert!(!said.contains("inf mm"), "{said}");
 }
@@ -233,7 +237,7 @@ fn targets_of_a_table_that_leave_its_plane_are_named() {
         format!("{rest} {:.5}\n", z.parse::<f64>().unwrap() / 25.4)
     };
     std::fs::write(&path, text.lines().map(inches).collect::<String>()).unwrap();
-    ends(&scratch, "check", 0, &["warning: the targets move in a plane", "heights from", "92.03"]);
+    ends(&scratch, "check", 0, &["warning[targets-out-of-plane]", "heights from -92.03", " to -90.28"]);
 }
 
 #[test]

@@ -33,7 +33,7 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
         "no point has the label `R_no`",
         "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
         "feature `rails`: ",
-        "error[world-axis-without-direction]",
+        "error[frame-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
     ];
     let said = said(&scratch, &parts);

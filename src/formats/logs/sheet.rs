@@ -233,7 +233,7 @@ fn cells(sheet: &Sheet, log: &Log, wanted: &Wanted, at: usize, problems: &mut Pr
         let message = if modes && value.abs() != 1.0 {
             error!("assembly-mode-invalid", value)
         } else if whole && (value.fract() != 0.0 || value.abs() > WHOLE) {
-            error!("not-whole-number", value = value.to_string(), column = "cycle")
+            error!("not-whole-number", value = row.field(at), column = "cycle")
         } else {
             continue;
         };

@@ -108,7 +108,10 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         r.chi_square.map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
     let [of_position, of_both, of_max] = match r.position_rms_mm {
-        Some(rms_mm) => [Some(format!("{} mm", three(rms_mm))), None, Some(format!("{} mm", three(r.max)))],
+        Some(rms_mm) => {
+            let length = |mm: f64| Some(words.number(&format!("{} mm", three(mm))));
+            [length(rms_mm), None, length(r.max)]
+        }
         None => [None, Some(both), None],
     };
     vec![

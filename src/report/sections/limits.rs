@@ -1,6 +1,6 @@
 //! Limits of the campaign with measured values and verdicts.
 
-use crate::model::{Block, Cell, Columns, Section, Table, Text, significant, strong_term, term};
+use crate::model::{Block, Cell, Columns, Section, Table, Text, shown, significant, strong_term, term};
 use crate::number;
 use crate::words::{Words, names, tr};
 use crate::{Identified, Report};
@@ -23,7 +23,7 @@ pub(crate) fn of(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<
         .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
         .both(phrase!("unit"), "", |l| l.unit.as_str())
         .both(phrase!("margin"), "", |l| significant(l.margin, 2))
-        .both(phrase!("risk"), "%", |l| significant(l.risk().map(|risk| 100.0 * risk), 2))
+        .both(phrase!("risk"), "%", |l| shown(l.risk().map(|risk| 100.0 * risk), number::percent))
         .both(phrase!("verdict"), "", |l| judged(l, words))
         .decisive()
         .sheet("decision rule", "", |l| name(l.decision_rule, &Words::default()));
@@ -97,7 +97,7 @@ mod tests {
         let section = of(&[&limit], false, &Words::default()).unwrap();
         let page = serde_json::to_value(&section).unwrap();
         let heads = page["blocks"][0]["header"].as_array().unwrap();
-        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 6));
+        assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 8));
         assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
     }
 

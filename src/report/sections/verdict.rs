@@ -180,14 +180,9 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
 fn margin(l: &LimitVerdict, factor: f64, unit: &str, words: &Words) -> String {
     let margin = l.margin.map_or_else(String::new, |m| number::significant(m * factor, 2));
     match l.risk() {
-        Some(risk) => tr!(words, "limit-margin", margin, unit, risk = percent(risk)),
+        Some(risk) => tr!(words, "limit-margin", margin, unit, risk = number::percent(100.0 * risk)),
         None => tr!(words, "limit-margin-without-uncertainty", margin, unit),
     }
-}
-
-/// A probability in percent.
-pub(super) fn percent(probability: f64) -> String {
-    number::significant(100.0 * probability, 2)
 }
 
 /// Change of the largest error, with its uncertainty.
@@ -429,7 +424,7 @@ mod tests {
             "Verdict: pass.",
             "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
             "largest orientation error at 51 validation poses: 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
-            "Position residuals: RMS 26 µm; expected from instrument and frames: 21.8 µm. Residuals are 1.19 × the \
+            "Position residuals: RMS 26.0 µm; expected from instrument and frames: 21.8 µm. Residuals are 1.19 × the \
              instrument's standard uncertainty: the model is incomplete.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];

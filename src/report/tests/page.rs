@@ -297,7 +297,7 @@ fn recorded_motions_are_in_the_language_of_the_report() {
 fn a_page_speaks_one_language_and_marks_what_is_english() {
     let english = in_language(Language::En);
     for (language, verdict) in
-        [(Language::Fr, "plus grande erreur de position"), (Language::De, "größte Positionsabweichung")]
+        [(Language::Fr, "erreur de position maximale"), (Language::De, "größte Positionsabweichung")]
     {
         let pages = in_language(language);
         assert!(pages[0].contains(verdict) && pages[0].contains("<bdi lang=\"en\">Error: measured minus predicted."));

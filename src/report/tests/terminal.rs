@@ -59,7 +59,9 @@ fn the_exit_code_follows_the_verdict_that_is_shown() {
     assert!(
         !Renderer::test(&alone).passes() && Renderer::test(&alone).terminal().contains("poses 1, 2 are undecided.")
     );
-    alone.poses.as_mut().unwrap().poses.iter_mut().for_each(conform);
+    let poses = alone.poses.as_mut().unwrap();
+    poses.poses.iter_mut().for_each(conform);
+    poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
     assert!(Renderer::test(&alone).passes() && Renderer::test(&alone).terminal().contains("all 2 poses conform."));
 }
 

@@ -152,7 +152,7 @@ no-whole-pose = `{ $model }` hat keine Kinematik einer ganzen Pose
 
 table-quaternion-length = die Quaternion hat die Länge { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz einer Drehung
-    .hint = die Spalten prüfen, und dass es keine Winkel sind
+    .hint = die Reihenfolge der Spalten prüfen (qw ist der Skalarteil), und dass es keine Winkel sind
 
 not-a-report = `{ $file }` endet nicht wie ein Bericht
     .expected = eine Datei, die auf { $endings } endet

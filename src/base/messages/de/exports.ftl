@@ -152,7 +152,7 @@ spatialanalyzer-fields = `collection, group, target, x, y, z` oder die letzten f
 
 three-to-eight-numbers = drei bis acht Zahlen, durch Kommas getrennt
 
-propose-format = `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
+propose-format = Trennzeichen, Dezimalzeichen und Anführungszeichen der Zeile prüfen, und ob die Datei abgeschnitten ist; `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
 
 quote-names = Namen mit Leerzeichen in Anführungszeichen setzen, oder Trennzeichen und Spalten angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 

@@ -349,7 +349,7 @@ no-whole-pose = `{ $model }` has no kinematics of a whole pose
 # Example: `qw,qx,qy,qz` = 0.7, 0, 0, 0.6
 table-quaternion-length = the quaternion has the length { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz of a rotation
-    .hint = check the columns, and that these are not angles
+    .hint = check the order of the columns (qw is the scalar part), and that they are not angles
 
 # Means: The name of a file does not end like a report.
 # Matters: The kind of report follows from the ending.

@@ -245,7 +245,7 @@ spatialanalyzer-fields = `collection, group, target, x, y, z`, or the last five,
 
 three-to-eight-numbers = three to eight numbers separated by commas
 
-propose-format = `etalon formats FILE` proposes how to read the file
+propose-format = check delimiter, decimal mark and quotes of the row, and that the file was not cut off; `etalon formats FILE` proposes how to read the file
 
 quote-names = put names with blanks in quotes, or state the delimiter and the columns: `format = {"{"} delimiter = .., columns = .. {"}"}`
 

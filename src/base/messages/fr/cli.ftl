@@ -152,7 +152,7 @@ no-whole-pose = `{ $model }` n’a pas de cinématique d’une pose complète
 
 table-quaternion-length = le quaternion a la norme { FIXED($length, 4) }
     .expected = 1 : qw, qx, qy, qz d’une rotation
-    .hint = vérifier les colonnes, et que ce ne sont pas des angles
+    .hint = vérifier l’ordre des colonnes (qw est la partie scalaire), et que ce ne sont pas des angles
 
 not-a-report = `{ $file }` ne se termine pas comme un rapport
     .expected = un fichier qui se termine par { $endings }

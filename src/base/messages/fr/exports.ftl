@@ -152,7 +152,7 @@ spatialanalyzer-fields = `collection, group, target, x, y, z`, ou les cinq, quat
 
 three-to-eight-numbers = trois à huit nombres séparés par des virgules
 
-propose-format = `etalon formats FICHIER` propose comment lire le fichier
+propose-format = vérifier séparateur, marque décimale et guillemets de la ligne, et que le fichier n’est pas tronqué ; `etalon formats FICHIER` propose comment lire le fichier
 
 quote-names = mettre entre guillemets les noms qui ont des espaces, ou indiquer le séparateur et les colonnes : `format = {"{"} delimiter = .., columns = .. {"}"}`
 
