@@ -552,5 +552,5 @@ fn what_was_not_drawn_is_not_said_to_contain_anything() {
         text(&answered.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let without = said(&["--resamples", "0"]);
-    assert!(without.contains("the model leaves out more") && !without.contains("bootstrap"), "{without}");
+    assert!(without.contains("cover the stated uncertainties only") && !without.contains("bootstrap"), "{without}");
 }

@@ -197,7 +197,7 @@ fn a_result_that_cannot_be_the_robot_reaches_no_controller() {
     assert!(said.contains("no controller file is written"), "{said}");
     assert!(!scratch.path().join("out/controller.json").exists(), "the file of the run before is still there");
     let report = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-    assert!(report.contains("must not be loaded"));
+    assert!(report.contains("do not load them"));
     let export = std::process::Command::new(crate::support::program())
         .args(["export", "campaign/out/parameters.json"])
         .current_dir(scratch.root())

@@ -100,7 +100,7 @@ mod tests {
         let [significant, others] = pictures(&data, &Words::default());
         let titles: Vec<&str> = others.iter().map(|f| f.title.as_str()).collect();
         assert_eq!((significant.len(), titles.len()), (0, 2), "a joint that stands still explains nothing: {titles:?}");
-        assert!(titles[0].ends_with("against q1 in deg") && titles[1].ends_with("distance from the base in mm"));
+        assert!(titles[0].ends_with("versus q1 (deg)") && titles[1].ends_with("distance from the base (mm)"));
         assert_eq!(others[0].svg.matches("<circle").count(), 9 + 1);
         let trend =
             |against: &str, p_value| ResidualTrend { against: against.to_owned(), explained_mm: 0.01, f: 9.0, p_value };
@@ -108,7 +108,7 @@ mod tests {
         data.trends = &trends;
         let [significant, others] = pictures(&data, &Words::default());
         assert_eq!((significant.len(), others.len()), (1, 1));
-        assert!(significant[0].caption.contains("The model lacks a trend (p = 0.0030)."), "{}", significant[0].caption);
+        assert!(significant[0].caption.contains("Unmodelled trend (p = 0.0030)."), "{}", significant[0].caption);
         (data.joints, data.base_mm) = (&[], None);
         assert!(pictures(&data, &Words::default()).iter().all(Vec::is_empty));
     }

@@ -165,8 +165,8 @@ mod tests {
         let errors: Vec<_> = errors.iter().collect();
         let [before, after] = &arrows(&errors, true, &Words::default())[..] else { panic!() };
         // 16 % of 100 mm over 6 µm is 2667, over 141 µm 113
-        assert!(after.caption_own.starts_with("Arrows enlarged 2000 times; the longest is 6.00 µm."));
-        let common = "Arrows enlarged 100 times before and after; the longest is";
+        assert!(after.caption_own.starts_with("Arrows magnified 2000 times; longest: 6.00 µm."));
+        let common = "Arrows magnified 100 times before and after; longest:";
         assert!(before.caption.starts_with(&format!("{common} 141 µm.")), "{}", before.caption);
         assert!(after.caption.starts_with(&format!("{common} 6.00 µm.")), "{}", after.caption);
         assert!(after.svg.contains(">5 µm</text>"));

@@ -122,8 +122,8 @@ mod tests {
             let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [before, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
             drawn(&errors, &[])[0].caption.clone()
         };
-        assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is no more than 20"));
-        assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before is more than 20"));
+        assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is at most 20"));
+        assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before exceeds 20"));
         assert!(caption(0.0).contains("linear"));
     }
 

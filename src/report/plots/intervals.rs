@@ -92,7 +92,7 @@ mod tests {
         let pictures = pictures(&all, (0, "Robot"), &Words::default());
         let identified = parameters.iter().filter(|p| p.status == ParameterStatus::Identified).count();
         assert_eq!(pictures.iter().map(|p| p.svg.matches("<circle").count()).sum::<usize>(), identified);
-        assert!(pictures.iter().any(|p| p.title.contains("in deg")) && pictures.len() == 3);
+        assert!(pictures.iter().any(|p| p.title.contains("(deg)")) && pictures.len() == 3);
         assert!(pictures[1].svg.contains("beta: 0.12346 ± 0.00074 deg"), "{}", pictures[1].svg);
     }
 

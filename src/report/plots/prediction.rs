@@ -116,13 +116,13 @@ mod tests {
         assert_eq!(cells, [2, 2, 3, 3, 2, 2]);
         assert!(figures[1].svg.contains("x 0, y 0, z 20 mm") && !figures[1].svg.contains("x 0, y 0, z 0 mm"));
         assert!(
-            figures[1].svg.contains("nominal minus identified 300 µm; expected 6.00 µm (k = 1), 95 % at most 12.0 µm")
+            figures[1].svg.contains("nominal minus identified 300 µm; expected 6.00 µm (k = 1), 95 % within 12.0 µm")
         );
         // 400 µm is the darkest colour on the common scale, and 6 µm the lightest; on their own
         // scale both are dark
         assert!(figures[2].svg.contains("class=\"map o15 w15\"") && figures[3].svg.contains("class=\"map o0 w15\""));
         assert!(
-            figures[0].caption.contains("Of cells behind one another") && figures[0].caption.contains("0 to 400 µm")
+            figures[0].caption.contains("Where cells overlap, the largest is drawn") && figures[0].caption.contains("0 to 400 µm")
         );
     }
 

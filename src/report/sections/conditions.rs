@@ -187,7 +187,7 @@ mod tests {
             assert_eq!(of(&test, what).as_deref(), Some("not stated"), "{what}");
             assert_eq!(of(&calibration, what).as_deref(), Some("not stated"), "{what}");
         }
-        assert_eq!(of(&test, "poses and cycles").as_deref(), Some("2 poses, 30 visits of each"));
+        assert_eq!(of(&test, "poses and cycles").as_deref(), Some("2 poses, 30 visits each"));
         assert_eq!(of(&calibration, "operator").as_deref(), Some("N. N."));
         let documents = Documents::demo();
         let identity = identity(&documents.report(), &Words::default());
@@ -207,11 +207,11 @@ mod tests {
         let all = facts(&campaign, &Characteristics::default(), &Words::default());
         assert_eq!(of(&all, "load").as_deref(), Some("0.5 kg"));
         assert_eq!(
-            of(&all, "centre of the load from the mechanical interface").as_deref(),
+            of(&all, "load centre, from the mechanical interface").as_deref(),
             Some("x 0, y 1.5, z 30 mm")
         );
-        assert_eq!(of(&all, "velocities").as_deref(), Some("100, 50 % of the rated one; 400 mm/s"));
+        assert_eq!(of(&all, "velocities").as_deref(), Some("100, 50 % of the rated velocity; 400 mm/s"));
         assert_eq!(of(&all, "deviations from the method").as_deref(), Some("none"));
-        assert_eq!(of(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm for one coordinate (k = 2)"));
+        assert_eq!(of(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per coordinate (k = 2)"));
     }
 }

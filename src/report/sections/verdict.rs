@@ -424,8 +424,8 @@ mod tests {
             "Verdict: pass.",
             "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
             "largest orientation error at 51 validation poses: 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
-            "Position residuals: RMS 26.0 µm, of which instrument and frames explain 21.8 µm. What is left is 1.19 times the \
-             instrument's uncertainty: the model does not explain everything.",
+            "Position residuals: RMS 26.0 µm; expected from instrument and frames: 21.8 µm. Residuals are 1.19 × the \
+             instrument's standard uncertainty: the model is incomplete.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
@@ -439,7 +439,7 @@ mod tests {
         assert_eq!(open.sentences[0], "Verdict: undecided.");
         assert!(
             open.sentences[4]
-                .starts_with("Within its uncertainty it is undecided whether the limit is met: largest position error"),
+                .starts_with("Undecided (limit within the uncertainty): largest position error"),
             "{open:?}"
         );
         let simple =
@@ -448,13 +448,13 @@ mod tests {
         let conditional = of(&documents);
         assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
         // Φ(0.0058/0.019) = 0.62
-        let ends = "conditional, margin 0.0058 mm, risk of a false acceptance 38 %.";
+        let ends = "conditional, margin 0.0058 mm, risk of false acceptance 38 %.";
         assert!(conditional.sentences[1].ends_with(ends), "{conditional:?}");
         documents.accuracy.limits[0] =
             LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.05, DecisionRule::Guarded);
         let open = of(&documents);
         assert_eq!((open.class, open.met), (Grade::Open, false));
-        assert!(open.sentences.iter().any(|s| s.starts_with("Not assessable, because")), "{open:?}");
+        assert!(open.sentences.iter().any(|s| s.starts_with("Not assessable (quantity not measured): ")), "{open:?}");
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = of(&documents);
         assert_eq!(bad.class, Grade::Bad);
@@ -470,13 +470,13 @@ mod tests {
         documents.tested = whole();
         let open = of(&documents);
         let expected = [
-            "The accuracy is 51.20 µm, at pose 2. This is within the limit of 52.00 µm. By guarded acceptance (ISO \
+            "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. By guarded acceptance (ISO \
              14253-1): poses 1, 2 are undecided.",
-            "From one approach the repeatability is 11.1 to 11.1 µm, at pose 1 with 2 approaches; all of them together: 21.7 µm.",
-            "The repeatability is 21.7 µm, at pose 2. This is within the limit of 30.0 µm. By guarded acceptance \
+            "Repeatability for a single approach at pose 1 (2 approaches): 11.1 to 11.1 µm; all approaches together: 21.7 µm.",
+            "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. By guarded acceptance \
              (ISO 14253-1): all 2 poses conform.",
-            "The instrument is good enough for every pose.",
-            "Within its uncertainty it is undecided whether the limit is met: largest accuracy AP. Decision rule: guarded acceptance \
+            "Suitable: the measurement uncertainty is within 25 % of AP and RP at every pose.",
+            "Undecided (limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance \
              (ISO 14253-1).",
         ];
         assert_eq!(

@@ -116,7 +116,7 @@ impl Documents {
                 joints: vec![],
                 trends: vec![],
                 schema: "etalon/accuracy/1".to_owned(),
-                point: "the platform's centre as the balls measure it".to_owned(),
+                point: "platform centre (from the balls)".to_owned(),
                 point_phrase: Some(etalon_base::phrase!("platform-as-measured")),
                 definition_phrase: None,
                 definition: "Error: measured minus predicted. Before: nominal parameters, base and targets fitted."

@@ -26,11 +26,11 @@ fn the_demo_page_has_what_a_reader_needs() {
         "Synthetic data: ",
         "Both limits of the campaign are met.",
         "<b>2.0895 → 0.0442 <small>mm</small></b>",
-        "U = 2.7 µm for one coordinate (k = 2)",
+        "U = 2.7 µm per coordinate (k = 2)",
         "held: not separately identifiable",
-        "arrows enlarged ",
+        "measured minus predicted, magnified ",
         "is not a number (column y)",
-        "1.19 times what the instrument alone",
+        "1.19 × the value from the instrument alone",
     ];
     for text in needed {
         assert!(page.contains(text), "{text}");
@@ -49,7 +49,7 @@ fn the_demo_page_has_what_a_reader_needs() {
 #[test]
 fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_table() {
     let mut documents = Documents::demo();
-    assert!(!page(&documents).contains("Effective rather than physical"));
+    assert!(!page(&documents).contains("Effective, not physical parameters"));
     let parameters = &mut documents.parameters;
     parameters.residuals.uncertainties_from = etalon_documents::UncertaintyFrom::ResidualsByRegion;
     let of: Vec<(String, f64)> =
@@ -60,7 +60,7 @@ fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_tabl
         standard_uncertainties: of.iter().enumerate().map(|(k, (_, u))| share(k) * u).collect(),
     }];
     assert_eq!(parameters.effective(), [of[1].0.as_str()]);
-    assert!(page(&documents).contains(&format!("Effective rather than physical: {}.", of[1].0)));
+    assert!(page(&documents).contains(&format!("Effective, not physical parameters: {}.", of[1].0)));
 }
 
 #[test]
@@ -92,8 +92,8 @@ fn of_many_poses_the_page_has_the_worst_and_says_what_is_left_out() {
     documents.errors = (0..16_800).map(error).collect();
     let page = page(&documents);
     assert!(page.len() < 3_000_000, "{}", page.len());
-    assert!(page.contains("16300 more rows are left out: the workbook has all."));
-    assert!(page.contains("Errors of each pose: outliers, then the largest"));
+    assert!(page.contains("16300 more rows: see the workbook."));
+    assert!(page.contains("Errors by pose: outliers first, then the largest"));
 }
 
 /// Paper shows 200 rows: the outlier of the fit and the largest errors of both sets are among them.
@@ -122,7 +122,7 @@ fn outliers_and_the_largest_errors_of_both_sets_are_first() {
         disagreeing: 1,
     });
     let page = page(&documents);
-    let table = page.split("Errors of each pose: outliers, then the largest").nth(1).unwrap();
+    let table = page.split("Errors by pose: outliers first, then the largest").nth(1).unwrap();
     let first = |i: usize| table.split("<tr>").nth(2 + i).unwrap();
     assert!(first(0).contains(">4<") && first(0).ends_with(">6.2"), "{}", first(0));
     for (row, pose, set) in [(1, 299, "calibration"), (2, 298, "calibration"), (3, 297, "validation")] {
@@ -201,8 +201,8 @@ fn nothing_to_draw_is_said() {
     documents.features.features.clear();
     documents.frames.world.poses.clear();
     let page = page(&documents);
-    assert!(page.contains("There is no error that could be drawn.") && !page.contains("<svg"));
-    assert!(page.contains("No errors are given.") && page.contains("The campaign fits no features."));
+    assert!(page.contains("No errors to plot.") && !page.contains("<svg"));
+    assert!(page.contains("The document contains no errors.") && page.contains("The campaign has no fitted features."));
 }
 
 #[test]
@@ -239,7 +239,7 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
     documents.frames.world.planar = false;
     documents.errors[0].at_mm[2] = 100.0;
     let page = page(&documents);
-    assert!(page.contains("Position error before calibration, xz plane") && page.contains("z in mm"));
+    assert!(page.contains("Position error before calibration, xz plane") && page.contains("z (mm)"));
     assert_eq!(page.matches("<svg").count(), 24);
 }
 
@@ -247,12 +247,12 @@ fn spatial_data_are_seen_from_above_and_from_the_side() {
 fn a_test_report_has_what_the_standard_asks_for() {
     let (documents, tested) = (Documents::demo(), demo_iso9283::tested());
     let page = html(&Report { identified: None, tested: &tested, ..documents.report() }).unwrap();
-    for what in ["operator", "mounting", "centre of the load", "warm-up", "deviations from the method", "SHA-256"] {
+    for what in ["operator", "mounting", "load centre", "warm-up", "deviations from the method", "SHA-256"] {
         assert!(page.contains(what), "{what}");
     }
     let sha256 = &documents.import.sources[0].sha256;
     assert!(page.contains(sha256) && page.contains(env!("CARGO_PKG_VERSION")));
-    assert!(page.contains("Not stated: ") && page.contains("2 poses, 30 visits of each"));
+    assert!(page.contains("Not stated: ") && page.contains("2 poses, 30 visits each"));
 }
 
 /// Calibration report and test report in a language, both with recorded motions.

@@ -22,9 +22,9 @@ fn everything() -> Documents {
 fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     let shown = shown(&everything());
     let parts = [
-        "whether the limit is met: largest accuracy AP. Decision rule: guarded acceptance (ISO 14253-1).\n\nLimits\n",
+        "(limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance (ISO 14253-1).\n\nLimits\n",
         "\nErrors before and after\ncalibration: ",
-        "\nAccuracy\nAccuracy of position\n",
+        "\nAccuracy\nPositioning accuracy\n",
         "\nRepeatability\nUncertainty of RP\n",
         "\nDrift\n",
         "\nRecorded motion\nsquare\n",

@@ -196,10 +196,10 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
         Ok::<_, etalon::base::message::Problems>((outcome.identified.unwrap().accuracy, page))
     };
     let (accuracy, page) = run("").unwrap();
-    assert_eq!(accuracy.point, "the platform's centre as the balls measure it");
+    assert_eq!(accuracy.point, "platform centre (from the balls)");
     for said in [
-        "Errors of the platform's centre as the balls measure it before → after",
-        "tool point RMS: nominal minus identified → expected",
+        "Errors of platform centre (from the balls) before → after",
+        "tool point, RMS: nominal minus identified → expected",
         "At the tool point: 51 poses",
     ] {
         assert!(page.replace("&#39;", "'").replace("&#x27;", "'").contains(said), "{said}");
