@@ -152,10 +152,7 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
             |(d, e): (&Iso9283Drift, &Iso9283Drift)| (d.dap_mm - e.dap_mm).abs() + (d.drp_mm - e.drp_mm).abs();
         assert!(found.drifts.iter().zip(&same.drifts).map(differs).all(|d| d < 1e-9), "{:?}", found.drifts);
         assert!(!found.coplanarity_of_four.is_empty() && found.visits[0].attained_mm[2].abs() > 1.0);
-        assert!(
-            judged(&shown, "largest pose accuracy AP", "pass") && shown.contains("Largest vAP: "),
-            "{shown}"
-        );
+        assert!(judged(&shown, "largest pose accuracy AP", "pass") && shown.contains("Largest vAP: "), "{shown}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
         assert!(html.contains("Positioning accuracy") && html.contains("7.2.3") && html.contains("id=\"streams\""));
     }
@@ -315,9 +312,11 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     let done = etalon(scratch.root(), &["run", "campaign"]);
     let shown = text(&done.stdout);
     assert_eq!(done.status.code(), Some(1), "{shown}");
-    for (limit, verdict) in
-        [("largest position error", "pass"), ("largest orientation error", "pass"), ("largest pose accuracy AP", "FAIL")]
-    {
+    for (limit, verdict) in [
+        ("largest position error", "pass"),
+        ("largest orientation error", "pass"),
+        ("largest pose accuracy AP", "FAIL"),
+    ] {
         assert!(judged(&shown, limit, verdict), "{limit}: {shown}");
     }
     let said = "1 of 3 limits of the campaign is not met. Decision rule: guarded acceptance (ISO 14253-1).";
@@ -363,7 +362,8 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
             let conforms = verdict == "pass";
             let scratch = copy_sample(sample);
             let name = key.split(' ').next().unwrap();
-            let title = if name == "accuracy_max_mm" { "largest pose accuracy AP" } else { "largest pose repeatability RP" };
+            let title =
+                if name == "accuracy_max_mm" { "largest pose accuracy AP" } else { "largest pose repeatability RP" };
             scratch.replace("campaign.toml", key, &format!("{name} = {limit_mm}"));
             let run = etalon(scratch.root(), &["run", "campaign"]);
             let found: Iso9283Document = read(&scratch, "iso9283.json");

@@ -2,9 +2,9 @@
 
 mod commanded;
 mod init;
+mod recordings;
 mod robot;
 mod several;
-mod recordings;
 mod six_d;
 mod tables;
 

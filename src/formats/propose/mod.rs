@@ -8,8 +8,8 @@ mod kinematics;
 mod lines;
 mod meaning;
 mod own;
-mod several;
 mod recording;
+mod several;
 mod structure;
 mod table;
 

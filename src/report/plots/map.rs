@@ -196,7 +196,11 @@ mod tests {
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
         // 1.73 mm before calibration: in mm, to two digits of the error after
         assert!(map.svg.contains("1.7321 mm before, 0.0070 mm after"));
-        assert!(map.caption.contains("The largest error at each of 2 positions is drawn (total 16 errors)."), "{}", map.caption);
+        assert!(
+            map.caption.contains("The largest error at each of 2 positions is drawn (total 16 errors)."),
+            "{}",
+            map.caption
+        );
     }
 
     #[test]

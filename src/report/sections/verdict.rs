@@ -438,8 +438,7 @@ mod tests {
         );
         assert_eq!(open.sentences[0], "Verdict: undecided.");
         assert!(
-            open.sentences[4]
-                .starts_with("Undecided (limit within the uncertainty): largest position error"),
+            open.sentences[4].starts_with("Undecided (limit within the uncertainty): largest position error"),
             "{open:?}"
         );
         let simple =
