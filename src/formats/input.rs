@@ -2,8 +2,7 @@
 //! its end. Text is decoded strictly, in the stated encoding or in that of the byte-order mark.
 
 use super::exports::Format;
-use super::logs::LogKind;
-use super::{ros_bag, workbook};
+use super::{magic, ros_bag, workbook};
 use crate::dialect::Encoding;
 use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use etalon_base::catalogue::Phrase;
@@ -27,7 +26,7 @@ pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &F
         Some(topic) if ros_bag::is_recording(bytes) => ros_bag::text(bytes, topic),
         Some(topic) if ros_bag::is_topic(topic) => Err(error!("recording-missing", topic)),
         Some(sheet) => workbook::text(bytes, sheet),
-        None if LogKind::of_arrays(bytes).is_some() => return Err(arrays_not_text(path, bytes).into()),
+        None if magic::arrays(bytes).is_some() => return Err(arrays_not_text(path, bytes).into()),
         None if ros_bag::is_recording(bytes) => Err(topic_not_stated(bytes)),
         None => decode(bytes.to_vec(), encoding),
     };
@@ -36,7 +35,7 @@ pub fn text_of(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: &F
 
 /// Error about a file of arrays where a text is expected.
 fn arrays_not_text(path: &Path, bytes: &[u8]) -> Message {
-    let kind = LogKind::of_arrays(bytes).map_or("", |format| format.about().name);
+    let kind = magic::arrays(bytes).unwrap_or_default();
     error!("file-not-text", file = path.display().to_string(), kind)
 }
 
@@ -145,12 +144,12 @@ fn is_document(bytes: &[u8]) -> bool {
         || bytes.starts_with(b"PK\x03\x04")
         || bytes.starts_with(b"ply")
         || ros_bag::is_recording(bytes)
-        || LogKind::of_arrays(bytes).is_some()
+        || magic::arrays(bytes).is_some()
 }
 
 /// First bytes of kinds of files without text, and the kind.
 const KINDS: [(&[u8], &str); 7] = [
-    (b"MATLAB 7.3 MAT-file", "matlab-7.3"),
+    (b"MATLAB 7.3 MAT-file", "matlab-hdf5"),
     (b"\x89HDF", "hdf5"),
     (b"\x1f\x8b", "gzip"),
     (b"\xd0\xcf\x11\xe0", "xls"),

@@ -13,6 +13,7 @@ mod guess;
 mod input;
 mod lexer;
 mod logs;
+mod magic;
 mod points;
 mod propose;
 pub(crate) mod ros_bag;

@@ -336,7 +336,7 @@ fn unpacked(body: &[u8]) -> Result<Cow<'_, [u8]>, Message> {
         }
         _ => return Err(unreadable("compression")),
     };
-    // a checksum of 0 is none
+    // a checksum of 0 means that there is no checksum
     if records.len() != size || checksum != 0 && crc32fast::hash(&records) != checksum {
         return Err(unreadable("checksum"));
     }

@@ -127,7 +127,7 @@ fn trap_10_rows_of_other_widths_trailing_fields_and_the_last_word() {
     assert!(told.contains("error[row-field-count]: the row has 5 fields"), "{told}");
     assert!(told.contains("error[row-field-count]: the row has 3 fields"), "{told}");
     assert!(told.contains("check delimiter, decimal mark and quotes") && told.contains("cut off"), "{told}");
-    assert!(said("A;1;2;3\nEND\nB;1;2;3\n", &format).contains("rows behind `END`"));
+    assert!(said("A;1;2;3\nEND\nB;1;2;3\n", &format).contains("error[rows-after-end]: rows follow `END`"));
     // without a statement the word is not a point
     let told = said("A;1;2;3\nEND\n", &format!("{{ delimiter = \";\", {LXYZ} }}"));
     assert!(told.contains("error[row-field-count]: the row has 1 field\n") && told.contains(":2\n"), "{told}");

@@ -1,20 +1,18 @@
-//! Variables of MATLAB: `.mat` of level 5, uncompressed (`-v6`) or compressed (`-v7`, the default of
-//! `save`).
+//! Variables of MATLAB: `.mat` of level 5, uncompressed (`-v6`) or compressed (`-v7`, the default
+//! of `save`).
 //!
 //! A column is stated as in MATLAB: `t` of a vector, `q(:,1)` of a matrix, `data.q(:,1)` of a
 //! structure. Source: MathWorks, "MAT-File Format", chapter 1 (level 5).
 
 use super::arrays::{self, Array, ArrayParts, LARGEST, Numbers, Spelling};
 use super::{About, LogFormat};
+use crate::magic;
 use etalon_base::error;
 use etalon_base::message::Message;
 use std::io::Read as _;
 
 /// Variables of MATLAB.
 pub(super) struct Matlab;
-
-/// First bytes of a file of level 5; a file of `-v7.3` is HDF5.
-const MAGIC: &[u8] = b"MATLAB 5.0 MAT-file";
 
 const SPELLING: Spelling = Spelling { open: '(', close: ')', first: 1 };
 
@@ -35,7 +33,7 @@ impl LogFormat for Matlab {
     }
 
     fn holds(&self, bytes: &[u8]) -> bool {
-        bytes.starts_with(MAGIC)
+        magic::arrays(bytes) == Some("matlab")
     }
 
     fn has_arrays(&self) -> bool {

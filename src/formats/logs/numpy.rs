@@ -5,15 +5,13 @@
 
 use super::arrays::{self, Array, ArrayParts, LARGEST, Numbers, Spelling};
 use super::{About, LogFormat};
+use crate::magic;
 use etalon_base::error;
 use etalon_base::message::Message;
 use std::io::{Cursor, Read as _};
 
 /// Arrays of NumPy.
 pub(super) struct Numpy;
-
-/// First bytes of an `.npy` file.
-const MAGIC: &[u8] = b"\x93NUMPY";
 
 const SPELLING: Spelling = Spelling { open: '[', close: ']', first: 0 };
 
@@ -31,7 +29,7 @@ impl LogFormat for Numpy {
     }
 
     fn holds(&self, bytes: &[u8]) -> bool {
-        bytes.starts_with(MAGIC) || is_npz(bytes)
+        magic::arrays(bytes) == Some("numpy")
     }
 
     fn has_arrays(&self) -> bool {
@@ -47,17 +45,9 @@ impl LogFormat for Numpy {
     }
 }
 
-/// `true` for an archive of arrays, `false` for a workbook.
-fn is_npz(bytes: &[u8]) -> bool {
-    let archive = bytes.starts_with(b"PK\x03\x04").then(|| zip::ZipArchive::new(Cursor::new(bytes)));
-    archive
-        .and_then(Result::ok)
-        .is_some_and(|archive| archive.file_names().any(|name| name.is_ok_and(|name| name.ends_with(".npy"))))
-}
-
 /// Returns the arrays of a file. Arrays of other things than numbers are left out.
 fn arrays(bytes: &[u8]) -> Result<Vec<Array>, Message> {
-    if bytes.starts_with(MAGIC) {
+    if bytes.starts_with(magic::NUMPY) {
         let array = array("", bytes)?;
         return Ok(array.into_iter().collect());
     }
@@ -115,7 +105,7 @@ fn array(name: &str, bytes: &[u8]) -> Result<Option<Array>, Message> {
 
 /// Splits a file into its header, a Python dictionary, and its data.
 fn head(bytes: &[u8]) -> Option<(&str, &[u8])> {
-    let behind = bytes.strip_prefix(MAGIC)?;
+    let behind = bytes.strip_prefix(magic::NUMPY)?;
     let (version, behind) = behind.split_first_chunk::<2>()?;
     let (length, behind) = match version[0] {
         1 => behind.split_first_chunk::<2>().map(|(n, rest)| (u16::from_le_bytes(*n) as usize, rest))?,
@@ -167,7 +157,7 @@ mod tests {
         let mut head = format!("{{'descr': '{kind}', 'fortran_order': {order}, 'shape': {shape}, }}");
         head += &" ".repeat(63 - (10 + head.len()) % 64);
         head.push('\n');
-        [MAGIC, b"\x01\x00", &(head.len() as u16).to_le_bytes(), head.as_bytes(), data].concat()
+        [magic::NUMPY, b"\x01\x00", &(head.len() as u16).to_le_bytes(), head.as_bytes(), data].concat()
     }
 
     fn text(bytes: &[u8], wanted: &[&str]) -> Result<String, Message> {

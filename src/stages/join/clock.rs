@@ -269,7 +269,8 @@ mod tests {
         assert!(offset(&[], &even).is_err() && offset(&[1.0], &[]).is_err());
     }
 
-    /// Times of measurements in standstills of odd lengths at odd times, on a clock of this offset and rate.
+    /// Times of measurements in standstills of odd lengths at odd times, on a clock of this offset
+    /// and rate.
     fn measured(offset_s: f64, rate: f64) -> (Vec<f64>, Vec<(f64, f64)>) {
         let starts = (0..40).map(|i| 90.0 * f64::from(i) + 7.0 * f64::from(i * i % 11));
         let stands: Vec<(f64, f64)> =

@@ -587,11 +587,11 @@ fn the_sample_of_contacts_is_what_its_readme_states() {
     let accuracy = std::fs::read(scratch.path().join("out/accuracy.json")).unwrap();
     let accuracy: serde_json::Value = serde_json::from_slice(&accuracy).unwrap();
     let validation = accuracy["sets"].as_array().unwrap().iter().find(|s| s["name"] == "validation").unwrap();
-    let position = validation["errors"].as_array().unwrap().iter().find(|e| e["quantity"] == "position").unwrap();
-    let (before, after) = (position["before"]["mean"].as_f64().unwrap(), position["after"]["mean"].as_f64().unwrap());
+    let contact = validation["errors"].as_array().unwrap().iter().find(|e| e["quantity"] == "contact").unwrap();
+    let (before, after) = (contact["before"]["mean"].as_f64().unwrap(), contact["after"]["mean"].as_f64().unwrap());
     println!("before {before} mm, after {after} mm");
     // the mean length of three normal errors is 1.6 of their standard deviation
-    assert!(before > 1.0 && after < 2.0 * 1.6 * U_MM, "{position}");
+    assert!(before > 1.0 && after < 2.0 * 1.6 * U_MM, "{contact}");
 }
 
 #[test]

@@ -19,7 +19,7 @@ line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
 
 file-not-text = `{ $file }` ist { $kind ->
         [matlab] eine MATLAB-Datei
-        [matlab-7.3] eine MATLAB-Datei von -v7.3 (HDF5)
+        [matlab-hdf5] eine MATLAB-Datei von -v7.3 (HDF5)
         [numpy] eine NumPy-Datei
         [hdf5] eine HDF5-Datei
         [gzip] mit gzip komprimiert
@@ -31,7 +31,7 @@ file-not-text = `{ $file }` ist { $kind ->
     .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)
     .hint = { $kind ->
         [matlab] als Protokoll `format = "matlab"` angeben; sonst die Tabelle mit `writematrix` als Text schreiben und die Spalten angeben
-        [matlab-7.3] sie in MATLAB neu mit `-v7` speichern: S = load('DATEI'); save('NEU.mat', '-struct', 'S', '-v7')
+        [matlab-hdf5] sie in MATLAB neu mit `-v7` speichern: S = load('DATEI'); save('NEU.mat', '-struct', 'S', '-v7')
         [numpy] als Protokoll `format = "numpy"` angeben; sonst die Tabelle mit `numpy.savetxt` als Text schreiben und die Spalten angeben
         [hdf5] die Tabelle als Text schreiben und die Spalten angeben
         [gzip] die Datei entpacken

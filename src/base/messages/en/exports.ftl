@@ -36,7 +36,7 @@ line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
 # Example: a MATLAB file `poses.mat`
 file-not-text = `{ $file }` is { $kind ->
         [matlab] a MATLAB file
-        [matlab-7.3] a MATLAB file of -v7.3 (HDF5)
+        [matlab-hdf5] a MATLAB file of -v7.3 (HDF5)
         [numpy] a file of NumPy
         [hdf5] an HDF5 file
         [gzip] compressed with gzip
@@ -48,7 +48,7 @@ file-not-text = `{ $file }` is { $kind ->
     .expected = text, a workbook (.xlsx), or a recording (.mcap)
     .hint = { $kind ->
         [matlab] as a log, state `format = "matlab"`; otherwise write its table as text with `writematrix`, and state the columns
-        [matlab-7.3] save it again in MATLAB with `-v7`: S = load('FILE'); save('NEW.mat', '-struct', 'S', '-v7')
+        [matlab-hdf5] save it again in MATLAB with `-v7`: S = load('FILE'); save('NEW.mat', '-struct', 'S', '-v7')
         [numpy] as a log, state `format = "numpy"`; otherwise write its table as text with `numpy.savetxt`, and state the columns
         [hdf5] write its table as text, and state the columns
         [gzip] unpack the file

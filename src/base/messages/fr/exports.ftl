@@ -19,7 +19,7 @@ line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } MiB
 
 file-not-text = `{ $file }` est { $kind ->
         [matlab] un fichier MATLAB
-        [matlab-7.3] un fichier MATLAB de -v7.3 (HDF5)
+        [matlab-hdf5] un fichier MATLAB de -v7.3 (HDF5)
         [numpy] un fichier NumPy
         [hdf5] un fichier HDF5
         [gzip] comprimé par gzip
@@ -31,7 +31,7 @@ file-not-text = `{ $file }` est { $kind ->
     .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)
     .hint = { $kind ->
         [matlab] pour un journal, indiquer `format = "matlab"` ; sinon écrire son tableau en texte avec `writematrix`, et indiquer les colonnes
-        [matlab-7.3] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
+        [matlab-hdf5] l’enregistrer de nouveau dans MATLAB avec `-v7` : S = load('FICHIER'); save('NOUVEAU.mat', '-struct', 'S', '-v7')
         [numpy] pour un journal, indiquer `format = "numpy"` ; sinon écrire son tableau en texte avec `numpy.savetxt`, et indiquer les colonnes
         [hdf5] écrire son tableau en texte, et indiquer les colonnes
         [gzip] décomprimer le fichier
