@@ -191,6 +191,6 @@ mod tests {
     fn perfect_points_have_no_arrows() {
         let errors = [point(1, [0.0; 3], [0.0; 3], [0.0; 3])];
         let picture = &arrows(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
-        assert!(!picture.svg.contains("class=\"arrow-scale\"") && picture.caption.contains("longest is 0 µm"));
+        assert!(!picture.svg.contains("class=\"arrow-scale\"") && picture.caption.contains("longest: 0 µm"));
     }
 }

@@ -234,6 +234,6 @@ mod tests {
         let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
         let drawn = |pose: i64| map.svg.contains(&format!("pose {pose}, "));
         assert_eq!([1, 2, 3, 4].map(drawn), [false, true, false, true]);
-        assert!(map.caption.contains("the largest is drawn") && !map.caption.contains("evenly chosen"));
+        assert!(map.caption.contains("The largest error at each of 2 positions is drawn (total 4 errors)."));
     }
 }
