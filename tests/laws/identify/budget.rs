@@ -124,8 +124,9 @@ fn wave(seed: u64) -> impl FnMut() -> f64 {
 fn common_errors_contribute_what_they_change_in_an_identification_that_is_made_again() {
     for case in cases() {
         let joints = case.robot.joints();
+        // small beside the differences of errors: the same pose has the largest one
         let u_joint: Vec<f64> =
-            joints.iter().map(|j| if j.quantity == Quantity::Angle { 2e-6 } else { 2e-4 }).collect();
+            joints.iter().map(|j| if j.quantity == Quantity::Angle { 2e-7 } else { 2e-5 }).collect();
         let systematic = Systematic { scale: 1e-6, expansion: 3e-6, homing: u_joint.clone(), ..Systematic::default() };
         let none = vec![0.0; joints.len()];
         let exact = case.identify(&case.measure(&case.calibration, &none, 0.0, || 0.0), &systematic);
