@@ -286,7 +286,8 @@ fn recorded_motions_are_in_the_language_of_the_report() {
             compared += 1;
             // texts that are equal in both languages
             let numbers: String = english.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
-            let is_alike = known.iter().any(|(text, _)| text == english.trim_end_matches(" (µm)")) || numbers == "pose 0";
+            let is_alike =
+                known.iter().any(|(text, _)| text == english.trim_end_matches(" (µm)")) || numbers == "pose 0";
             assert!(other != english || is_alike, "{language:?}: {english}");
         }
         assert!(compared > 40, "{compared}");

@@ -488,7 +488,10 @@ fn a_batch_runs_what_has_changed_and_goes_on_where_one_fails() {
     assert_eq!(files(&folder.path().join("a/out")), a);
     assert_eq!(std::fs::read(folder.path().join("batch.parquet")).unwrap(), bytes);
     let page = std::fs::read_to_string(folder.path().join("batch.html")).unwrap();
-    assert!(page.contains("4 campaigns of 1 robots") && page.contains("1 pass, 0 conditional, 1 undecided, 0 fail, 1 not run, 1 skipped"));
+    assert!(
+        page.contains("4 campaigns of 1 robots")
+            && page.contains("1 pass, 0 conditional, 1 undecided, 0 fail, 1 not run, 1 skipped")
+    );
     assert!(!page.contains("report.html\""), "a link to a report that is not there");
     // with reports, and after a change of one
     assert_eq!(computed(&batch(&["a", "b", "--json"]).1), [true, true]);
