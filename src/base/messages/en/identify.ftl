@@ -1,7 +1,7 @@
 ### Messages of identify. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
-# Means: There is no observation and no condition to identify parameters from.
-# Matters: Nothing can be identified.
+# Means: The identification received neither observations nor conditions.
+# Matters: No parameter can be identified.
 # Do: Check which poses are selected and which are excluded.
 # Example: a selection of calibration poses that were all excluded
 no-observations = there are no observations to identify parameters from
@@ -86,8 +86,8 @@ too-few-poses-planned = { $poses } poses do not determine { $parameters } parame
 base-not-found = base and targets cannot be located from these poses
     .expected = at least four poses in which the arm moves in all directions
 
-# Means: All parameters are held, or the observations depend on none of them.
-# Matters: There is no unknown to solve for.
+# Means: All parameters are held, or no observation depends on a free parameter.
+# Matters: The system of equations has no unknowns.
 # Do: Hold fewer parameters; check the set-up if a cause is named.
 # Example: `*` as the pattern of parameters to hold
 nothing-to-identify = no parameter is left to identify{ $cause ->
