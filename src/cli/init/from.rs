@@ -3,9 +3,8 @@
 use etalon_base::message::Problems;
 use etalon_base::{error, files};
 use etalon_documents::FormatsDocument;
-use etalon_formats::{Export, Format, LabelPattern, propose_file, read_file};
+use etalon_formats::{Export, Format, label_form, propose_file, read_file};
 use serde::Deserialize;
-use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -34,18 +33,6 @@ struct Part {
 
 /// Poses from which on some are kept for the validation.
 const ENOUGH: usize = 30;
-
-/// Forms of labels that are tried.
-const LABELS: [&str; 8] = [
-    "{target}_{pose}_{cycle}",
-    "{target}-{pose}-{cycle}",
-    "{target}_{pose}",
-    "{target}-{pose}",
-    "{pose}_{target}",
-    "P{pose}_{target}",
-    "{target}{pose}",
-    "P{pose}",
-];
 
 /// campaign.toml, the robot's files and the files themselves.
 pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
@@ -254,26 +241,13 @@ impl Part {
         };
         let Ok(points) = read_file(&self.path, export.encoding, &export.format, export.unit) else { return open() };
         let labels: Vec<&str> = points.iter().map(|point| &*point.label).collect();
-        for form in LABELS {
-            let Ok(pattern) = LabelPattern::parse(form) else { continue };
-            let all: Option<Vec<_>> = labels.iter().map(|label| pattern.read(label, |_| false)).collect();
-            let Some(named) = all else { continue };
-            let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
-            let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
-            if poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}")
-                || targets.len() * 3 > labels.len()
-            {
-                continue;
-            }
-            let mut line = format!("label = \"{form}\"   # all {} labels have this form\n", labels.len());
-            let mut targets: Vec<String> = targets.into_iter().collect();
-            if targets.is_empty() {
-                targets.push("reflector".to_owned());
-                line += "target = \"reflector\"        # the labels name no target\n";
-            }
-            return (line, targets);
+        let Some((form, mut targets)) = label_form(&labels) else { return open() };
+        let mut line = format!("label = \"{form}\"   # all {} labels have this form\n", labels.len());
+        if targets.is_empty() {
+            targets.push("reflector".to_owned());
+            line += "target = \"reflector\"        # the labels name no target\n";
         }
-        open()
+        (line, targets)
     }
 }
 

@@ -13,7 +13,7 @@ mod several;
 mod structure;
 mod table;
 
-pub use several::{FilesProposal, propose_files};
+pub use several::{FilesProposal, label_form, propose_files};
 
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};

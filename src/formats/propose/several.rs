@@ -16,7 +16,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Forms of labels that are tried.
-pub const LABELS: [&str; 8] = [
+const LABELS: [&str; 8] = [
     "{target}_{pose}_{cycle}",
     "{target}-{pose}-{cycle}",
     "{target}_{pose}",
@@ -385,7 +385,7 @@ impl Part {
             return Some(texts(&table.columns[at]));
         }
         let labels = texts(&table.columns[found.first(Meaning::Label)?]);
-        let (form, _) = form_of(&labels)?;
+        let (form, _) = label_form(&labels)?;
         let pattern = Pattern::parse(form).ok()?;
         let target = |label: &String| Some(pattern.read(label, |_| false)?.target.unwrap_or_default());
         labels.iter().map(target).collect()
@@ -399,7 +399,7 @@ impl Keys {
         };
         let column = |meaning: Meaning| found.first(meaning).map(|at| texts(&table.columns[at]));
         let labels = column(Meaning::Label);
-        let form = labels.as_ref().and_then(|labels| form_of(labels));
+        let form = labels.as_ref().and_then(|labels| label_form(labels));
         let pattern = form.as_ref().and_then(|(form, _)| Pattern::parse(form).ok());
         let of_labels = |of: &dyn Fn(crate::export::LabelNames) -> Option<String>| -> Option<Vec<String>> {
             let pattern = pattern.as_ref()?;
@@ -426,10 +426,10 @@ fn texts(column: &Column) -> Vec<String> {
 }
 
 /// Returns the form that all labels have, and the targets that they name.
-fn form_of(labels: &[String]) -> Option<(&'static str, Vec<String>)> {
+pub fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
     let of = |form: &'static str| {
         let pattern = Pattern::parse(form).ok()?;
-        let named: Vec<_> = labels.iter().map(|label| pattern.read(label, |_| false)).collect::<Option<_>>()?;
+        let named: Vec<_> = labels.iter().map(|label| pattern.read(label.as_ref(), |_| false)).collect::<Option<_>>()?;
         let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
         let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
         let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
