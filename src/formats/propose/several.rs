@@ -429,7 +429,8 @@ fn texts(column: &Column) -> Vec<String> {
 pub fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
     let of = |form: &'static str| {
         let pattern = Pattern::parse(form).ok()?;
-        let named: Vec<_> = labels.iter().map(|label| pattern.read(label.as_ref(), |_| false)).collect::<Option<_>>()?;
+        let named: Vec<_> =
+            labels.iter().map(|label| pattern.read(label.as_ref(), |_| false)).collect::<Option<_>>()?;
         let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
         let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
         let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
