@@ -257,7 +257,7 @@ impl AxisTable {
             let header = axis_tables::header(self.about(), units, "geometric.json", &bytes);
             return Ok((Read::Leads(Box::new(geometric)), header));
         }
-        let exported = Exported::read(&self.source, self.robot.as_deref())?;
+        let exported = Exported::read(&self.source, self.robot.as_deref(), false)?;
         let given = exported.given(false);
         given.check()?;
         let header = given.header(units)?;

@@ -146,7 +146,7 @@ struct Compensator<'a> {
 
 impl Compensate {
     pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let exported = Exported::read(&self.parameters, Some(&self.robot))?;
+        let exported = Exported::read(&self.parameters, Some(&self.robot), false)?;
         let given = exported.given(false);
         given.check()?;
         let arm = given.robot.map_or_else(|| Err(Problems::default()), whole_pose)?;

@@ -11,7 +11,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, Exporter, Given, Statement};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, Presentation, WrittenController,
+    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, Presentation, WrittenController,
     WrittenDocument, to_json,
 };
 use etalon_robots::Robot;
@@ -62,10 +62,6 @@ impl ExportCommand {
         let to = self.to.unwrap_or(folder);
         // before the parameters are read, so that a concurrent run is noticed
         let run = Documents::open(&to).ok();
-        let exported = match self.parameters {
-            Which::Identified => Exported::read(&self.source, self.robot.as_deref())?,
-            Which::Recommended => Exported::recommended(&self.source)?,
-        };
         let wanted = if self.format.is_empty() {
             etalon_controllers::usual().map(str::to_owned).collect::<Vec<_>>()
         } else {
@@ -77,6 +73,11 @@ impl ExportCommand {
                 .ok_or_else(|| Problems::from(wrong().hint_names(name, etalon_controllers::names())))
         };
         let exporters = wanted.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
+        let with_errors = exporters.iter().any(|exporter| exporter.shows_errors());
+        let exported = match self.parameters {
+            Which::Identified => Exported::read(&self.source, self.robot.as_deref(), with_errors)?,
+            Which::Recommended => Exported::recommended(&self.source)?,
+        };
         let hash = self.controller_hash.as_deref();
         if hash.is_some() && !exporters.iter().any(|exporter| exporter.states_controller_hash()) {
             let formats = etalon_controllers::with_controller_hash();
@@ -140,12 +141,14 @@ pub(super) struct Exported {
     robot: Option<Box<dyn Robot>>,
     summary: Option<CampaignSummary>,
     accuracy: Option<AccuracyDocument>,
+    errors: Option<Vec<PointError>>,
     controllers: Option<ControllersDocument>,
 }
 
 impl Exported {
-    /// Reads parameters, their campaign, and robot.toml if named.
-    pub fn read(parameters: &Path, robot: Option<&Path>) -> Result<Self, Problems> {
+    /// Reads parameters, their campaign, robot.toml if named, and the errors of the points if asked
+    /// for.
+    pub fn read(parameters: &Path, robot: Option<&Path>, with_errors: bool) -> Result<Self, Problems> {
         let (document, run) = read_parameters_and_run(parameters)?;
         let file = robot.map(read_robot).transpose()?;
         let mut exported = Self::new(document, file, None)?;
@@ -154,6 +157,8 @@ impl Exported {
             if parameters.ends_with("parameters.json") {
                 exported.accuracy = run.optional("accuracy.json")?;
                 exported.controllers = run.optional("controllers.json")?;
+                let accuracy = exported.accuracy.as_ref().filter(|_| with_errors);
+                exported.errors = accuracy.map(|accuracy| run.errors(accuracy)).transpose()?;
             }
         }
         Ok(exported)
@@ -182,7 +187,7 @@ impl Exported {
             let hint = phrase!("robot-file-of-run");
             return Err(Message { severity: Severity::Error, ..stale }.hint(hint).into());
         }
-        Ok(Self { parameters, file, robot, summary, accuracy: None, controllers: None })
+        Ok(Self { parameters, file, robot, summary, accuracy: None, errors: None, controllers: None })
     }
 
     pub fn given(&self, force: bool) -> Given<'_> {
@@ -193,6 +198,7 @@ impl Exported {
             robot: self.robot.as_deref(),
             description: description.map(|(file, text)| Description { file, text }),
             accuracy: self.accuracy.as_ref(),
+            errors: self.errors.as_deref(),
             controllers: self.controllers.as_ref(),
             force,
             ..Given::parameters(&self.parameters)

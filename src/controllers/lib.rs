@@ -22,6 +22,7 @@ mod matlab;
 mod plc;
 mod python;
 mod qif;
+mod recording;
 mod reprap_five_bar;
 mod statement;
 mod targets;
@@ -44,7 +45,7 @@ use etalon_base::pose::{Pose, Vector};
 use etalon_base::{error, phrase};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParameterEntry, ParameterStatus, ParametersDocument,
-    to_json,
+    PointError, to_json,
 };
 use etalon_robots::{Effect, JointChain, Parameter, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
@@ -64,6 +65,11 @@ pub trait Exporter {
     /// `true` if the file states the hash of the calibration in the controller
     /// ([`Given::controller_hash`]).
     fn states_controller_hash(&self) -> bool {
+        false
+    }
+
+    /// `true` if the file shows the errors of the measured points ([`Given::errors`]).
+    fn shows_errors(&self) -> bool {
         false
     }
 
@@ -167,6 +173,8 @@ pub struct Given<'a> {
     pub description: Option<Description<'a>>,
     /// Errors before and after the identification, for the header.
     pub accuracy: Option<&'a AccuracyDocument>,
+    /// Errors of the measured points, for formats that show them.
+    pub errors: Option<&'a [PointError]>,
     /// Values that the run identified again for formats that leave parameters out.
     pub controllers: Option<&'a ControllersDocument>,
     /// Hash of the calibration in the controller, for formats that state it.
@@ -196,6 +204,7 @@ impl<'a> Given<'a> {
             robot: None,
             description: None,
             accuracy: None,
+            errors: None,
             controllers: None,
             controller_hash: None,
             force: false,
@@ -358,7 +367,7 @@ impl<'a> Given<'a> {
 }
 
 /// All formats. Formats for all robots come first; these are the default formats.
-const EXPORTERS: [&dyn Exporter; 25] = [
+const EXPORTERS: [&dyn Exporter; 26] = [
     &json::Json,
     &csv::Csv,
     &c_header::CHeader,
@@ -384,6 +393,7 @@ const EXPORTERS: [&dyn Exporter; 25] = [
     &code::C99,
     &code::PythonCode,
     &code::StructuredText,
+    &recording::Recording,
 ];
 const USUAL: usize = 3;
 

@@ -103,6 +103,15 @@ impl Documents {
         named.then(|| checked(&self.path(PARAMETERS), &self.bytes(PARAMETERS)?)).transpose()
     }
 
+    /// Errors of the measured points of a run with this accuracy.
+    pub fn errors(&self, accuracy: &AccuracyDocument) -> Result<Vec<PointError>> {
+        let name = "residuals.parquet";
+        let rows = accuracy.sets.iter().map(|set| set.count).fold(0, usize::saturating_add);
+        let residuals = table::from_parquet(self.bytes(name)?, rows);
+        let place = Place::file(self.path(name).display().to_string());
+        residuals.and_then(|table| evaluate::from_table(&table)).map_err(|more| more.at(&place))
+    }
+
     /// Writes files beside the others of the run, or in their place; gives their paths.
     ///
     /// # Errors
@@ -154,16 +163,9 @@ impl Run {
     /// Reads them.
     pub fn read(documents: &Documents) -> Result<Self> {
         let identified = |parameters| -> Result<Identified> {
-            let name = "residuals.parquet";
             let accuracy: AccuracyDocument = documents.json("accuracy.json")?;
-            let rows = accuracy.sets.iter().map(|set| set.count).fold(0, usize::saturating_add);
-            let residuals = table::from_parquet(documents.bytes(name)?, rows);
-            let place = Place::file(documents.path(name).display().to_string());
-            Ok(Identified {
-                parameters,
-                accuracy,
-                errors: residuals.and_then(|table| evaluate::from_table(&table)).map_err(|more| more.at(&place))?,
-            })
+            let errors = documents.errors(&accuracy)?;
+            Ok(Identified { parameters, accuracy, errors })
         };
         Ok(Self {
             campaign: documents.json("campaign.json")?,

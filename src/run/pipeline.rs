@@ -193,6 +193,7 @@ fn given<'a>(
         robot: Some(robot),
         description: campaign.robot.description().map(|(file, text)| Description { file, text }),
         accuracy: Some(&found.accuracy),
+        errors: Some(&found.errors),
         ..Given::parameters(&found.parameters)
     }
 }

@@ -5,8 +5,10 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::{Campaign, read_robot};
 use etalon::controllers::{self, Description, Given};
-use etalon::documents::{CampaignSummary, ParametersDocument};
+use etalon::documents::{AccuracyDocument, CampaignSummary, ErrorQuantity, ParametersDocument, PointError};
+use etalon::math::statistics::rms;
 use etalon::robots::{Robot, Role};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
@@ -236,6 +238,15 @@ fn robot_of(format: &str) -> &'static str {
     }
 }
 
+/// Error of one measured point of a target.
+fn point_error(target: &str) -> PointError {
+    let error = serde_json::json!({
+        "set": "calibration", "pose": 1, "cycle": 1, "target": target, "at_mm": [300.0, 0.0, 500.0],
+        "before_mm": [0.3, 0.0, 0.4], "after_mm": [0.03, 0.0, 0.04], "before_deg": null, "after_deg": null
+    });
+    serde_json::from_value(error).unwrap()
+}
+
 /// What a format writes of its robot with nominal parameters, for a campaign and a robot of these names.
 fn written(format: &str, campaign: &str, robot_name: &str) -> Vec<u8> {
     let scratch = Scratch::with(&[]);
@@ -254,6 +265,7 @@ fn written(format: &str, campaign: &str, robot_name: &str) -> Vec<u8> {
         name: Some(robot_name),
         robot: Some(robot.as_ref()),
         description: file.description().map(|(file, text)| Description { file, text }),
+        errors: Some(&[point_error(robot_name)]),
         ..Given::parameters(&found)
     };
     controllers::by_name(format).unwrap().write(&given).unwrap_or_else(|problems| panic!("{format}: {problems}"))
@@ -324,4 +336,53 @@ fn names_end_no_comment_and_no_string() {
             Err(_) => crate::support::skipped("cc"),
         }
     }
+}
+
+/// Coordinates (mm) of all points of topics that begin with `start`, by topic.
+fn recorded(bytes: &[u8], start: &str) -> BTreeMap<String, Vec<[f64; 3]>> {
+    let mut points = BTreeMap::<String, Vec<[f64; 3]>>::new();
+    for message in mcap::MessageStream::new(bytes).unwrap() {
+        let message = message.unwrap();
+        let Some(target) = message.channel.topic.strip_prefix(start) else { continue };
+        assert_eq!(message.channel.schema.as_ref().unwrap().name, "geometry_msgs/msg/PointStamped");
+        // three numbers behind the header, to the end
+        let numbers = message.data.last_chunk::<24>().unwrap();
+        let metres = |i: usize| f64::from_le_bytes(numbers[8 * i..][..8].try_into().unwrap());
+        points.entry(target.to_owned()).or_default().push([0, 1, 2].map(|i| metres(i) * 1e3));
+    }
+    points
+}
+
+#[test]
+fn a_recording_has_the_errors_of_the_report() {
+    let scratch = copy_sample("column-arm");
+    let folder = scratch.root();
+    let (code, said) = etalon(&["run", folder.to_str().unwrap()]);
+    assert!(code != Some(2), "{said}");
+    let [robot, parameters] = ["robot.toml", "out/parameters.json"].map(|file| folder.join(file).display().to_string());
+    let (code, said) = etalon(&["export", &parameters, "--robot", &robot, "--format", "mcap"]);
+    assert_eq!(code, Some(0), "{said}");
+    let bytes = std::fs::read(folder.join("out/measured.mcap")).unwrap();
+    let (measured, predicted) = (recorded(&bytes, "/measured/"), recorded(&bytes, "/predicted/"));
+    let errors = measured.iter().flat_map(|(target, points)| points.iter().zip(&predicted[target]));
+    let errors: Vec<f64> = errors.map(|(a, b)| norm(minus(*a, *b))).collect();
+    let text = std::fs::read_to_string(folder.join("out/accuracy.json")).unwrap();
+    let accuracy: AccuracyDocument = serde_json::from_str(&text).unwrap();
+    let positions = accuracy.sets.iter().map(|set| {
+        let error = set.errors.iter().find(|e| e.quantity == ErrorQuantity::Position).unwrap();
+        (error.count as f64, error.after.rms)
+    });
+    let (count, squares) = positions.fold((0.0, 0.0), |(n, s), (count, rms)| (n + count, s + count * rms * rms));
+    assert_eq!(errors.len() as f64, count);
+    assert!((rms(errors.iter().copied()) / (squares / count).sqrt() - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_recording_without_measured_points_is_refused() {
+    let scratch = Scratch::with(&[]);
+    let file = read_robot(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm/robot.toml")).unwrap();
+    let robot = file.build(&["tool".to_owned()]).unwrap();
+    let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
+    let (code, said) = etalon(&["export", &found, "--format", "mcap"]);
+    assert!(code == Some(2) && said.contains("[positions-not-measured]"), "{said}");
 }

@@ -19,12 +19,13 @@ use std::collections::BTreeMap;
 /// Largest relative difference of the error that a file states and that of its reader.
 const AGREES: f64 = 0.02;
 /// Refusals of a format that cannot hold a robot, or not as accurately as it was identified.
-const REFUSALS: [&str; 5] = [
+const REFUSALS: [&str; 6] = [
     "format-for-other-robots",
     "format-too-many-joints",
     "file-worse-than-nominal",
     "formulas-missing",
     "parameter-names-collide",
+    "positions-not-measured",
 ];
 
 fn number(name: &str, default: u64) -> u64 {

@@ -76,6 +76,11 @@ parameter-names-collide = die Parameter `{ $first }` und `{ $second }` heißen b
 parameter-missing = die Parameter enthalten kein `{ $parameter }`
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
 
+positions-not-measured = Format `{ $format }` braucht gemessene Positionen, und bei den Parametern liegen keine
+    .expected = die parameters.json im Ausgabeordner einer Kampagne, die Positionen gemessen hat
+
+recording-failed = die Aufzeichnung kann nicht geschrieben werden: { $reason }
+
 robot-missing = dieses Format braucht das Robotermodell
     .hint = die robot.toml angeben: `--robot FILE`
 

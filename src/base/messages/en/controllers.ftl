@@ -130,6 +130,20 @@ parameter-names-collide = parameters `{ $first }` and `{ $second }` are both `{ 
 parameter-missing = the parameters have no `{ $parameter }`
     .hint = name the robot.toml with which they were identified
 
+# Means: The recording shows measured positions and their errors, and the parameters come without
+# any.
+# Matters: The file would be empty.
+# Do: Export from the `parameters.json` in the output folder of a run that measured positions.
+# Example: `etalon export --format mcap` for a parameters.json outside of an output folder
+positions-not-measured = format `{ $format }` needs measured positions, and the parameters come without them
+    .expected = the parameters.json in the output folder of a run that measured positions
+
+# Means: The recording cannot be written.
+# Matters: The other files of the command are not written either.
+# Do: Report the message with the parameters.json: etalon writes recordings of any size in memory.
+# Example: a recording beyond the memory of the machine
+recording-failed = the recording cannot be written: { $reason }
+
 # Means: The format needs the robot model, and no robot is named.
 # Matters: Names and values of parameters alone do not describe the kinematics.
 # Do: Name the robot.toml.

@@ -76,6 +76,11 @@ parameter-names-collide = les paramètres `{ $first }` et `{ $second }` s’appe
 parameter-missing = les paramètres n’ont pas de `{ $parameter }`
     .hint = indiquer le robot.toml avec lequel ils ont été identifiés
 
+positions-not-measured = le format `{ $format }` exige des positions mesurées, et les paramètres n’en sont pas accompagnés
+    .expected = le parameters.json du dossier de sortie d’une campagne qui a mesuré des positions
+
+recording-failed = l’enregistrement ne peut pas être écrit : { $reason }
+
 robot-missing = ce format a besoin du modèle du robot
     .hint = indiquer le robot.toml : `--robot FILE`
 
