@@ -356,7 +356,7 @@ fn recorded(bytes: &[u8], start: &str) -> BTreeMap<String, Vec<[f64; 3]>> {
 #[test]
 fn a_recording_has_the_errors_of_the_report() {
     let scratch = copy_sample("column-arm");
-    let folder = scratch.root();
+    let folder = scratch.path();
     let (code, said) = etalon(&["run", folder.to_str().unwrap()]);
     assert!(code != Some(2), "{said}");
     let [robot, parameters] = ["robot.toml", "out/parameters.json"].map(|file| folder.join(file).display().to_string());
