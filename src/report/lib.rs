@@ -260,7 +260,7 @@ pub struct Renderer {
 
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
-        Self { contents: contents.in_language(&words), attachments, presentation, words }
+        Self { contents: contents.explained(&words).in_language(&words), attachments, presentation, words }
     }
 
     /// Creates the report of a campaign.

@@ -51,7 +51,7 @@ impl Documents {
     pub fn open(folder: &Path) -> Result<Self> {
         let path = folder.join(ManifestDocument::NAME);
         if !path.is_file() {
-            return Err(error!("not-an-output-folder", file = path.display().to_string()).into());
+            return Err(error!("not-an-output-folder", folder = folder.display().to_string()).into());
         }
         let manifest = parse(&path, &files::read(&path)?, "manifest")?;
         Ok(Self { folder: folder.to_owned(), manifest })

@@ -177,7 +177,7 @@ fn init_writes_a_campaign_that_only_lacks_its_files() {
     assert_eq!(checked.status.code(), Some(2));
     let errors: Vec<&str> = said.lines().filter(|l| l.starts_with("error")).collect();
     assert_eq!(errors.len(), 3, "{said}");
-    assert!(errors.iter().all(|e| e.starts_with("error[input-missing]: there is no file `mine/")), "{said}");
+    assert!(errors.iter().all(|e| e.contains("[input-missing]") && e.contains("`mine/")), "{said}");
     // it never writes over a campaign
     let again = etalon(folder.path(), &["init", "mine"]);
     assert_eq!(again.status.code(), Some(2));
@@ -508,7 +508,7 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
         ("1,2,", "1,1,", "error[pose-attained-twice]: pose 1"),
         ("1,2,", "7,2,", "error[pose-not-commanded]: pose 7"),
         ("100.3,", ",", "error[coordinate-missing]"),
-        ("x_mm", "x", "error[column-unknown]: there is no column `x_mm`"),
+        ("x_mm", "x", "error[column-unknown]"),
         ("c_deg", "b_deg", "error[coordinates-differ]"),
     ] {
         std::fs::write(folder.path().join("poses.csv"), poses.replacen(from, to, 1)).unwrap();

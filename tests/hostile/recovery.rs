@@ -24,8 +24,10 @@ fn a_missing_key_hides_nothing_behind_it() {
         "unknown key `coverage_facter`",
         "the key `coverage_factor` is missing in `instrument`",
         "`rail9_a`",
-        "error[column-unknown]: there is no column `RP33`",
-        "[input-missing]: there is no file `campaign/exports/word.txt`",
+        "error[column-unknown]",
+        "`RP33`",
+        "[input-missing]",
+        "`campaign/exports/word.txt`",
         "did you mean `world.txt`",
         "[nominal] names `d33`",
     ];

@@ -31,7 +31,8 @@ fn a_wrong_label_hides_no_poor_feature_and_no_unequal_count() {
     scratch.replace("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\"");
     let parts = [
         "no point has the label `R_no`",
-        "[point-or-feature-unknown]: there is no point or feature `rail9_a`",
+        "[point-or-feature-unknown]",
+        "`rail9_a`",
         "feature `rails`: ",
         "error[frame-axis-without-direction]",
         "`exports/poses.txt` has 590 rows, log `log` has 295",
@@ -138,7 +139,7 @@ fn a_log_in_another_dialect_is_told_which() {
 fn a_numbered_column_beyond_the_width_is_said_once() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "rho3_mm = \"RP3\"", "rho3_mm = 9");
-    let said = said(&scratch, &["error[column-number-unknown]: there is no column 9", "campaign.toml:25"]);
+    let said = said(&scratch, &["error[column-number-unknown]", "campaign.toml:25"]);
     assert_eq!(said.lines().filter(|l| l.starts_with("error")).count(), 1, "{said}");
 }
 

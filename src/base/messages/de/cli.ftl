@@ -116,7 +116,7 @@ probe-radius-missing = --probe-side ohne Taster
 enclosing-with-probe = { $element } wird nicht um einen Taster korrigiert
     .hint = --probe-radius-mm und --probe-side weglassen
 
-enclosing-minimum-zone = es gibt keine Minimumzone von { $element }
+enclosing-minimum-zone = { $element } hat keine Minimumzone
     .hint = --minimum-zone weglassen oder circle2d oder sphere anpassen
 
 uncertainty-implausible = { $option } ist keine Unsicherheit einer Koordinate in Mikrometern
@@ -163,7 +163,7 @@ report-folder-missing = kein Ordner ist angegeben
 earlier-run-left = nichts ist geschrieben: `{ $report }` und die Dateien daneben sind von einem früheren Lauf
     .hint = seine Steuerungsdateien nicht laden, als wären sie von diesem
 
-schema-unknown = es gibt kein Schema `{ $name }`
+schema-unknown = unbekanntes Schema `{ $name }`
 
 verify-other-column = die Beobachtungen haben eine Spalte `{ $column }`: nur Positionen werden verglichen
     .hint = Zeilen anderer Arten und ihre Spalten weglassen

@@ -6,7 +6,7 @@ input-is-folder = `{ $folder }` ist ein Ordner
     .expected = eine Datei
     .hint = eine Datei darin angeben: { $files }
 
-input-missing = es gibt keine Datei `{ $file }`
+input-missing = die Datei `{ $file }` existiert nicht
 
 simulate-the-file = sie aus truth.toml schreiben: `etalon simulate { $folder }`
 
@@ -330,7 +330,7 @@ state-encoding = die Kodierung der Datei angeben: sie wurde in einer anderen gel
 several-data-sets = ein zweites `{ $record }`: die Datei hat mehrere Datensätze
     .hint = sie in eine Datei je Datensatz aufteilen, jede mit einem [[export]]
 
-characteristic-beyond-count = es gibt kein Merkmal { $index }: K0100 gibt { $count } an
+characteristic-beyond-count = Merkmal { $index } übersteigt die Anzahl der Merkmale: K0100 gibt { $count } an
     .hint = die Datei neu exportieren: sie wurde bearbeitet oder aus mehreren zusammengesetzt
 
 value-of-piece-missing = Wert { $number } von `{ $name }` gehört zu Teil { $piece }: ein früherer Wert fehlt

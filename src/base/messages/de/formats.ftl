@@ -92,7 +92,7 @@ expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden:
     }
     .expected = Überschriften, `$3` für die dritte Spalte und Zahlen, dazwischen + - * / und Klammern
 
-column-unknown = es gibt keine Spalte `{ $column }`
+column-unknown = unbekannte Spalte `{ $column }`
 
 table-failed = die Tabelle kann nicht gebildet werden: { $reason }
 
@@ -207,7 +207,7 @@ column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer genan
     }
     .hint = ihren Namen angeben
 
-column-number-unknown = es gibt keine Spalte { $number }
+column-number-unknown = Spalte { $number } existiert nicht
     .expected = eine Nummer von 1 bis { $columns }
 
 heading-repeated = der Kopf hat { $times ->

@@ -113,9 +113,9 @@ section-without-identify = [{ $section }] hat keine Wirkung: die Kampagne hat ke
 
 label-unknown = kein Punkt hat die Bezeichnung `{ $label }`
 
-feature-unknown = es gibt kein Element `{ $feature }`
+feature-unknown = unbekanntes Element `{ $feature }`
 
-point-or-feature-unknown = es gibt keinen Punkt und kein Element `{ $name }`
+point-or-feature-unknown = unbekannter Punkt oder unbekanntes Element `{ $name }`
 
 target-not-exported = kein Export enthält die Zielmarke `{ $target }`
 
@@ -156,7 +156,7 @@ threads-failed = die Kampagnen können nicht gleichzeitig ausgeführt werden: { 
 
 data-elsewhere = ihre Daten liegen unter ${ $name }, das nicht gesetzt ist
 
-not-an-output-folder = es gibt keine Datei `{ $file }`
+not-an-output-folder = `{ $folder }` ist kein Ausgabeordner eines Laufs: manifest.json fehlt
     .hint = einen Ordner angeben, den `etalon run` schrieb, oder eine ausgeführte Kampagne
 
 file-not-of-run = der Lauf hat `{ $file }` nicht geschrieben

@@ -608,12 +608,6 @@ world-frame-incomplete = das Weltsystem { $fault ->
     }
     .hint = `plane`, `origin`, `x_axis` oder `y_axis` und `towards` in [frame.world] angeben
 
-frame-name-unknown = keine Bezeichnung und kein Element heißt `{ $name }`
-    .hint = den Namen berichtigen oder das Element hinzufügen
-
-world-axis-without-direction = die Achse des Weltsystems hat keine Richtung
-    .expected = zwei Bezeichnungen, von und nach, oder ein Element mit einer Richtung
-
 world-side-undetermined = `towards` liegt auf der Achse: es legt die Seite der anderen Achse nicht fest
     .hint = einen Punkt neben der Achse nennen
 
@@ -647,7 +641,7 @@ angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation an
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen
 
-actuator-unknown = es gibt keinen Antrieb { $actuator }
+actuator-unknown = Antrieb { $actuator } existiert nicht
     .expected = 1, 2 oder 3
 
 lead-position-unknown = Position { $position } von Antrieb { $actuator } ist nicht in `positions_mm`

@@ -269,7 +269,7 @@ enclosing-with-probe = { $element } is not compensated for a probe
 # Matters: An enclosing element has no zone.
 # Do: Omit `--minimum-zone`, or fit a circle2d or sphere.
 # Example: `etalon fit enclosing-circle p.txt --minimum-zone`
-enclosing-minimum-zone = there is no minimum zone of an { $element }
+enclosing-minimum-zone = an { $element } has no minimum zone
     .hint = omit --minimum-zone, or fit a circle2d or sphere
 
 # Means: A stated uncertainty is not one of a coordinate in micrometres.
@@ -376,7 +376,7 @@ earlier-run-left = nothing is written: `{ $report }` and the files beside it are
 # Matters: Schemas exist for input files and JSON documents.
 # Do: Use a name that `etalon schema --help` lists.
 # Example: `etalon schema parameter`
-schema-unknown = there is no schema `{ $name }`
+schema-unknown = unknown schema `{ $name }`
 
 # Means: The table of `etalon verify` has columns of other kinds of observations.
 # Matters: Only positions are compared.

@@ -15,7 +15,7 @@ input-is-folder = `{ $folder }` is a folder
 # Matters: The campaign is incomplete.
 # Do: Correct the path, or copy the file. Paths begin at the folder of the campaign.
 # Example: `file = "exports/pose.txt"` where the folder has `poses.txt`
-input-missing = there is no file `{ $file }`
+input-missing = the file `{ $file }` does not exist
 
 simulate-the-file = write it from truth.toml: `etalon simulate { $folder }`
 
@@ -533,7 +533,7 @@ several-data-sets = a second `{ $record }`: the file has several data sets
 # Matters: The file was cut off, or put together from several files.
 # Do: Export the file again.
 # Example: `K2002/7` after `K0100 6`
-characteristic-beyond-count = there is no characteristic { $index }: K0100 states { $count }
+characteristic-beyond-count = characteristic { $index } exceeds the number of characteristics: K0100 states { $count }
     .hint = export the file again: it was edited or put together from several files
 
 # Means: Values of a characteristic are missing before this one.

@@ -173,7 +173,7 @@ expression-malformed = cannot read the expression `{ $expression }`: { $fault ->
 # Matters: The values of the column are needed.
 # Do: Write the name as the header of the file does.
 # Example: `columns = { rho3_mm = "RP33" }` for a header with RP1, RP2 and RP3
-column-unknown = there is no column `{ $column }`
+column-unknown = unknown column `{ $column }`
 
 # Means: A table could not be built or written.
 # Matters: The command cannot go on.
@@ -382,7 +382,7 @@ column-by-number = a column of this format cannot be given by its number: { $for
 # Matters: The column does not exist.
 # Do: Count the columns from 1.
 # Example: `q5_deg = 9` for a file with five columns
-column-number-unknown = there is no column { $number }
+column-number-unknown = column { $number } does not exist
     .expected = a number from 1 to { $columns }
 
 # Means: The header names a column several times, and it is not stated which one is meant, or a

@@ -150,8 +150,9 @@ world-frame-definition = the world frame must be defined in exactly one way
 key-of-other-frame = `{ $key }` has no effect in this world frame
     .hint = remove it, or define the frame by `{ $definition }`
 
-# Means: `x_axis` or `y_axis` of the world frame names one point, or more than two labels.
-# Matters: The axis has no direction.
+# Means: `x_axis` or `y_axis` of the world frame names one point, more than two labels, two points
+# in one place, or a direction perpendicular to the plane.
+# Matters: The axis has no direction in the plane.
 # Do: Name two labels (from, to), or one feature with a direction.
 # Example: `x_axis = ["P1"]`
 frame-axis-without-direction = the axis of the world frame has no direction
@@ -249,13 +250,13 @@ label-unknown = no point has the label `{ $label }`
 # Matters: The world frame cannot be determined.
 # Do: Define [feature.NAME], or use the name of a defined feature.
 # Example: `plane = "tabel"` beside [feature.table]
-feature-unknown = there is no feature `{ $feature }`
+feature-unknown = unknown feature `{ $feature }`
 
 # Means: The world frame names a point or feature that does not exist.
 # Matters: The world frame cannot be determined.
 # Do: Use a label of the exports or the name of a feature.
 # Example: `origin = "P9"` where the exports have P1 to P4
-point-or-feature-unknown = there is no point or feature `{ $name }`
+point-or-feature-unknown = unknown point or feature `{ $name }`
 
 # Means: No export contains measurements of a target.
 # Matters: The target cannot be used: its positions are unknown.
@@ -349,7 +350,7 @@ data-elsewhere = its data are below ${ $name }, which is not set
 # Matters: Results are read only from folders that `etalon run` wrote.
 # Do: Name the output folder, or the campaign after it was run.
 # Example: `etalon report exports`
-not-an-output-folder = there is no file `{ $file }`
+not-an-output-folder = `{ $folder }` is not the output folder of a run: its manifest.json is missing
     .hint = name a folder that `etalon run` wrote, or a campaign that was run
 
 # Means: The manifest of an output folder does not list a file.

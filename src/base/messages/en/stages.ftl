@@ -1261,20 +1261,6 @@ world-frame-incomplete = the world frame { $fault ->
     }
     .hint = state `plane`, `origin`, `x_axis` or `y_axis`, and `towards` in [frame.world]
 
-# Means: [frame.world] names a label or feature that does not exist.
-# Matters: The frame cannot be made.
-# Do: Correct the name.
-# Example: `origin = "base_9"` with base_1 to base_4
-frame-name-unknown = no label or feature is called `{ $name }`
-    .hint = correct the name, or add the feature
-
-# Means: The axis of the world frame is perpendicular to its plane, or made of one point.
-# Matters: It has no direction in the plane.
-# Do: Name two labels, from and to, or one feature with a direction.
-# Example: `x_axis = ["base_1", "base_1"]`
-world-axis-without-direction = the axis of the world frame has no direction
-    .expected = two labels, from and to, or one feature with a direction
-
 # Means: `towards` of [frame.world] is a point on the axis.
 # Matters: It does not tell on which side the other axis is.
 # Do: Name a point beside the axis.
@@ -1346,7 +1332,7 @@ ball-missing = ball `{ $target }` is missing (pose { $pose }, cycle { $cycle })
 # Matters: A PreXYT has three actuators.
 # Do: Correct the number.
 # Example: `actuator = 4`
-actuator-unknown = there is no actuator { $actuator }
+actuator-unknown = actuator { $actuator } does not exist
     .expected = 1, 2 or 3
 
 # Means: A label of a lead measurement has a position that `positions_mm` does not list.

@@ -116,7 +116,7 @@ probe-radius-missing = --probe-side sans palpeur
 enclosing-with-probe = { $element } n’est pas compensé d’un palpeur
     .hint = omettre --probe-radius-mm et --probe-side
 
-enclosing-minimum-zone = il n’y a pas de zone minimale d’un { $element }
+enclosing-minimum-zone = un { $element } n’a pas de zone minimale
     .hint = omettre --minimum-zone, ou ajuster un circle2d ou une sphere
 
 uncertainty-implausible = { $option } n’est pas une incertitude d’une coordonnée en micromètres
@@ -163,7 +163,7 @@ report-folder-missing = aucun dossier n’est indiqué
 earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins sont d’une exécution antérieure
     .hint = ne pas charger ses fichiers de commande comme s’ils étaient de celle-ci
 
-schema-unknown = il n’y a pas de schéma `{ $name }`
+schema-unknown = schéma inconnu `{ $name }`
 
 verify-other-column = les observations ont une colonne `{ $column }` : seules les positions sont comparées
     .hint = omettre les lignes d’autres genres et leurs colonnes

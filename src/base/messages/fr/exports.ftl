@@ -6,7 +6,7 @@ input-is-folder = `{ $folder }` est un dossier
     .expected = un fichier
     .hint = indiquer un fichier de ce dossier : { $files }
 
-input-missing = il n’y a pas de fichier `{ $file }`
+input-missing = le fichier `{ $file }` n’existe pas
 
 simulate-the-file = l’écrire à partir de truth.toml : `etalon simulate { $folder }`
 
@@ -330,7 +330,7 @@ state-encoding = indiquer l’encodage du fichier : il a été lu dans un autre
 several-data-sets = un second `{ $record }` : le fichier a plusieurs jeux de données
     .hint = le diviser en un fichier par jeu de données, chacun avec un [[export]]
 
-characteristic-beyond-count = il n’y a pas de caractéristique { $index } : K0100 en indique { $count }
+characteristic-beyond-count = la caractéristique { $index } dépasse le nombre de caractéristiques : K0100 en indique { $count }
     .hint = exporter de nouveau le fichier : il a été modifié ou assemblé à partir de plusieurs
 
 value-of-piece-missing = la valeur { $number } de `{ $name }` appartient à la pièce { $piece } : une valeur antérieure manque

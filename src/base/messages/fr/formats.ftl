@@ -92,7 +92,7 @@ expression-malformed = impossible de lire l’expression `{ $expression }` : { $
     }
     .expected = des en-têtes, `$3` pour la troisième colonne et des nombres, avec + - * / et des parenthèses
 
-column-unknown = il n’y a pas de colonne `{ $column }`
+column-unknown = colonne inconnue `{ $column }`
 
 table-failed = impossible de construire le tableau : { $reason }
 
@@ -207,7 +207,7 @@ column-by-number = une colonne de ce format ne peut pas être donnée par son nu
     }
     .hint = donner son nom
 
-column-number-unknown = il n’y a pas de colonne { $number }
+column-number-unknown = la colonne { $number } n’existe pas
     .expected = un numéro de 1 à { $columns }
 
 heading-repeated = l’en-tête a { $times ->

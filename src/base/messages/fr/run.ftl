@@ -113,9 +113,9 @@ section-without-identify = [{ $section }] est sans effet : la campagne n’a pas
 
 label-unknown = aucun point n’a l’étiquette `{ $label }`
 
-feature-unknown = il n’y a pas d’élément `{ $feature }`
+feature-unknown = élément inconnu `{ $feature }`
 
-point-or-feature-unknown = il n’y a pas de point ni d’élément `{ $name }`
+point-or-feature-unknown = point ou élément inconnu `{ $name }`
 
 target-not-exported = aucun export ne contient la cible `{ $target }`
 
@@ -156,7 +156,7 @@ threads-failed = les campagnes ne peuvent pas être exécutées en parallèle : 
 
 data-elsewhere = ses données sont sous ${ $name }, qui n’est pas définie
 
-not-an-output-folder = il n’y a pas de fichier `{ $file }`
+not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée
 
 file-not-of-run = l’exécution n’a pas écrit `{ $file }`

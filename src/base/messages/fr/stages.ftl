@@ -608,12 +608,6 @@ world-frame-incomplete = le repère du monde { $fault ->
     }
     .hint = indiquer `plane`, `origin`, `x_axis` ou `y_axis`, et `towards` dans [frame.world]
 
-frame-name-unknown = aucune étiquette ni aucun élément ne s’appelle `{ $name }`
-    .hint = corriger le nom, ou ajouter l’élément
-
-world-axis-without-direction = l’axe du repère du monde n’a pas de direction
-    .expected = deux étiquettes, de et à, ou un élément avec une direction
-
 world-side-undetermined = `towards` est sur l’axe : il ne détermine pas le côté de l’autre axe
     .hint = nommer un point à côté de l’axe
 
@@ -647,7 +641,7 @@ angle-orders-fit = indiquer `orientation = "zyx"` dans [observations], ou --orie
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
     .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
 
-actuator-unknown = il n’y a pas d’actionneur { $actuator }
+actuator-unknown = l’actionneur { $actuator } n’existe pas
     .expected = 1, 2 ou 3
 
 lead-position-unknown = la position { $position } de l’actionneur { $actuator } n’est pas dans `positions_mm`
