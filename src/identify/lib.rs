@@ -1,6 +1,7 @@
 //! Identification: parameters from observations, which of them the data determine, and how well.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod axes;
 mod error;
 pub mod geometric;
 mod judgement;
