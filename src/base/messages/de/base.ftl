@@ -30,7 +30,7 @@ counts-too-large = zu viele { $of }: { $counts }
 
 cannot-read-file = `{ $file }` kann nicht gelesen werden: { $reason }
 
-file-too-large = `{ $file }` kann nicht gelesen werden: größer als { $most_mib } MiB
+file-too-large = `{ $file }` kann nicht gelesen werden: größer als { $most_mib } MiB
 
 not-utf8 = `{ $file }` ist nicht UTF-8 (Byte { $byte })
     .hint = die Datei als UTF-8 speichern

@@ -6,7 +6,7 @@ recording-unit = eine Aufzeichnung mit `format` braucht `unit`, und nur dann
 campaign-missing = die Kampagnendatei `{ $file }` ist nicht vorhanden
     .hint = `etalon init ORDNER` schreibt eine zum Anfangen
 
-joints-need-delimited-text = `joints` werden aus getrenntem Text mit höchstens einer Namenszeile gelesen
+joints-need-delimited-text = `joints` werden aus Text mit Trennzeichen mit höchstens einer Namenszeile gelesen
     .hint = `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` angeben; bei anderen Dateien die Gelenke in einem [log] nennen
 
 joints-differ = zwei Exporte von `{ $file }` geben verschiedene `joints` an
@@ -78,9 +78,9 @@ joint-reference-wrong = { $fault ->
         [unknown-number] es gibt kein Gelenk { $joint }
         [unknown-name] es gibt kein Gelenk `{ $joint }`
         [slides] Gelenk { $joint } ist ein Schubgelenk: es dreht nicht
-        [twice] Gelenk { $joint } steht zweimal da
+        [twice] Gelenk { $joint } kommt zweimal vor
         [itself] Gelenk { $joint } ist mit sich selbst gekoppelt: das ist seine Verstärkung
-       *[pair] das Paar { $joint } steht zweimal da
+       *[pair] das Paar { $joint } kommt zweimal vor
     }
     .expected = Gelenke von 1 bis { $count }, jedes einmal
     .hint = die Gelenke sind { $joints }
@@ -91,7 +91,7 @@ urdf-joint-kind = Gelenk `{ $joint }` ist { $kind }, das kein Gelenk einer Kette
 urdf-axis-without-direction = die Achse von Gelenk `{ $joint }` hat keine Richtung
     .expected = <axis xyz="0 0 1"/> oder eine andere Richtung
 
-urdf-origin-far = der Ursprung von Gelenk `{ $joint }` ist { FIXED($away_m, 0) } m von seinem Vorgänger entfernt
+urdf-origin-far = der Ursprung von Gelenk `{ $joint }` ist { FIXED($away_m, 0) } m von seinem Vorgänger entfernt
     .hint = Längen einer URDF sind Meter: die dieser Datei durch 1000 teilen
 
 urdf-two-parents = Glied `{ $link }` hat zwei Vorgänger: `{ $first }` und `{ $second }`
@@ -195,7 +195,7 @@ table-head-missing = fehlt der Kopf ihrer Tabelle, wie `[section]` oder `[[joint
 key-remedy = { $key ->
         [station] Stationen eines Messgeräts sind eine Spalte `station` einer Beobachtungstabelle:
         [observations] statt Exporten und Protokoll angeben
-       *[base_turn_y_deg] ihn löschen: base_rx, base_ry und base_rz sind ein Drehvektor, und keine Orientierung der Basis ist singulär
+       *[base_turn_y_deg] ihn löschen: base_rx, base_ry und base_rz sind ein Rotationsvektor, und keine Orientierung der Basis ist singulär
     }
 
 urdf-xacro = die Datei enthält xacro-Makros, die nicht ersetzt werden
@@ -217,7 +217,7 @@ urdf-limits-exchanged = die Grenzen von Gelenk `{ $joint }` sind vertauscht: { $
     .hint = sie tauschen
 
 urdf-angles-beyond-turn = Winkel von `rpy` übersteigen eine volle Umdrehung
-    .hint = Winkel einer URDF sind Radiant: 90 deg sind 1.5707963267948966
+    .hint = Winkel einer URDF sind Radiant: 90 deg sind 1.5707963267948966
 
 urdf-attribute-missing = <{ $element }> hat kein `{ $attribute }`
     .hint = das Attribut ergänzen

@@ -56,19 +56,19 @@ one-program-each = die Ziele von jedem als eigenes Programm angeben
 
 state-pose-option = seine Pose angeben: --{ $option } x,y,z,qw,qx,qy,qz
 
-program-in-world = Ziele eines Programms sind nicht im Weltsystem
+program-in-world = Ziele eines Programms sind nicht im Weltkoordinatensystem
     .hint = --object verwenden
 
 counts-missing = `galil` braucht die Impulse von { $axes } Achsen je mm oder deg
     .hint = --counts-per-unit N,N
 
-joints-in-world = Gelenkwerte sind nicht im Weltsystem
+joints-in-world = Gelenkwerte sind nicht im Weltkoordinatensystem
     .hint = --frame weglassen
 
 nominal-pose-unreachable = der nominale Roboter kann nicht dort sein, wohin ihn die Gelenke stellen
     .hint = Gelenkwerte und Montagemodus prüfen
 
-base-not-in-world = `{ $model }` hat keine Basis im Weltsystem
+base-not-in-world = `{ $model }` hat keine Basis im Weltkoordinatensystem
     .hint = --frame weglassen
 
 mecaprol-other-robot = Mecaprol steuert einen Fünfgelenkroboter, nicht `{ $model }`
@@ -120,7 +120,7 @@ enclosing-minimum-zone = es gibt keine Minimumzone von { $element }
     .hint = --minimum-zone weglassen oder circle2d oder sphere anpassen
 
 uncertainty-implausible = { $option } ist keine Unsicherheit einer Koordinate in Mikrometern
-    .hint = erweiterte Unsicherheit durch Erweiterungsfaktor, je Koordinate: 0.0027 mm sind 2.7 um
+    .hint = erweiterte Unsicherheit durch Erweiterungsfaktor, je Koordinate: 0.0027 mm sind 2.7 um
 
 robot-not-in-table = die Geometrie von `{ $name }` ist nicht in der Robotertabelle
     .expected = { $names }
@@ -132,7 +132,7 @@ iso230-row-incomplete = eine Zeile hat keine Position, keinen Messwert oder kein
 iso230-no-rows = die Tabelle hat keine Zeilen
     .hint = die Datei prüfen
 
-iso230-few-runs = Position { $position } mm hat weniger als zwei Läufe in Richtung { $direction }
+iso230-few-runs = Position { $position } mm hat weniger als zwei Läufe in Richtung { $direction }
     .expected = Läufe von beiden Seiten, fünf nach ISO 230-2
 
 nothing-to-evaluate = nichts zum Auswerten ist angegeben
@@ -150,7 +150,7 @@ infinite-solutions = { $joints } Gelenke erreichen eine Pose auf unendlich viele
 no-whole-pose = `{ $model }` hat keine Kinematik einer ganzen Pose
     .hint = ein anderes Modell verwenden
 
-table-quaternion-length = die Quaternion hat die Länge { FIXED($length, 4) }
+table-quaternion-length = das Quaternion hat die Länge { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz einer Drehung
     .hint = die Reihenfolge der Spalten prüfen (qw ist der Skalarteil), und dass es keine Winkel sind
 
@@ -223,4 +223,4 @@ deviation-unknown = keine Abweichung bei { $position }: { $reason ->
     }
     .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
 
-robot-file-of-run = die Kampagne noch einmal ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde
+robot-file-of-run = die Kampagne erneut ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde

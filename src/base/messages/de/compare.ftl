@@ -12,7 +12,7 @@ stream-few-passes = AT und RT des Datenstroms `{ $stream }` beruhen auf { $passe
     }; die Prüfung auf Änderung ist mit { $validated } validiert
     .hint = die Bahn zehnmal fahren (ISO 9283)
 
-path-change-uncertain = als geändert gemeldet: { $names }; in simulierten Prüfungen enthalten Intervalle von AT den wahren Wert in 93 % bis 95 %, die von RT in 90 % bis 98 %
+path-change-uncertain = als geändert gemeldet: { $names }; in simulierten Prüfungen enthalten Intervalle von AT den wahren Wert in 93 % bis 95 %, die von RT in 90 % bis 98 %
     .hint = die Prüfung wiederholen, bevor gehandelt wird
 
 nothing-to-compare = die Kampagnen haben keine gemeinsamen Ergebnisse

@@ -35,7 +35,7 @@ error-above-nominal = Positionsfehler an den { $set ->
     }{ $left_out_count ->
         [0] {""}
        *[other] {" "}ohne { $left_out }
-    }: { FIXED($written_mm, $decimals) } mm (Effektivwert); mit nominalen Parametern: { FIXED($nominal_mm, $decimals) } mm
+    }: { FIXED($written_mm, $decimals) } mm (Effektivwert); mit nominalen Parametern: { FIXED($nominal_mm, $decimals) } mm
 
 file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason }
     .hint = ein Format verwenden, das diese Parameter enthält; `etalon export --force` schreibt die Datei
@@ -47,7 +47,7 @@ error-near-nominal = { $case ->
     }: { $set ->
         [validation] Validierungsposen
        *[other] Kalibrierposen
-    } { FIXED($written_mm, $decimals) } mm (Effektivwert), { FIXED($written_max_mm, $decimals) } mm (Maximum), nominal { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
+    } { FIXED($written_mm, $decimals) } mm (Effektivwert), { FIXED($written_max_mm, $decimals) } mm (Maximum), nominal { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
 
 file-near-nominal = { $formats_count ->
         [1] Format
@@ -83,7 +83,7 @@ robot-parameter-missing = der Roboter hat keinen Parameter `{ $parameter }`
     .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
 
 deviation-steep = die Abweichung ändert sich von { $from } bis { $to } um { $change }
-    .expected = höchstens 5 % des Abstands
+    .expected = höchstens 5 % des Abstands
     .hint = Positionen und Abweichungen in derselben Einheit angeben, mm oder deg
 
 axis-table-too-long = { $positions } Positionen sind zu viele für { $controller }
@@ -99,7 +99,7 @@ axis-positions-uneven = die Positionen haben keinen konstanten Abstand
     .hint = in gleichen Abständen messen oder eine andere Tabelle verwenden
 
 plane-steps-differ = das Raster hat entlang seiner Achsen verschiedene Abstände
-    .expected = { $step_mm } mm entlang beider
+    .expected = { $step_mm } mm entlang beider
 
 galil-value-too-large = `{ $parameter }` ist zu groß für eine Variable einer Galil-Steuerung
     .hint = ein Format mit Gleitkommazahlen verwenden
@@ -107,7 +107,7 @@ galil-value-too-large = `{ $parameter }` ist zu groß für eine Variable einer G
 galil-constant-too-large = { $name } = { FIXED($value, 6) } ist zu groß für die inverse Kinematik auf einer Galil-Steuerung
     .expected = höchstens { $most }
 
-galil-rounding = `{ $parameter }` verliert { SCIENTIFIC($rounding, 1) } { $unit } auf einer Galil-Steuerung; die Standardunsicherheit ist { SCIENTIFIC($uncertainty, 1) } { $unit }
+galil-rounding = `{ $parameter }` verliert { SCIENTIFIC($rounding, 1) } { $unit } auf einer Galil-Steuerung; die Standardunsicherheit ist { SCIENTIFIC($uncertainty, 1) } { $unit }
     .hint = ein Format mit Gleitkommazahlen verwenden
 
 galil-axes = { $joints } Gelenke sind zu viele für eine Galil-Steuerung
@@ -133,7 +133,7 @@ axes-coincide = zwei Achsen des Arms fallen zusammen
 platform-out-of-reach = die Plattform erreicht die Mitte nicht
     .hint = die identifizierten Längen prüfen
 
-tower-order = die Türme stehen nicht im Abstand von 120 deg, von oben gegen den Uhrzeigersinn
+tower-order = die Türme stehen nicht im Abstand von 120 deg, von oben gegen den Uhrzeigersinn
     .hint = sie gegen den Uhrzeigersinn nummerieren: `{ $format }` hat sie in dieser Reihenfolge
 
 program-not-readable = Programme dieser Sprache können nicht gelesen werden
@@ -163,5 +163,5 @@ coordinate-not-number = auf `{ $letter }` folgt keine Zahl
 coordinate-unknown = `{ $letter }` hat noch keinen Wert
     .hint = ihn im ersten Satz mit Bewegung angeben
 
-quaternion-length = die Quaternion von { $target } hat die Länge { FIXED($length, 4) }
+quaternion-length = das Quaternion von { $target } hat die Länge { FIXED($length, 4) }
     .expected = Länge 1

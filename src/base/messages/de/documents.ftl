@@ -9,14 +9,14 @@ few-cycles = weniger als { $least } Zyklen an Pose { $poses }
 few-cycles-of-direction = weniger als { $least } Zyklen in Richtung { $directions }
     .hint = mehr Zyklen messen
 
-instrument-too-coarse = die Messunsicherheit übersteigt 25 % des geprüften Werts an Pose { $poses }
-    .hint = die Werte als obere Schranken verwenden oder mit einem besseren Messgerät messen
+instrument-too-coarse = die Messunsicherheit übersteigt 25 % des geprüften Werts an Pose { $poses }
+    .hint = die Werte als Obergrenzen verwenden oder mit einem besseren Messgerät messen
 
 several-approaches = mehrere Anfahrrichtungen an Pose { $poses }: AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
     .hint = die Werte jeder Anfahrrichtung verwenden: die aller Anfahrten enthalten vAP, und ihre Streuung ist nicht normalverteilt
 
 path-without-pass = die Aufzeichnung enthält keinen Durchlauf der Sollbahn
-    .expected = eine Bewegung durch { $planes } Ebenen, jede innerhalb von { $near_mm } mm der Bahn
+    .expected = eine Bewegung durch { $planes } Ebenen, jede innerhalb von { $near_mm } mm der Bahn
     .hint = System und Richtung von Aufzeichnung und Bahn prüfen; `--near-mm` erlaubt größere Abweichungen
 
 samples-too-fast = { $count ->
@@ -28,7 +28,7 @@ samples-too-fast = { $count ->
 weave-velocity-not-compared = die Sollgeschwindigkeit wird nicht verglichen: die Bahn ist die Mittellinie eines Pendelns
     .hint = die Bahn ohne Pendeln fahren, um Geschwindigkeiten auszuwerten
 
-arrivals-unsettled = Ankünfte, die sich nicht im Grenzband stabilisieren: bei { $times_s } s
+arrivals-unsettled = Ankünfte, die sich nicht im Grenzband stabilisieren: bei { $times_s } s
     .hint = ein Grenzband angeben, das breiter als das Rauschen des stehenden Roboters ist
 
 passes-incomplete = { $count ->
@@ -37,11 +37,11 @@ passes-incomplete = { $count ->
     } begonnen und nicht beendet: ausgelassen
     .hint = prüfen, ob die Aufzeichnung abgeschnitten ist; bei stark verrundeten Ecken ein größeres near_mm angeben (`--near-mm`)
 
-corner-in-central-part = der mittlere Teil der Bahn enthält eine Ecke bei { FIXED($at_mm, 3) } mm
+corner-in-central-part = der mittlere Teil der Bahn enthält eine Ecke bei { FIXED($at_mm, 3) } mm
     .hint = eine Bahn ohne Ecke oder einen kleineren mittleren Teil angeben: Abbremsen wirkt auf AV, RV und FV
 
 zone-proved-locally = die Minimumzone ist nur unter benachbarten Elementen ({ $element }) als engste bewiesen
-    .hint = ihre Formabweichung mit der der Ausgleichung nach kleinsten Quadraten vergleichen
+    .hint = ihre Formabweichung mit der der Anpassung nach kleinsten Quadraten vergleichen
 
 zone-unproved = es wurde nicht bewiesen, dass kein anderes Element { $element } eine engere Zone hat
     .hint = mehr von der Fläche messen: so gestreute Punkte zeigen das Element kaum

@@ -14,7 +14,7 @@ place-the-file = die Datei an diesen Pfad kopieren oder einen anderen angeben: P
 
 name-a-file = der Ordner enthält { $files }
 
-line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
+line-too-long = `{ $file }`: Zeile { $line } ist länger als { $most_mib } MiB
     .hint = die Datei als Text mit Zeilen exportieren: sie ist wohl eine binäre Aufzeichnung oder ein Archiv
 
 file-not-text = `{ $file }` ist { $kind ->
@@ -59,7 +59,7 @@ sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile
     .expected = höchstens { $columns } Spalten und { $rows } Zeilen
     .hint = die Zelle löschen oder die Tabelle in ein eigenes Blatt kopieren
 
-workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
+workbook-too-large = die entpackte Arbeitsmappe ist größer als { $most_mib } MiB
     .hint = das Blatt allein oder als Text speichern
 
 workbook-unreadable = die Arbeitsmappe kann nicht gelesen werden: { $reason }
@@ -146,7 +146,7 @@ head-of-a-run = den Kopf eines Messlaufs
 
 output-of-program = die Ausgabedatei angeben, die das Programm schreibt
 
-calypso-head = die Datei `_chr` oder `_fet` daneben angeben; der Kopf nennt die Längeneinheit `{ $unit }` und eine Werkstücktemperatur von { $temperature } °C
+calypso-head = die Datei `_chr` oder `_fet` daneben angeben; der Kopf nennt die Längeneinheit `{ $unit }` und eine Werkstücktemperatur von { $temperature } °C
 
 export-measured-points = die gemessenen Punkte statt der Geometrie des Teils exportieren
 
@@ -164,7 +164,7 @@ propose-format = Trennzeichen, Dezimalzeichen und Anführungszeichen der Zeile p
 
 quote-names = Namen mit Leerzeichen in Anführungszeichen setzen, oder Trennzeichen und Spalten angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 
-state-as-delimited = eine Datei mit Namen oder Tabulatoren als getrennten Text angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
+state-as-delimited = eine Datei mit Namen oder Tabulatoren als Text mit Trennzeichen angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 
 state-columns = die Achsen als Kommentar exportieren oder die Spalten angeben: format = {"{"} delimiter = "{ $delimiter }", comment = "//", columns = [{ $columns }] {"}"}
 
@@ -344,7 +344,7 @@ coordinate-counts-differ = `{ $name }` hat { $found ->
 
 metric-misplaced = `METRIC` steht außerhalb der Spalten 11 bis 16: die Einheit ist mehrdeutig (inch oder mm)
     .expected = `XYZIJK    METRIC`, oder `XYZIJK` allein für Zoll
-    .hint = Zeile 1 berichtigen oder die Datei als getrennten Text mit ihrer Einheit angeben
+    .hint = Zeile 1 berichtigen oder die Datei als Text mit Trennzeichen mit ihrer Einheit angeben
 
 vertex-not-finite = Punkt { $number } (`vertex`) ist { $coordinates }
     .expected = endliche Koordinaten
@@ -380,7 +380,7 @@ further-messages = { $count ->
 recording-unreadable = die Aufzeichnung kann nicht gelesen werden: { $fault ->
         [checksum] die Prüfsumme eines Blocks weicht ab
         [compression] ein Block ist anders als mit LZ4 oder Zstandard komprimiert
-        [size] ein Block ist größer als 256 MiB
+        [size] ein Block ist größer als 256 MiB
         [unpack] ein Block kann nicht entpackt werden
         [channel] eine Nachricht hat keinen Kanal
        *[end] sie endet mitten in einem Eintrag
@@ -394,7 +394,7 @@ topic-not-stated = die Datei ist eine Aufzeichnung (MCAP), und `topic` fehlt
 
 topic-missing = die Aufzeichnung hat keine Nachricht des Topics `{ $topic }`
 
-topic-too-large = die Nachrichten des Topics `{ $topic }` sind größer als { $most_mib } MiB
+topic-too-large = die Nachrichten des Topics `{ $topic }` sind größer als { $most_mib } MiB
     .hint = die Aufzeichnung auf die Zeit der Messungen kürzen: `mcap filter DATEI -o KURZ --start SEKUNDEN --end SEKUNDEN`
 
 topic-type-unknown = das Topic `{ $topic }` hat Nachrichten des Typs `{ $message }`
@@ -445,5 +445,5 @@ arrays-unreadable = die Datei kann nicht als Felder von { $format ->
     } gelesen werden
     .hint = sie neu speichern oder `format` berichtigen
 
-arrays-too-large = die Felder der Datei sind größer als { $most_mib } MiB
+arrays-too-large = die Felder der Datei sind größer als { $most_mib } MiB
     .hint = nur die Felder der Messung speichern

@@ -18,7 +18,7 @@ element = { $name ->
 
 element-unknown = unbekanntes Element `{ $name }`
 
-probe-radius-not-positive = der Tasterradius ist { $radius } mm
+probe-radius-not-positive = der Tasterradius ist { $radius } mm
     .expected = eine positive Zahl
     .hint = den qualifizierten Radius des Tasters angeben, nicht den Durchmesser; bei Kontaktpunkten weglassen
 
@@ -38,23 +38,23 @@ probe-direction-along-element = die Richtung { $direction } zum Taster verläuft
     .expected = eine Richtung vom Element weg
     .hint = die Richtung von der Oberfläche zum Taster angeben
 
-probe-larger-than-element = ein Taster mit dem Radius { $probe_mm } mm kann das Element { $element } nicht von außen berühren
-    .expected = Mittelpunkte auf einem größeren Radius als dem des Tasters; der Radius ist { FIXED($centres_mm, 6) } mm
+probe-larger-than-element = ein Taster mit dem Radius { $probe_mm } mm kann das Element { $element } nicht von außen berühren
+    .expected = Mittelpunkte auf einem größeren Radius als dem des Tasters; der Radius ist { FIXED($centres_mm, 6) } mm
     .hint = die andere Seite angeben: der Taster war innen
 
-compensated-twice = die Ausgleichung ist schon um den Taster korrigiert
-    .expected = eine Ausgleichung der Tastermittelpunkte
+compensated-twice = die Anpassung ist schon um den Taster korrigiert
+    .expected = eine Anpassung der Tastermittelpunkte
     .hint = einmal korrigieren
 
 held-radius-unsupported = das Element { $element } hat keinen Radius
     .expected = kein Radius
     .hint = den Radius weglassen
 
-held-radius-not-positive = der festgehaltene Radius ist { $radius } mm
+held-radius-not-positive = der festgehaltene Radius ist { $radius } mm
     .expected = eine positive Zahl
     .hint = den Radius in Millimetern angeben
 
-held-radius-below-probe = ein Taster im Element { $element } mit dem Radius { $radius } mm hat seine Mittelpunkte bei { $centres } mm
+held-radius-below-probe = ein Taster im Element { $element } mit dem Radius { $radius } mm hat seine Mittelpunkte bei { $centres } mm
     .expected = ein Taster, der kleiner als der festgehaltene Radius ist
     .hint = die andere Seite oder den Radius angeben
 
@@ -87,7 +87,7 @@ zone-straight = keine Minimumzone eines Kreises: die Punkte liegen ebenso nahe a
 
 zone-unsupported = die Minimumzone des Elements { $element } ist nicht verfügbar
     .expected = line2d, plane, circle2d, circle3d, sphere, cylinder oder cone
-    .hint = die Ausgleichung nach kleinsten Quadraten verwenden
+    .hint = die Anpassung nach kleinsten Quadraten verwenden
 
 point-counts-differ = { $from } Punkte können nicht { $to } zugeordnet werden
     .expected = dieselbe Anzahl von Punkten in derselben Reihenfolge
@@ -97,7 +97,7 @@ rotation-ambiguous = keine starre Transformation bestimmbar: mehrere Drehungen p
     .expected = zwei Punktmengen derselben Form
     .hint = prüfen, ob beide Listen die Zielmarken in derselben Reihenfolge nennen und keine gespiegelt ist
 
-rotation-uncertain = die Drehung hat eine erweiterte Unsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
+rotation-uncertain = die Drehung hat eine erweiterte Unsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
     .hint = weiter entfernte Zielmarken verwenden und prüfen, ob ihre Namen vertauscht sind
 
 too-few-points = { $count ->
@@ -130,9 +130,9 @@ weights-unusable = die { $weights } Gewichte des Elements { $element } passen ni
 element-without-redundancy = das Element { $element } hat keinen überzähligen Punkt: die Residuen sind null und die Unsicherheit ist unbekannt
     .hint = mehr Punkte als die Mindestzahl messen
 
-radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Unsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Unsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
         [none] {""}
-       *[other] {" "}über { $covered_deg } deg
+       *[other] {" "}über { $covered_deg } deg
     }
     .hint = einen längeren Bogen messen oder den Radius auf dem Nennwert festhalten
 

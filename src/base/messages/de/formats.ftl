@@ -114,7 +114,7 @@ rows-left-out = { $count ->
        *[other] { $count } Zeilen
     } ausgelassen; die erste: { $reason }
 
-count-value-missing = `{ $key }` gibt den Wert eines Impulses nicht an: Galil-Felder enthalten Impulse des Messgebers
+count-value-missing = `{ $key }` gibt den Wert eines Impulses nicht an: Galil-Felder enthalten Impulse des Gebers
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count in der Einheit des Schlüssels
 
 galil-array-hole = das Feld von `{ $column }` hat eine Lücke
@@ -125,17 +125,17 @@ galil-array-ended = kein Impuls: das Feld von { $columns } ist zu Ende
 galil-array-empty = eines der Felder ist leer
     .hint = die Felder nach dem Ende der Aufzeichnung erneut auslesen
 
-not-a-count = { $value } ist kein Impuls eines Messgebers
+not-a-count = { $value } ist kein Impuls eines Gebers
     .expected = eine ganze Zahl mit 32 Bit
     .hint = sind die Werte skaliert, `format = "galil"` weglassen
 
 counter-wrapped = der Zähler ist übergelaufen: { $to } folgt auf { $from }
-    .hint = den Messgeber vor der Aufzeichnung auf null setzen
+    .hint = den Geber vor der Aufzeichnung auf null setzen
 
 rsi-cycles-missing = { $count ->
         [one] 1 Zeile, in der
        *[other] { $count } Zeilen, in denen
-    } `IPOC` nicht um { $step_ms } ms weitergeht
+    } `IPOC` nicht um { $step_ms } ms weitergeht
     .hint = Telegramme gingen verloren: der aufzeichnende Rechner war zu spät
 
 ros-joints-change = Gelenk { $number } ist in dieser Zeile `{ $found }` und in der ersten `{ $first }`
@@ -152,7 +152,7 @@ log-key-inapplicable = `{ $key }` gilt nicht für { $column ->
        *[other] `{ $column }`
     }
     .hint = { $key ->
-        [per_count] `per_count` ist der Wert eines Impulses des Messgebers eines Gelenks: entfernen
+        [per_count] `per_count` ist der Wert eines Impulses des Gebers eines Gelenks: entfernen
         [values] `values` gehört zu `format = "twincat"`: entfernen
         [comment] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
         [decimal] eine Datei von Feldern hat keinen Text: `{ $key }` weglassen
@@ -223,8 +223,8 @@ assembly-mode-invalid = der Montagemodus ist { $value }
     .expected = 1 oder -1
     .hint = ihn berichtigen; ist er unbekannt, die Spalte `assembly` weglassen
 
-standstill-missing = der Roboter des Protokolls `{ $log }` steht nie { $at_least_s } s lang still
-    .hint = sein längster Stillstand innerhalb der Grenzen dauert { FIXED($longest_s, 3) } s: `at_least_s` und die Grenzen prüfen
+standstill-missing = der Roboter des Protokolls `{ $log }` steht nie { $at_least_s } s lang still
+    .hint = sein längster Stillstand innerhalb der Grenzen dauert { FIXED($longest_s, 3) } s: `at_least_s` und die Grenzen prüfen
 
 standstill-time-missing = [log.standstill] braucht die Zeiten der Zeilen
     .hint = `time_s`, `time_ms` oder `time_ns` in `columns` angeben oder `period_s`
@@ -326,7 +326,7 @@ recording-time-missing = die Aufzeichnung hat keine Spalte der Zeit
 
 state-sampling-rate = die Abtastrate angeben (`--rate-hz`): Zeitstempel, die gröber als die Abtastung sind, ergeben keine Zeiten
 
-recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
+recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
     .hint = Abtastrate, Einheit und Reihenfolge der Abtastwerte prüfen
 
 angles-not-compensated = Winkel sind nicht durch die Referenzziele um die Drift berichtigt
@@ -386,36 +386,36 @@ file-without-points = das ist { $kind ->
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat
-       *[text] keine Lesart als getrennter Text ergibt
+       *[text] keine Lesart als Text mit Trennzeichen ergibt
     } Zeilen mit zwei oder mehr Zahlen
     .hint = die Punkte als Text exportieren, eine Zeile je Punkt
 
 robot-does-not-test = ein Roboter des Modells `{ $model }` prüft den Vorschlag nicht: sein Flansch hat keine freie Pose im Raum
 
-robot-not-tested = der Nennroboter prüft den Vorschlag nicht: nötig sind { $fewest } Zeilen mit Gelenken und Koordinaten, die den Raum aufspannen
+robot-not-tested = der nominale Roboter prüft den Vorschlag nicht: nötig sind { $fewest } Zeilen mit Gelenken und Koordinaten, die den Raum aufspannen
 
-robot-contradicts = der Nennroboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
-        [yes] ; die beste lässt { FIXED($rms_mm, 2) } mm (quadratisches Mittel)
+robot-contradicts = der nominale Roboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
+        [yes] ; die beste lässt { FIXED($rms_mm, 2) } mm (quadratischer Mittelwert)
        *[no] {""}
     }
 
-robot-ambiguous = die Daten bestimmen Reihenfolge und Richtung von { $joints } nicht: eine andere Lesart lässt { FIXED($rms_mm, 3) } mm (quadratisches Mittel)
+robot-ambiguous = die Daten bestimmen Reihenfolge und Richtung von { $joints } nicht: eine andere Lesart lässt { FIXED($rms_mm, 3) } mm (quadratischer Mittelwert)
 
-robot-units-ambiguous = die Daten bestimmen die Einheiten der Gelenke nicht: eine andere Einheit lässt { FIXED($rms_mm, 3) } mm (quadratisches Mittel)
+robot-units-ambiguous = die Daten bestimmen die Einheiten der Gelenke nicht: eine andere Einheit lässt { FIXED($rms_mm, 3) } mm (quadratischer Mittelwert)
 
-robot-finds-targets = mit einem Ziel für jeden Wert von { $column } reproduziert der Nennroboter die Koordinaten
+robot-finds-targets = mit einem Ziel für jeden Wert von { $column } reproduziert der nominale Roboter die Koordinaten
 
-robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, und die Kinematik des Nennroboters passt mit { $unit }
+robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, und die Kinematik des nominalen Roboters passt mit { $unit }
 
-robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der Nennroboter passt mit umgekehrtem Vorzeichen
+robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der nominale Roboter passt mit umgekehrtem Vorzeichen
 
-robot-orders = der Nennroboter passt mit den Gelenken in der Reihenfolge { $columns }
+robot-orders = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }
 
-robot-reproduces = der Nennroboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratisches Mittel von { $rows } Zeilen, Basis und Ziel frei)
+robot-reproduces = der nominale Roboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert von { $rows } Zeilen, Basis und Ziel frei)
 
-points-commanded = { $points } sind kommandiert oder berechnet, nicht gemessen: der Nennroboter berechnet sie bis auf ihre Rundung (Residuum { FIXED($rms_mm, 6) } mm)
+points-commanded = { $points } sind kommandiert oder berechnet, nicht gemessen: der nominale Roboter berechnet sie bis auf ihre Rundung (Residuum { FIXED($rms_mm, 6) } mm)
 
-points-perhaps-commanded = { $points } sind vielleicht kommandiert, nicht gemessen: das Residuum von { FIXED($rms_mm, 4) } mm liegt innerhalb der Rundung von Koordinaten und Gelenken
+points-perhaps-commanded = { $points } sind vielleicht kommandiert, nicht gemessen: das Residuum von { FIXED($rms_mm, 4) } mm liegt innerhalb der Rundung von Koordinaten und Gelenken
 
 file-is = `{ $file }`: { $kind }, { $rows ->
         [one] 1 Zeile

@@ -1,18 +1,18 @@
 ### Messages de campaign ; explications dans en/campaign.ftl.
 
 recording-unit = un enregistrement avec `format` a besoin de `unit`, et seulement alors
-    .hint = indiquer les deux ; sans les deux, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
+    .hint = indiquer les deux ; sans les deux, c’est un tableau time_s,x_mm,y_mm,z_mm, dont l’en-tête indique les unités
 
 campaign-missing = le fichier de campagne `{ $file }` n’existe pas
     .hint = `etalon init DOSSIER` en écrit une pour commencer
 
 joints-need-delimited-text = `joints` se lit dans un texte délimité avec au plus une ligne de noms
-    .hint = indiquer `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` ; pour d’autres fichiers, nommer les articulations dans un [log]
+    .hint = indiquer `format = {"{"} delimiter = .., header = 1, columns = .. {"}"}` ; pour d’autres fichiers, nommer les articulations dans un [log]
 
 joints-differ = deux exports de `{ $file }` indiquent des `joints` différents
     .hint = indiquer les mêmes colonnes dans les deux
 
-joints-twice = les articulations sont indiquées deux fois : dans `joints` de `{ $file }` et dans [log]
+joints-twice = les articulations sont indiquées deux fois : dans `joints` de `{ $file }` et dans [log]
     .hint = omettre l’une des deux
 
 joints-joined-by-row = un export avec `joints` se joint par ses lignes
@@ -27,7 +27,7 @@ path-outside = `{ $file }` sort du dossier de la campagne
 no-target = un robot spatial a besoin d’au moins une cible
     .hint = les nommer dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
 
-target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres seraient ceux de la base du robot
+target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres seraient ceux de la base du robot
     .hint = donner un autre nom à la cible dans l’étiquette ou les colonnes
 
 key-not-positive = `{ $key }` doit être positif
@@ -37,12 +37,12 @@ joint-key-missing = la clé `{ $key }` manque dans `joint`
 
 direction-in-base = une direction dans la base, par exemple { $example }
 
-keys-state-the-same = { $keys } indiquent la même chose : en omettre une
+keys-state-the-same = { $keys } indiquent la même chose : en omettre une
 
 leg-count = un hexapode a six jambes, le fichier en indique { $count }
     .hint = ajouter un [[leg]] avec base_mm et platform_mm par jambe
 
-hexapod-singular = l’hexapode est singulier à sa pose d’origine : six longueurs ne l’y maintiennent pas
+hexapod-singular = l’hexapode est singulier à sa pose d’origine : six longueurs ne l’y maintiennent pas
     .hint = vérifier `base_mm` et `platform_mm`, ou indiquer une autre pose d’origine
 
 no-joints = un bras série a besoin de ses articulations
@@ -60,7 +60,7 @@ not-screw-axis = un axe de vis n’a ni paramètres de Denavit-Hartenberg ni `pa
 joint-axis-without-direction = l’axe de l’articulation n’a pas de direction
     .expected = une direction dans la base, par exemple [0, 0, 1]
 
-flange-missing = des axes de vis demandent la pose de la bride aux articulations nulles : la clé `{ $key }` manque
+flange-missing = des axes de vis nécessitent la pose de la bride aux articulations nulles : la clé `{ $key }` manque
 
 flange-of-table = `{ $key }` n’a pas de sens pour des paramètres de Denavit-Hartenberg
     .hint = elle appartient à `convention = "poe"`
@@ -71,15 +71,15 @@ range-of-other-motion = `{ $key }` n’est pas une clé d’une articulation { $
     }
     .hint = indiquer `{ $own }`
 
-range-exchanged = `{ $key }` n’est pas une plage : { $lower } à { $upper }
+range-exchanged = `{ $key }` n’est pas une plage : { $lower } à { $upper }
     .expected = la plus petite limite, puis la plus grande
 
 joint-reference-wrong = { $fault ->
         [unknown-number] il n’y a pas d’articulation { $joint }
         [unknown-name] il n’y a pas d’articulation `{ $joint }`
-        [slides] l’articulation { $joint } est prismatique : elle ne tourne pas
+        [slides] l’articulation { $joint } est prismatique : elle ne tourne pas
         [twice] l’articulation { $joint } figure deux fois
-        [itself] l’articulation { $joint } est couplée à elle-même : c’est son gain
+        [itself] l’articulation { $joint } est couplée à elle-même : c’est son gain
        *[pair] la paire { $joint } figure deux fois
     }
     .expected = articulations de 1 à { $count }, une fois chacune
@@ -91,19 +91,19 @@ urdf-joint-kind = l’articulation `{ $joint }` est { $kind }, qui n’est pas u
 urdf-axis-without-direction = l’axe de l’articulation `{ $joint }` n’a pas de direction
     .expected = <axis xyz="0 0 1"/> ou une autre direction
 
-urdf-origin-far = l’origine de l’articulation `{ $joint }` est à { FIXED($away_m, 0) } m de son parent
-    .hint = les longueurs d’un URDF sont en mètres : diviser celles de ce fichier par 1000
+urdf-origin-far = l’origine de l’articulation `{ $joint }` est à { FIXED($away_m, 0) } m de son parent
+    .hint = les longueurs d’un URDF sont en mètres : diviser celles de ce fichier par 1000
 
-urdf-two-parents = le segment `{ $link }` a deux parents : `{ $first }` et `{ $second }`
-    .hint = un URDF est un arbre : fermer les boucles par `mimic`
+urdf-two-parents = le segment `{ $link }` a deux parents : `{ $first }` et `{ $second }`
+    .hint = un URDF est un arbre : fermer les boucles par `mimic`
 
 urdf-loop = les articulations à partir de `{ $link }` forment une boucle
-    .hint = un URDF est un arbre : fermer les boucles par `mimic`
+    .hint = un URDF est un arbre : fermer les boucles par `mimic`
 
 urdf-link-unknown = `{ $file }` n’a pas de segment `{ $link }`
 
 urdf-no-path = aucune articulation ne mène de `{ $from }` à `{ $to }`
-    .hint = vérifier `base_link` et `tool_link` : aucune articulation ne porte `{ $root }`
+    .hint = vérifier `base_link` et `tool_link` : aucune articulation ne porte `{ $root }`
 
 urdf-mimic-unknown = l’articulation `{ $joint }` imite `{ $mimics }`, que le fichier n’a pas
 
@@ -116,14 +116,14 @@ urdf-nothing-moves = aucune articulation ne bouge entre `{ $from }` et `{ $to }`
 urdf-no-moving-joint = aucune articulation du fichier ne bouge
     .hint = indiquer l’URDF d’un robot
 
-bending-on-moving-base = `bending` demande une direction fixe de la pesanteur, et des articulations déplacent `{ $link }`
+bending-on-moving-base = `bending` nécessite une direction fixe de la pesanteur, et des articulations déplacent `{ $link }`
     .hint = la supprimer, ou prendre pour `base_link` un segment immobile
 
-bending-without-mass = aucune masse n’est indiquée au-delà de l’articulation `{ $joint }` : rien ne la fléchit
+bending-without-mass = aucune masse n’est indiquée au-delà de l’articulation `{ $joint }` : rien ne la fléchit
     .hint = ajouter <inertial> à ses segments
 
 parameter-name-doubled = deux paramètres s’appelleraient `{ $name }`
-    .hint = renommer la cible : aucune cible ne peut porter le nom d’une articulation
+    .hint = renommer la cible : aucune cible ne peut porter le nom d’une articulation
 
 key-of-other-model = `{ $key }` n’a pas de sens pour ce modèle
     .hint = elle appartient à `model = "{ $model }"`
@@ -134,7 +134,7 @@ nominal-length-not-positive = la longueur `{ $parameter }` doit être positive
     .hint = indiquer la longueur du plan
 
 nominal-missing = [nominal] n’indique pas { $parameters }
-    .hint = indiquer la géométrie de votre machine d’après ses plans, en mm : elle n’est jamais devinée
+    .hint = indiquer la géométrie de votre machine d’après ses plans, en mm : elle n’est jamais devinée
 
 tolerance-not-positive = la tolérance `{ $parameter }` doit être positive
     .hint = indiquer la tolérance du plan
@@ -166,9 +166,9 @@ key-missing = la clé `{ $key }` manque{ $has_section ->
        *[no] {""}
     }
 
-state-unit = indiquer l’unité de longueur du fichier : "mm", "m", "um" ou "inch" ; elle n’est jamais devinée
+state-unit = indiquer l’unité de longueur du fichier : "mm", "m", "um" ou "inch" ; elle n’est jamais devinée
 
-state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
+state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
 
 state-file = indiquer le fichier, dans le dossier de la campagne
 
@@ -181,7 +181,7 @@ table-key-twice = cette table a la clé deux fois{ $more ->
         [one] , et { $more } clé ensuite
        *[other] , et { $more } clés ensuite
     }
-    .hint = une table parmi plusieurs commence par sa tête entre doubles crochets, comme `[[joint]]` : en manque-t-il une avant ?
+    .hint = une table parmi plusieurs commence par sa tête entre doubles crochets, comme `[[joint]]` : en manque-t-il une avant ?
 
 unknown-key = { $count ->
         [one] clé inconnue { $keys }
@@ -190,17 +190,17 @@ unknown-key = { $count ->
 
 key-belongs-at-top = `{ $key }` va en haut, avant la première section
 
-table-head-missing = la tête de leur table manque-t-elle, comme `[section]` ou `[[joint]]` ?
+table-head-missing = la tête de leur table manque-t-elle, comme `[section]` ou `[[joint]]` ?
 
 key-remedy = { $key ->
-        [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer
+        [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer
         [observations] au lieu d’exports et de journal
-       *[base_turn_y_deg] la supprimer : base_rx, base_ry et base_rz sont un vecteur de rotation, et aucune orientation de la base n’est singulière
+       *[base_turn_y_deg] la supprimer : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
     }
 
 urdf-xacro = le fichier contient des macros xacro, qui ne sont pas développées
 
-expand-xacro = le développer : xacro { $name }.urdf.xacro > { $name }.urdf
+expand-xacro = le développer : xacro { $name }.urdf.xacro > { $name }.urdf
 
 urdf-no-robot = le fichier n’est pas un URDF
     .expected = l’élément <robot>
@@ -213,16 +213,16 @@ urdf-joint-link-unknown = l’articulation `{ $joint }` nomme le segment `{ $lin
 urdf-joint-without-link = l’articulation `{ $joint }` n’a pas de <{ $child } link="..."/>
     .hint = ajouter l’élément
 
-urdf-limits-exchanged = les limites de l’articulation `{ $joint }` sont inversées : { $lower } à { $upper }
+urdf-limits-exchanged = les limites de l’articulation `{ $joint }` sont inversées : { $lower } à { $upper }
     .hint = les inverser
 
 urdf-angles-beyond-turn = des angles de `rpy` dépassent un tour complet
-    .hint = les angles d’un URDF sont en radians : 90 deg valent 1.5707963267948966
+    .hint = les angles d’un URDF sont en radians : 90 deg valent 1.5707963267948966
 
 urdf-attribute-missing = <{ $element }> n’a pas de `{ $attribute }`
     .hint = ajouter l’attribut
 
-urdf-not-number = `{ $attribute }` : `{ $word }` n’est pas un nombre
+urdf-not-number = `{ $attribute }` : `{ $word }` n’est pas un nombre
     .hint = corriger la valeur
 
 urdf-number-count = `{ $attribute }` a { $count ->
@@ -236,16 +236,16 @@ urdf-number-count = `{ $attribute }` a { $count ->
 
 key-open = `{ $key }` reste à compléter{ $more ->
         [0] {""}
-       *[other] {" "}; { $more } de plus à compléter
+       *[other] {" "}; { $more } de plus à compléter
     }
     .hint = compléter la ligne{ $remark ->
         [none] {""}
-       *[other] {" "}: { $remark }
+       *[other] {" "}: { $remark }
     }
 
 joint-unit-open = l’unité des articulations reste à indiquer{ $more ->
         [0] {""}
-       *[other] {" "}; { $more } de plus à compléter
+       *[other] {" "}; { $more } de plus à compléter
     }
     .hint = écrire deg, rad, mm ou m au lieu de UNIT
 

@@ -18,9 +18,9 @@ element = { $name ->
 
 element-unknown = élément inconnu `{ $name }`
 
-probe-radius-not-positive = le rayon du palpeur est { $radius } mm
+probe-radius-not-positive = le rayon du palpeur est { $radius } mm
     .expected = un nombre positif
-    .hint = indiquer le rayon qualifié du palpeur, pas son diamètre ; l’omettre pour des points de contact
+    .hint = indiquer le rayon qualifié du palpeur, pas son diamètre ; l’omettre pour des points de contact
 
 probe-side-needs-direction = intérieur et extérieur ne sont pas définis pour l’élément { $element }
     .expected = la direction de l’élément vers le palpeur
@@ -28,7 +28,7 @@ probe-side-needs-direction = intérieur et extérieur ne sont pas définis pour 
 
 probe-side-needs-inside = une direction ne donne pas le côté du palpeur pour l’élément { $element }
     .expected = inside (alésage) ou outside (arbre)
-    .hint = indiquer où était la bille : inside ou outside
+    .hint = indiquer où était la bille : inside ou outside
 
 probe-direction-zero = la direction { $direction } vers le palpeur est nulle
     .expected = trois nombres finis, pas tous nuls
@@ -38,9 +38,9 @@ probe-direction-along-element = la direction { $direction } vers le palpeur long
     .expected = une direction qui s’écarte de l’élément
     .hint = indiquer la direction de la surface vers le palpeur
 
-probe-larger-than-element = un palpeur de rayon { $probe_mm } mm ne peut pas toucher l’élément { $element } de l’extérieur
-    .expected = des centres à un rayon supérieur à celui du palpeur ; le rayon est { FIXED($centres_mm, 6) } mm
-    .hint = indiquer l’autre côté : le palpeur était à l’intérieur
+probe-larger-than-element = un palpeur de rayon { $probe_mm } mm ne peut pas toucher l’élément { $element } de l’extérieur
+    .expected = des centres à un rayon supérieur à celui du palpeur ; le rayon est { FIXED($centres_mm, 6) } mm
+    .hint = indiquer l’autre côté : le palpeur était à l’intérieur
 
 compensated-twice = l’ajustement est déjà compensé du palpeur
     .expected = un ajustement sur les centres du palpeur
@@ -50,11 +50,11 @@ held-radius-unsupported = l’élément { $element } n’a pas de rayon
     .expected = pas de rayon
     .hint = omettre le rayon
 
-held-radius-not-positive = le rayon imposé est { $radius } mm
+held-radius-not-positive = le rayon imposé est { $radius } mm
     .expected = un nombre positif
     .hint = indiquer le rayon en millimètres
 
-held-radius-below-probe = un palpeur à l’intérieur de l’élément { $element } de rayon { $radius } mm a ses centres à { $centres } mm
+held-radius-below-probe = un palpeur à l’intérieur de l’élément { $element } de rayon { $radius } mm a ses centres à { $centres } mm
     .expected = un palpeur plus petit que le rayon imposé
     .hint = indiquer l’autre côté, ou le rayon
 
@@ -68,20 +68,20 @@ held-axis-zero = l’axe imposé { $axis } n’a pas de direction
 
 element-not-found = aucun élément { $element } trouvé à travers les points
     .expected = des points sur un élément { $element }
-    .hint = vérifier que les points appartiennent à cet élément ; sinon imposer l’axe
+    .hint = vérifier que les points appartiennent à cet élément ; sinon imposer l’axe
 
-element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
+element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
     .hint = mesurer plus de points là où l’élément n’est pas couvert, ou imposer l’axe
 
-element-not-determined = aucun élément { $element } n’a pu être ajusté : { $termination }
+element-not-determined = aucun élément { $element } n’a pu être ajusté : { $termination }
     .expected = des points qui déterminent un élément { $element }
-    .hint = vérifier les points : arc trop court, trop droit, ou autre élément ; sinon imposer le rayon ou l’axe
+    .hint = vérifier les points : arc trop court, trop droit, ou autre élément ; sinon imposer le rayon ou l’axe
 
-zone-flat = pas de zone minimale pour l’élément { $element } : les points sont aussi proches d’un plan
+zone-flat = pas de zone minimale pour l’élément { $element } : les points sont aussi proches d’un plan
     .expected = des points sur une partie de la surface plus haute que son écart de forme
     .hint = mesurer une plus grande partie de la surface, ou évaluer la zone minimale d’un plan
 
-zone-straight = pas de zone minimale pour un cercle : les points sont aussi proches d’une droite
+zone-straight = pas de zone minimale pour un cercle : les points sont aussi proches d’une droite
     .expected = des points sur un arc plus haut que son écart de forme
     .hint = mesurer un arc plus long, ou évaluer la zone minimale d’une droite
 
@@ -93,12 +93,12 @@ point-counts-differ = { $from } points ne peuvent pas être associés à { $to }
     .expected = le même nombre de points dans le même ordre
     .hint = nommer chaque cible une fois dans les deux listes
 
-rotation-ambiguous = aucune transformation rigide ne peut être ajustée : plusieurs rotations conviennent également
+rotation-ambiguous = aucune transformation rigide ne peut être ajustée : plusieurs rotations conviennent également
     .expected = deux ensembles de points de même forme
     .hint = vérifier que les deux listes nomment les cibles dans le même ordre et qu’aucune n’est une image miroir
 
-rotation-uncertain = la rotation a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (k = 2)
-    .hint = utiliser des cibles plus éloignées et vérifier que leurs noms ne sont pas échangés
+rotation-uncertain = la rotation a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (k = 2)
+    .hint = utiliser des cibles plus éloignées et vérifier que leurs noms ne sont pas intervertis
 
 too-few-points = { $count ->
         [one] { $count } point donné
@@ -111,7 +111,7 @@ point-not-finite = le point { $number } de l’élément { $element } est { $coo
     .expected = des coordonnées finies en millimètres
     .hint = vérifier ce point dans l’export
 
-points-degenerate = aucun élément { $element } ne peut être ajusté : { $spanned ->
+points-degenerate = aucun élément { $element } ne peut être ajusté : { $spanned ->
         [0] tous les points sont identiques
         [1] tous les points sont alignés
        *[other] tous les points sont coplanaires
@@ -125,14 +125,14 @@ points-degenerate = aucun élément { $element } ne peut être ajusté : { $span
 
 weights-unusable = les { $weights } poids de l’élément { $element } ne conviennent pas à ses { $points } points
     .expected = un poids positif et fini par point, dans un rapport de 1e12 au plus
-    .hint = utiliser 1/u² de chaque point ; omettre un point au lieu de lui donner un poids nul
+    .hint = utiliser 1/u² de chaque point ; omettre un point au lieu de lui donner un poids nul
 
-element-without-redundancy = l’élément { $element } n’a pas de point redondant : les résidus sont nuls et son incertitude est inconnue
+element-without-redundancy = l’élément { $element } n’a pas de point redondant : les résidus sont nuls et son incertitude est inconnue
     .hint = mesurer plus de points que le minimum
 
-radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
         [none] {""}
-       *[other] {" "}sur { $covered_deg } deg
+       *[other] {" "}sur { $covered_deg } deg
     }
     .hint = mesurer un arc plus long, ou imposer le rayon à sa valeur nominale
 
