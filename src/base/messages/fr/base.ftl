@@ -22,7 +22,7 @@ pose-name-too-long = le nom de la pose a { $characters } caractères
 pose-name-unprintable = un tableau ne peut pas contenir le nom `{ $name }`
     .expected = un nombre entier, ou un nom comme `home` ou `A-3`
 
-pose-name-two-spellings = `{ $first }` et `{ $second }` ne diffèrent que par des majuscules, espaces, `_`, `-` ou zéros
+pose-name-two-spellings = `{ $first }` et `{ $second }` ne diffèrent que par des majuscules, des espaces, `_`, `-` ou des zéros
     .hint = écrire le nom d’une pose de la même façon dans toutes les lignes et tous les fichiers
 
 counts-too-large = trop de { $of } : { $counts }
@@ -41,7 +41,7 @@ file-exists = `{ $file }` existe déjà
     .hint = indiquer un nouveau dossier
 
 lock-foreign = impossible d’écrire `{ $file }` : `{ $lock }` n’est pas un verrou d’etalon
-    .expected = un fichier ordinaire à nom unique
+    .expected = un fichier ordinaire qui n’a qu’un nom
     .hint = le supprimer : etalon a besoin de ce nom pendant l’écriture
 
 locked = le processus { $process } écrit `{ $file }`
@@ -55,10 +55,10 @@ cannot-write-folder = impossible d’écrire le dossier `{ $folder }` : { $reas
 cannot-encode = impossible d’écrire { $format } : { $reason }
 
 angle-order-unknown = `{ $text }` n’est pas un ordre de trois angles
-    .expected = « zyx », « xyz », « zyz » .. autour des axes du corps, ou « fixed xyz » .. autour des axes du monde
+    .expected = "zyx", "xyz", "zyz" .. autour des axes du corps, ou "fixed xyz" .. autour des axes du référentiel atelier
 
-rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits de ses lignes s’écartent de 1 et de 0 de { $off }
-    .expected = r11 à r33, ligne par ligne : corps dans le monde
+rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits scalaires de ses lignes s’écartent de 1 ou de 0 de { $off }
+    .expected = r11 à r33, ligne par ligne : orientation du corps dans le référentiel atelier
 
-rotation-mirrors = la matrice de rotation est une réflexion : son déterminant est -1
+rotation-mirrors = la matrice de rotation contient une réflexion : son déterminant est -1
     .hint = vérifier les signes de ses colonnes

@@ -9,7 +9,7 @@ common-uncertainty-alone = une incertitude commune à plusieurs observations né
 
 parameter-unknown = `{ $pattern }` n’est pas un paramètre de ce robot
 
-observations-need-arm = orientations, distances, contacts, surfaces et valeurs articulaires sont pour les bras spatiaux, pas pour `{ $model }`
+observations-need-arm = orientations, distances, contacts, surfaces et valeurs articulaires sont pour les bras tridimensionnels, pas pour `{ $model }`
 
 kinds-need-target-residuals = orientations, distances, contacts, surfaces et valeurs articulaires nécessitent les résidus des cibles sans incertitude commune
     .hint = comparer les cibles, et omettre l’incertitude commune

@@ -13,8 +13,8 @@ key-uncertainty-implausible = `{ $key }` = { $value } n’est pas une incertitud
     .expected = une valeur de { $least } à { $most }
     .hint = vérifier l’unité : 0.0027 mm font 2.7 µm
 
-target-named-twice = la cible `{ $target }` est nommée deux fois
-    .hint = nommer chaque cible une fois
+target-named-twice = la cible `{ $target }` est indiquée deux fois
+    .hint = indiquer chaque cible une fois
 
 limit-without-result = la limite `{ $limit }` nécessite { $needs ->
         [identify] {"["}identify]
@@ -57,8 +57,8 @@ input-in-output-folder = le dossier de sortie contient l’entrée `{ $input }`
 feature-element = l’élément `{ $feature }` n’est pas exactement un élément géométrique
     .expected = un seul de `plane`, `line`, `circle`, `cylinder` avec les étiquettes de ses points
 
-feature-label-twice = l’élément `{ $feature }` nomme `{ $label }` deux fois
-    .hint = nommer chaque étiquette une fois
+feature-label-twice = l’élément `{ $feature }` mentionne `{ $label }` deux fois
+    .hint = indiquer chaque étiquette une fois
 
 nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du référentiel atelier vont ensemble
     .hint = indiquer les positions du dessin et la plus grande distance admise d’un point à celles-ci
@@ -73,7 +73,7 @@ frame-axis-without-direction = l’axe du référentiel atelier n’a pas de dir
     .expected = deux étiquettes (de, à), ou un élément qui a une direction
 
 plane-frame-incomplete = un référentiel atelier à partir d’un plan nécessite `origin`, un de `x_axis` et `y_axis`, et `towards`
-    .hint = nommer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
+    .hint = indiquer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
 
 file-name-empty = le nom du fichier est vide
     .hint = indiquer le fichier dans le dossier de la campagne
@@ -130,7 +130,7 @@ targets-incomplete = `targets` omet `{ $target }`
 travel-missing = l’espace de travail nécessite la course des actionneurs
     .hint = indiquer [reach] avec `travel_mm = [..., ..., ...]` dans robot.toml
 
-z-column-missing = `columns` n’a pas de z, qu’un robot spatial nécessite
+z-column-missing = `columns` n’a pas de z, qu’un robot tridimensionnel nécessite
     .hint = ajouter `z = "nom ou numéro de la colonne"`
 
 log-name-invalid = `{ $name }` ne peut pas être le nom de ce journal
@@ -185,7 +185,7 @@ foreign-file = `{ $file }` serait écrasé, et aucune exécution ne l’a écrit
 input-changed = `{ $file }` a changé pendant l’exécution de la campagne
     .hint = relancer la campagne quand le fichier est complet
 
-identify-missing = la campagne n’a pas de [identify], qui nomme les poses pour juger les paramètres
+identify-missing = la campagne n’a pas de [identify], qui mentionne les poses pour juger les paramètres
     .hint = indiquer `calibration` et `validation` dans [identify]
 
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`

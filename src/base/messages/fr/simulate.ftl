@@ -6,12 +6,12 @@ truth-joint-count = une pose a { $values } valeurs articulaires, le robot { $joi
 truth-label-with-circles = `label` dans [[poses]] est pour `joints`, pas pour `circles`
     .hint = omettre `label`, ou indiquer `joints`
 
-truth-point-unknown = [[poses]] nomme le point `{ $label }`, qui n’est pas un [[point]]
+truth-point-unknown = [[poses]] mentionne le point `{ $label }`, qui n’est pas un [[point]]
 
 truth-circles-not-planar = `circles` est pour les robots plans
     .hint = utiliser `joints`
 
-truth-parameter-unknown = [parameters] nomme `{ $parameter }`, qui n’est pas un paramètre de ce robot
+truth-parameter-unknown = [parameters] mentionne `{ $parameter }`, qui n’est pas un paramètre de ce robot
 
 truth-target-unknown = [repeatability] de la vérité : le robot n’a pas de cible `{ $target }`
 
@@ -19,7 +19,7 @@ truth-pose-missing = la pose { $pose } de la trajectoire n’est pas dans la vé
     .hint = l’ajouter à `joints` de [[poses]] et à [[repeatability.pose]]
 
 truth-repeatability-without-campaign = la vérité a [repeatability], la campagne non
-    .hint = indiquer [repeatability] dans campaign.toml : elle nomme étiquettes et trajectoire
+    .hint = indiquer [repeatability] dans campaign.toml : elle mentionne étiquettes et trajectoire
 
 truth-home-count = `home` a { $values } valeurs articulaires, le robot { $joints } articulations
     .hint = indiquer une valeur par articulation
@@ -34,7 +34,7 @@ simulated-kind = { $kind ->
         [twincat] un export TwinCAT
         [moving-log] un journal enregistré pendant le mouvement
         [period-log] un journal dont les temps suivent de sa période, pour une jointure par temps
-        [repeated-columns] un journal qui nomme des colonnes deux fois
+        [repeated-columns] un journal qui mentionne des colonnes deux fois
         [workbook-sheet] une feuille de classeur
         [encoding] un tableau dans un autre encodage que UTF-8
         [blank-columns] un tableau d’observations à colonnes séparées par des espaces : ses cellules vides disparaîtraient
@@ -57,10 +57,10 @@ simulate-utf8 = simulate écrit en UTF-8
     .hint = omettre `encoding` de cet export
 
 simulated-rows-lost = `{ $file }` serait lu avec { $read } lignes sur { $rows }
-    .hint = nommer cible, pose et cycle dans `label` ou `columns` ; `pose = "row"` est pour une cible par fichier ; sans cycle, indiquer `cycles = 1` dans la vérité
+    .hint = indiquer cible, pose et cycle dans `label` ou `columns` ; `pose = "row"` est pour une cible par fichier ; sans cycle, indiquer `cycles = 1` dans la vérité
 
 simulated-row-misread = la ligne { $line } de `{ $file }` est { $meant }, et serait lue comme { $read }
-    .hint = nommer cible, pose et cycle dans `label` ou `columns` ; `pose = "row"` est pour une cible par fichier ; sans cycle, indiquer `cycles = 1` dans la vérité
+    .hint = indiquer cible, pose et cycle dans `label` ou `columns` ; `pose = "row"` est pour une cible par fichier ; sans cycle, indiquer `cycles = 1` dans la vérité
 
 measurement-name = cible `{ $target }`, pose { $pose }, cycle { $cycle }
 
@@ -91,7 +91,7 @@ point-label-formula = l’étiquette `{ $label }` d’un [[point]] est une formu
 truth-parameters-missing = [parameters] n’indique pas { $parameters }
     .hint = indiquer où sont les objets fixes observés
 
-unmodelled-joint-unknown = [unmodelled] nomme `{ $joint }`, qui n’est pas une articulation de ce robot
+unmodelled-joint-unknown = [unmodelled] mentionne `{ $joint }`, qui n’est pas une articulation de ce robot
 
 unmodelled-period = [unmodelled] `period` de `{ $joint }` doit être positif
     .hint = indiquer une période positive
@@ -118,4 +118,4 @@ simulated-table-misread = `{ $file }` serait mal lu : une observation de la pos
     .hint = `pose = "row"` et `target` de [observations] sont pour une cible et une ligne par pose
 
 truth-geometric-without-campaign = la vérité a [geometric], la campagne non ou son robot n’est pas un PreXYT
-    .hint = indiquer [geometric] dans campaign.toml : elle nomme les étiquettes
+    .hint = indiquer [geometric] dans campaign.toml : elle mentionne les étiquettes

@@ -9,8 +9,8 @@ rigid-point-coincides = { $message } ; le point se trouve où est `{ $other }`
 
 rigid-row-refused = ligne { $row } : `{ $target }` est refusé : { $reason }
 
-rigid-targets = une pièce rigide nécessite deux cibles ou plus, chacune nommée une fois
-    .hint = nommer chaque cible de la pièce une fois dans `targets`
+rigid-targets = une pièce rigide nécessite deux cibles ou plus, chacune indiquée une fois
+    .hint = indiquer chaque cible de la pièce une fois dans `targets`
 
 limit-not-positive = `{ $key }` doit être un nombre positif
     .expected = { $key ->
@@ -21,7 +21,7 @@ limit-not-positive = `{ $key }` doit être un nombre positif
 rigid-uncertainty-without-places = `{ $key }` appartient à `places_mm`, qui manque
     .hint = indiquer `places_mm`, ou supprimer `{ $key }`
 
-rigid-place-unknown = `places_mm` nomme `{ $target }`, qui n’est pas une cible de cette pièce rigide
+rigid-place-unknown = `places_mm` mentionne `{ $target }`, qui n’est pas une cible de cette pièce rigide
 
 rigid-place-missing = `places_mm` n’indique pas la position de `{ $target }`
     .hint = ajouter ses coordonnées, ou la supprimer de `targets`
@@ -29,20 +29,20 @@ rigid-place-missing = `places_mm` n’indique pas la position de `{ $target }`
 rigid-places-need-uncertainty = `places_mm` nécessite `{ $key }`, un nombre positif
     .expected = l’incertitude élargie d’une coordonnée, et son facteur d’élargissement
 
-rigid-row-without-pose = [[rigid]] nomme `{ $target }`, et cette ligne n’a ni pose ni temps
-    .hint = nommer la pose dans `label` ou `columns`, ou supprimer la cible de [[rigid]]
+rigid-row-without-pose = [[rigid]] mentionne `{ $target }`, et cette ligne n’a ni pose ni temps
+    .hint = indiquer la pose dans `label` ou `columns`, ou supprimer la cible de [[rigid]]
 
-rigid-time-twice = [[rigid]] nomme `{ $target }`, et deux de ses lignes ont le même temps
-    .hint = la première est la ligne { $first } ; nommer la pose dans `label` ou `columns`
+rigid-time-twice = [[rigid]] mentionne `{ $target }`, et deux de ses lignes ont le même temps
+    .hint = la première est la ligne { $first } ; indiquer la pose dans `label` ou `columns`
 
 rigid-never-together = { $targets } de [[rigid]] ne sont jamais mesurées ensemble
     .expected = des lignes de mêmes pose et cycle, ou de même temps
-    .hint = nommer la pose dans `label` ou `columns` ; `pose = "row"` numérote les lignes de fichiers à une cible
+    .hint = indiquer la pose dans `label` ou `columns` ; `pose = "row"` numérote les lignes de fichiers à une cible
 
 rigid-few-distances = la distance `{ $first }`-`{ $second }` de [[rigid]] ne refuse aucune ligne : elle a été mesurée { $count } fois
     .expected = { $least } fois ou plus
 
-exclusion-mixed = une exclusion nomme soit des poses, soit les lignes d’un fichier
+exclusion-mixed = une exclusion mentionne soit des poses, soit les lignes d’un fichier
     .expected = `poses`, éventuellement avec `cycle` et `target` ; ou `file` et `rows`
 
 exclusion-file-unknown = `{ $file }` n’est pas un export avec des lignes à exclure
@@ -70,8 +70,8 @@ export-empty = `{ $file }` ne contient aucun point
 target-formula = la cible `{ $target }` est une formule dans un tableur
     .hint = la renommer, ou indiquer un `label` sans son premier caractère
 
-target-without-pose = la ligne nomme une cible mais pas de pose
-    .hint = nommer la pose dans l’étiquette, ou indiquer `pose = "row"` pour cet export
+target-without-pose = la ligne mentionne une cible mais pas de pose
+    .hint = indiquer la pose dans l’étiquette, ou indiquer `pose = "row"` pour cet export
 
 target-twice = la cible `{ $target }` figure deux fois à la pose { $pose }, cycle { $cycle }
     .hint = la première est { $file }:{ $line } ; { $numbered ->
@@ -80,8 +80,8 @@ target-twice = la cible `{ $target }` figure deux fois à la pose { $pose }, cyc
         }
 
 labels-unused = { $count ->
-        [one] { $count } étiquette ne nomme aucune cible et n’est utilisée
-       *[other] { $count } étiquettes ne nomment aucune cible et ne sont utilisées
+        [one] { $count } étiquette ne mentionne aucune cible et n’est utilisée
+       *[other] { $count } étiquettes ne mentionnent aucune cible et ne sont utilisées
     } par aucun élément ni référentiel ; la première est `{ $label }`
     .hint = corriger l’étiquette, ou `label` de cet export
 
@@ -113,7 +113,7 @@ excluded-readings = exclu : { $count ->
 exclusions-leave-nothing = les exclusions ne laissent aucune lecture
     .hint = supprimer une exclusion
 
-exclusion-names-nothing = `{ $stated }` ne nomme aucune { $of ->
+exclusion-names-nothing = `{ $stated }` ne mentionne aucune { $of ->
         [rows] ligne
        *[poses] pose
     } à exclure
@@ -165,7 +165,7 @@ join-contradicts = { $count ->
 
 row-counts-differ = `{ $file }` a { $rows } lignes, le journal `{ $log }` en a { $log_rows }
     .expected = des nombres égaux pour une jointure par ligne
-    .hint = compléter le fichier auquel il manque des lignes ; ou nommer pose et cycle dans les deux, et joindre par eux
+    .hint = compléter le fichier auquel il manque des lignes ; ou indiquer pose et cycle dans les deux, et joindre par eux
 
 approach-direction-unknown = le journal `{ $log }` ne montre pas dans quel sens l’articulation `{ $joint }` est arrivée
     .hint = `backlash` le nécessite : indiquer les temps des lignes (`time_s` dans `columns`, ou `period_s`), ou `{ $column }` dans `columns` : +1 par le bas, -1 par le haut
@@ -206,10 +206,10 @@ pose-misspelt = la pose `{ $pose }` { $of ->
     }
 
 join-key-missing = la jointure nécessite `{ $key }`, que des lignes n’ont pas
-    .hint = la nommer dans `label` des exports et dans `columns` du journal, ou changer `by` dans [join]
+    .hint = l’indiquer dans `label` des exports et dans `columns` du journal, ou changer `by` dans [join]
 
 join-by-label-targets = une jointure par étiquette est pour un robot à une cible ; celui-ci en a { $count }
-    .hint = nommer une cible, ou choisir une autre clé par `by` dans [join]
+    .hint = indiquer une cible, ou choisir une autre clé par `by` dans [join]
 
 join-by-label-frame = une jointure par étiquette nécessite un référentiel atelier unique pour toutes les poses
     .hint = définir le référentiel par des points qui ne bougent pas
@@ -248,7 +248,7 @@ rows-without-point = { $count ->
     } du journal `{ $log }` sans point mesuré
 
 target-time-twice = { $count } points de la cible `{ $target }` ont le même temps (lignes { $lines })
-    .hint = corriger les temps, ou nommer la cible de chaque point
+    .hint = corriger les temps, ou indiquer la cible de chaque point
 
 log-row-met-twice = la ligne { $row } du journal `{ $log }` est la plus proche de { $count } points de la cible `{ $target }` (lignes { $lines })
     .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s`
@@ -296,12 +296,12 @@ near-without-surface = `near_mm` est pour des positions sur des surfaces
 kind-of-arms = les { $kind ->
         [joints] valeurs articulaires
        *[poses] poses
-    } sont pour des bras spatiaux, pas pour `{ $model }`
+    } sont pour des bras tridimensionnels, pas pour `{ $model }`
     .hint = observer des positions ou distances de cibles
 
 kind-unknown = `{ $name }` n’est pas un type d’observation
 
-name-on-few-rows = `{ $name }` n’est nommé que dans { $count ->
+name-on-few-rows = `{ $name }` n’est indiqué que dans { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
     }, et `{ $meant }` dans { $meant_count }
@@ -318,9 +318,9 @@ partial-coordinates = { $count ->
     } une ou deux coordonnées d’une cible : chacune compte pour elle-même
 
 station-missing = la colonne `station` est vide ici, et d’autres points en ont une
-    .hint = nommer la station : les lignes sans station sont celles de la station du monde, qui doit voir le robot à { $least } poses ou plus
+    .hint = indiquer la station : les lignes sans station sont celles de la station du monde, qui doit voir le robot à { $least } poses ou plus
 
-coordinates-unknown = `{ $text }` ne nomme pas de coordonnées
+coordinates-unknown = `{ $text }` ne mentionne pas de coordonnées
     .expected = des lettres parmi x, y et z : "z", "xy"
 
 place-missing = la position de `{ $point }` manque ou n’est pas un nombre
@@ -399,14 +399,14 @@ commanded-pose-unmeasured = la pose { $pose } est commandée, mais rien n’y a 
 trajectory-empty = la trajectoire n’a pas de pose
     .hint = indiquer les poses d’un cycle dans leur ordre, par exemple [1, 2, 1, 3]
 
-coplanar-not-four = `coplanar` ne nomme pas quatre poses de la trajectoire
+coplanar-not-four = `coplanar` ne mentionne pas quatre poses de la trajectoire
     .expected = quatre de ses poses, une fois chacune
 
 pose-not-in-trajectory = la pose { $pose } (cycle { $cycle }) n’est pas dans la trajectoire
     .hint = corriger l’étiquette, ou ajouter la pose à `trajectory`
 
 pose-of-several-targets = la pose { $pose } (cycle { $cycle }) a des visites de `{ $target }` et d’une autre cible
-    .hint = nommer l’unique cible de l’essai dans `label`
+    .hint = indiquer l’unique cible de l’essai dans `label`
 
 pose-of-cycle = pose { $pose } du cycle { $cycle }
 
@@ -467,7 +467,7 @@ assembly-mode-ambiguous = les deux modes d’assemblage conviennent également 
 assembly-modes-assumed = le mode d’assemblage de { $count } observations a été tiré de la mesure ({ $positive } en mode +1, { $negative } en mode -1) ; le moins net est celui de la pose { $pose } : { FIXED($near_mm, 1) } mm et { FIXED($far_mm, 1) } mm
     .hint = indiquer une colonne `assembly` avec 1 ou -1 si le journal la contient
 
-height-missing = les observations d’un robot spatial n’ont pas de `z_mm`
+height-missing = les observations d’un robot tridimensionnel n’ont pas de `z_mm`
     .hint = ajouter la colonne `z_mm`
 
 uncertainties-twice = le tableau indique à la fois des incertitudes-types et des covariances de coordonnées
@@ -519,7 +519,7 @@ target-positions = `{ $target }` ({ $count ->
     })
 
 coordinates-commanded = le robot nominal reproduit les coordonnées de { $targets } à partir des valeurs articulaires à { SCIENTIFIC($largest_mm, 2) } mm près, l’arrondi du fichier : elles ont été commandées, non mesurées
-    .hint = nommer les coordonnées mesurées dans `columns` ; si les données sont simulées, indiquer `synthetic` dans la campagne
+    .hint = indiquer les coordonnées mesurées dans `columns` ; si les données sont simulées, indiquer `synthetic` dans la campagne
 
 frame-points-mirrored = les points du référentiel atelier sont à { FIXED($off_mm, 3) } mm de leurs positions nominales, et conviennent à leur image miroir à { FIXED($limit_mm, 3) } mm près
     .hint = deux axes de l’export sont intervertis, ou l’un a le signe opposé : vérifier ses colonnes
@@ -530,7 +530,7 @@ frame-point-off = `{ $point }` est à { FIXED($off_mm, 3) } mm de sa position n
 frame-points-off = de `{ $first }` à `{ $second }`, il y a { FIXED($measured_mm, 3) } mm mesurés, { FIXED($nominal_mm, 3) } mm nominaux (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du plan
 
-nominal-point-unmeasured = `nominal_mm` nomme `{ $point }`, qui n’a pas été mesuré
+nominal-point-unmeasured = `nominal_mm` mentionne `{ $point }`, qui n’a pas été mesuré
 
 nominal-few-points = `nominal_mm` nécessite trois points ou plus
     .hint = ajouter des points du référentiel, ou le supprimer
@@ -563,14 +563,14 @@ orientations-off = les orientations observées diffèrent de celles du robot { $
         [nominal] nominal
        *[identified] identifié
     } de { FIXED($median_deg, 1) } deg (médiane)
-    .hint = vérifier que qw, qx, qy, qz tournent des vecteurs du corps vers le monde, le scalaire en premier ; ou l’ordre des angles : sans `orientation`, ceux qui conviennent sont nommés
+    .hint = vérifier que qw, qx, qy, qz tournent des vecteurs du corps vers le monde, le scalaire en premier ; ou l’ordre des angles : sans `orientation`, ceux qui conviennent sont indiqués
 
 few-poses-to-leave-out = { $count ->
         [one] { $count } pose d’étalonnage est insuffisante
        *[other] { $count } poses d’étalonnage sont insuffisantes
     } pour en laisser de côté
     .expected = au moins { $least }
-    .hint = en mesurer plus, ou en nommer plus dans `calibration`
+    .hint = en mesurer plus, ou en indiquer plus dans `calibration`
 
 nothing-to-judge = rien de ce qui a été observé n’est une position, une distance ou un contact
     .hint = les paramètres sont jugés par des erreurs de position : en mesurer
@@ -615,7 +615,7 @@ world-axis-without-direction = l’axe du référentiel atelier n’a pas de dir
     .expected = deux étiquettes, de et à, ou un élément avec une direction
 
 world-side-undetermined = `towards` est sur l’axe : il ne détermine pas le côté de l’autre axe
-    .hint = nommer un point à côté de l’axe
+    .hint = indiquer un point à côté de l’axe
 
 frame-few-targets = le référentiel atelier a { $count ->
         [one] { $count } cible
@@ -713,11 +713,11 @@ outliers-too-many = `outliers = "exclude"` exclurait plus de { $share_percent }�
 log-correlates = avec le journal `{ $log }`, les résidus sont corrélés à la différence des deux journaux (r = { FIXED($correlation, 2) }) : leur moyenne quadratique est { FIXED($rms_mm, 3) } mm, avec le journal `{ $other }` { FIXED($other_rms_mm, 3) } mm
 
 use-log = { $hint ->
-        [name-first] identifier avec le journal `{ $log }` : le nommer en premier
+        [name-first] identifier avec le journal `{ $log }` : l’indiquer en premier
        *[is-used] le journal `{ $log }` est à utiliser, comme le fait cette campagne
     }
 
-selected-pose-unmeasured = `{ $pose }` ne nomme aucune pose mesurée
+selected-pose-unmeasured = `{ $pose }` ne mentionne aucune pose mesurée
 
 selection-without-pose = `{ $set }` ne choisit aucune pose mesurée
 
@@ -771,7 +771,7 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($l
 parameters-unstable = non stables, et imposés : les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes, en écarts-types de la différence : { $parameters }
     .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et regarder les résidus
 
-hold-unknown = `hold` nomme `{ $pattern }`, qui n’est pas un paramètre de ce robot
+hold-unknown = `hold` mentionne `{ $pattern }`, qui n’est pas un paramètre de ce robot
 
 residuals-pose-not-planar = `residuals = "pose"` est pour les robots plans, pas pour `{ $model }`
     .hint = utiliser `residuals = "targets"`
@@ -861,7 +861,7 @@ undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée
 undescribed-other-poses = les poses d’étalonnage conviennent, et aucun mouvement du référentiel n’explique les autres : vérifier que le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
 
 prior-of-nominal = des paramètres nominaux n’ont pas de covariance pour `--frames prior`
-    .hint = en nommer d’identifiés par `--parameters`, ou utiliser `--frames refit`
+    .hint = en indiquer d’identifiés par `--parameters`, ou utiliser `--frames refit`
 
 prior-of-conditions = `--frames prior` est pour des positions mesurées seulement
     .hint = exclure les lignes d’autres types, ou réajuster base et cibles : `--frames refit`

@@ -146,7 +146,7 @@ visits-read-once = répétabilité sans bruit : aucune visite n’a deux lectur
     .hint = prendre plusieurs lectures à chaque visite : elles montrent le bruit de l’instrument
 
 coplanar-poses-on-line = coplanéité : trois des quatre positions moyennes sont alignées
-    .hint = nommer quatre poses qui définissent un plan
+    .hint = indiquer quatre poses qui définissent un plan
 
 distance-counts-differ = distance : { $first } et { $second } positions
     .expected = les deux poses dans les mêmes cycles
