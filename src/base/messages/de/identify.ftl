@@ -73,9 +73,9 @@ named-poses = { $count ->
 
 poses-unreachable = der nominale Roboter kann die Gelenkwerte nicht annehmen: { $poses }
 
-extents-differ = gemessene Punkte erstrecken sich über { FIXED($measured_mm, 0) } mm, die des Modells über { FIXED($model_mm, 0) } mm
+extents-differ = gemessene Punkte erstrecken sich über { FIXED($measured_mm, 0) } mm, die des Modells über { FIXED($model_mm, 0) } mm
 
-assembly-mode-contradicted = die gemessene Position widerspricht dem Montagemodus ({ $poses }): für Pose { $worst } lässt der angegebene Modus { $stated } { FIXED($stated_mm, 1) } mm, Modus { $other } { FIXED($other_mm, 1) } mm
+assembly-mode-contradicted = die gemessene Position widerspricht dem Montagemodus ({ $poses }): für Pose { $worst } lässt der angegebene Modus { $stated } { FIXED($stated_mm, 1) } mm, Modus { $other } { FIXED($other_mm, 1) } mm
 
 scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Roboters ist der seiner Nennlängen{ $lengths ->
         [none] {""}
@@ -83,12 +83,12 @@ scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Robo
     }
     .hint = einen Abstand zwischen zwei Aufnahmen oder zu einem festen Punkt messen, oder die Position einer Zielmarke
 
-readings-weighted = { $own } von { $readings } Messwerten sind mit ihren eigenen Standardunsicherheiten gewichtet: { FIXED($least_mm, 4) } bis { FIXED($most_mm, 4) } mm je Koordinate
+readings-weighted = { $own } von { $readings } Messwerten sind mit ihren eigenen Standardunsicherheiten gewichtet: { FIXED($least_mm, 4) } bis { FIXED($most_mm, 4) } mm je Koordinate
 
-rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: `{ $first }` bis `{ $second }` { FIXED($found_mm, 4) } mm { $by ->
+rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: `{ $first }` bis `{ $second }` { FIXED($found_mm, 4) } mm { $by ->
         [identification] ohne sie identifiziert
        *[measurement] gemessen
-    }, { FIXED($stated_mm, 4) } mm angegeben
+    }, { FIXED($stated_mm, 4) } mm angegeben
 
 stated-positions = angegebene Positionen
 
@@ -110,14 +110,14 @@ no-redundant-observations = es gibt so viele Gleichungen wie Parameter: die Unsi
 pose-residuals-correlated = Residuen einer Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt, dem { FIXED($ratio, 1) }-fachen derer des Messgeräts
     .hint = der Roboter hat Fehler, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Fehler der Messwerte einer Pose
 
-instrument-uncertainty-too-large = Residuen betragen das { FIXED($ratio, 2) }-fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind zu groß
+instrument-uncertainty-too-large = Residuen betragen das { FIXED($ratio, 2) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind zu groß
     .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Fehler aller Posen sind in Residuen nicht sichtbar
 
-residuals-exceed-uncertainty = Residuen betragen das { FIXED($ratio, 1) }-fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind { $from ->
+residuals-exceed-uncertainty = Residuen betragen das { FIXED($ratio, 1) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): Standardunsicherheiten sind { $from ->
         [poses] aus der Streuung der Posen geschätzt
         [regions] aus der Streuung von Bereichen des Arbeitsraums geschätzt
        *[residuals] vergrößert, als wären Residuen einer Pose unabhängig
-    } (das { FIXED($inflation, 1) }-fache derer des Messgeräts, Median)
+    } (das { FIXED($inflation, 1) }-Fache derer des Messgeräts, Median)
     .hint = Ausreißer und Modell prüfen: der Roboter hat Fehler, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 
 parameters-fixed-by-frames = { $count } Parameter sind nicht getrennt von Basis und Zielmarken identifizierbar und bleiben auf ihren Nennwerten: { $parameters }
@@ -139,16 +139,16 @@ parameter-separable-poorly = `{ $parameter }` ist von { $others } nur mit einer 
 tool-targets-collinear = die Zielmarken bestimmen kein System für den Werkzeugpunkt: im Raum braucht es drei, nicht auf einer Geraden; in der Ebene zwei
     .hint = den Punkt im System des Flansches angeben oder die erste Zielmarke selbst verwenden ([0, 0, 0])
 
-nominal-robot-far = der nominale Roboter verfehlt die Messungen um { FIXED($left_mm, 3) } mm (quadratischer Mittelwert, Basis und Zielmarken angepasst); die Toleranzen lassen { FIXED($allowed_mm, 3) } mm zu
+nominal-robot-far = der nominale Roboter verfehlt die Messungen um { FIXED($left_mm, 3) } mm (quadratischer Mittelwert, Basis und Zielmarken angepasst); die Toleranzen lassen { FIXED($allowed_mm, 3) } mm zu
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
 
 nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht annehmen
     .hint = Vorzeichen, Einheiten und Reihenfolge der Gelenke, die Nennwerte und die Verknüpfung von Gelenkwerten und Punkten prüfen
 
-placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
+placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
     .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke und die Nennparameter des Roboters prüfen
 
-reference-moved = ab Pose { $pose } sind die gemessenen Positionen um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) gegen die bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+reference-moved = ab Pose { $pose } sind die gemessenen Positionen um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) gegen die bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
     .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen
 
 parameters-weakly-identifiable = { $groups } sind aus diesen Posen schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
@@ -185,9 +185,9 @@ candidates-left-out = { $count ->
 candidate-violation = Pose { $pose } ({ $reason })
 
 at-geometric-step = { $step ->
-        [lead-1] Steigung von Aktor 1
-        [lead-2] Steigung von Aktor 2
-        [lead-3] Steigung von Aktor 3
+        [lead-1] Steigung von Antrieb 1
+        [lead-2] Steigung von Antrieb 2
+        [lead-3] Steigung von Antrieb 3
         [base] Basissystem
         [mobile] bewegtes System
         [shaft] Welle
@@ -196,24 +196,24 @@ at-geometric-step = { $step ->
 
 geometric-step-alone = { $step ->
         [shaft] die Welle braucht den Bogen der Kugel N
-       *[offsets] die Verschiebung von Aktor 1 braucht den Bogen der Kugel N, die gedrehte Plattform und die Welle
+       *[offsets] die Verschiebung von Antrieb 1 braucht den Bogen der Kugel N, die gedrehte Plattform und die Welle
     }
     .hint = die fehlenden Schritte messen oder diesen weglassen
 
-geometry-incomplete = die vollständige Geometrie braucht den Bogen der Kugel N, die gedrehte Plattform, die Welle in zwei Positionen und eine Verschiebung von Aktor 1
+geometry-incomplete = die vollständige Geometrie braucht den Bogen der Kugel N, die gedrehte Plattform, die Welle in zwei Positionen und eine Verschiebung von Antrieb 1
     .expected = mindestens eine Wiederholung von jedem
 
 ball-unmoved = { $ball ->
-        [R] Kugel R hat sich nicht bewegt, während Aktor 2 zu seinem Ende fuhr
-       *[K] Kugel K hat sich entlang x um weniger als 1 mm bewegt, während Aktor 1 zu seinem Ende fuhr
+        [R] Kugel R hat sich nicht bewegt, während Antrieb 2 zu seinem Ende fuhr
+       *[K] Kugel K hat sich entlang x um weniger als 1 mm bewegt, während Antrieb 1 zu seinem Ende fuhr
     }
-    .hint = Kugel { $ball } noch einmal messen, nachdem Aktor { $actuator } allein zu seinem Ende gefahren ist
+    .hint = Kugel { $ball } noch einmal messen, nachdem Antrieb { $actuator } allein zu seinem Ende gefahren ist
 
-lead-undetermined = diese Positionen bestimmen die Steigung des Aktors nicht
+lead-undetermined = diese Positionen bestimmen die Steigung des Antriebs nicht
     .expected = mindestens drei Messwerte bei zwei oder mehr kommandierten Verschiebungen
 
 shaft-positions-parallel = die beiden Positionen der Welle sind parallel: ihre Achsen schneiden sich nicht
-    .hint = dazwischen Aktor 2 allein zu seinem Ende fahren
+    .hint = dazwischen Antrieb 2 allein zu seinem Ende fahren
 
 points-undetermined = diese Punkte bestimmen das angepasste Element nicht
     .hint = die Positionen über den ganzen Weg oder Winkel verteilen
@@ -228,7 +228,7 @@ slip-joint-order = die Gelenke { $order ->
        *[right] um einen Platz zur anderen Seite verschoben
     }
 
-slip-offset = { $degrees } deg zu { $joint } addiert
+slip-offset = { $degrees } deg zu { $joint } addiert
 
 slip-unit = { $quantity ->
         [all-joints] alle Gelenke
@@ -260,9 +260,9 @@ slip-neighbour = die Gelenke jeder Pose aus der { $neighbour ->
 
 slip-convention = { $convention }
 
-slip-world-frame = das Weltsystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
+slip-world-frame = das Weltkoordinatensystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
 
-slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
+slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
 
 with-slip = mit { $slip }{ $origin ->
         [none] {""}
@@ -272,8 +272,8 @@ with-slip = mit { $slip }{ $origin ->
 set-up-slip = { $first }{ $others ->
         [none] {""}
        *[other] {" "}(ebenso { $others })
-    } lässt eine Identifikation { FIXED($changed_mm, 3) } mm (quadratischer Mittelwert){ $stated ->
+    } lässt eine Identifikation { FIXED($changed_mm, 3) } mm (quadratischer Mittelwert){ $stated ->
         [unreachable] ; ohne das sind Posen nicht erreichbar
         [tolerances] {" "}und hält Parameter in ihren Toleranzen
-       *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
+       *[residuals] {" "}statt { FIXED($stated_mm, 3) } mm
     }: das zuerst prüfen

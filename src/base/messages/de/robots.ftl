@@ -2,7 +2,7 @@
 
 meaning-axis-displacement = Kleine Verschiebung der Gelenkachse längs der Achse am Ende des Namens.
 meaning-axis-rotation = Kleine Drehung der Gelenkachse um die Achse am Ende des Namens; gegen den Uhrzeigersinn positiv.
-meaning-backlash = Umkehrspanne des Gelenks: Stellung beim Anfahren von oben minus Stellung beim Anfahren von unten, beim selben aufgezeichneten Wert; 0 ohne Spiel.
+meaning-backlash = Umkehrspiel des Gelenks: Stellung beim Anfahren von oben minus Stellung beim Anfahren von unten, beim selben aufgezeichneten Wert; 0 ohne Spiel.
 meaning-ball-distance = Abstand der Kugeln K und L.
 meaning-ball-line-angle = Winkel von der x-Achse der Plattform zur Geraden durch die Kugeln K und L; gegen den Uhrzeigersinn positiv.
 meaning-base-orientation = Orientierung der Basis im Weltkoordinatensystem als Rotationsvektor; gegen den Uhrzeigersinn positiv.

@@ -11,7 +11,7 @@ uncertainty-source = { $section ->
 
 key-uncertainty-implausible = `{ $key }` = { $value } ist keine Unsicherheit einer gemessenen Koordinate in Mikrometern
     .expected = ein Wert von { $least } bis { $most }
-    .hint = die Einheit prüfen: 0.0027 mm sind 2.7 µm
+    .hint = die Einheit prüfen: 0.0027 mm sind 2.7 µm
 
 target-named-twice = die Zielmarke `{ $target }` ist zweimal genannt
     .hint = jede Zielmarke einmal nennen
@@ -60,19 +60,19 @@ feature-element = Element `{ $feature }` ist nicht genau ein Geometrieelement
 feature-label-twice = Element `{ $feature }` nennt `{ $label }` zweimal
     .hint = jede Bezeichnung einmal nennen
 
-nominal-without-tolerance = `nominal_mm` und `tolerance_mm` des Weltsystems gehören zusammen
+nominal-without-tolerance = `nominal_mm` und `tolerance_mm` des Weltkoordinatensystems gehören zusammen
     .hint = die Positionen der Zeichnung und den größten zulässigen Abstand eines Punktes davon angeben
 
-world-frame-definition = das Weltsystem muss auf genau eine Weise definiert sein
+world-frame-definition = das Weltkoordinatensystem muss auf genau eine Weise definiert sein
     .expected = `plane` mit `origin` und einer Achse, oder `targets`, oder `as_exported = true`
 
-key-of-other-frame = `{ $key }` hat in diesem Weltsystem keine Wirkung
+key-of-other-frame = `{ $key }` hat in diesem Weltkoordinatensystem keine Wirkung
     .hint = entfernen oder das System durch `{ $definition }` definieren
 
-frame-axis-without-direction = die Achse des Weltsystems hat keine Richtung
+frame-axis-without-direction = die Achse des Weltkoordinatensystems hat keine Richtung
     .expected = zwei Bezeichnungen (von, nach) oder ein Element mit einer Richtung
 
-plane-frame-incomplete = ein Weltsystem aus einer Ebene braucht `origin`, eines von `x_axis` und `y_axis`, und `towards`
+plane-frame-incomplete = ein Weltkoordinatensystem aus einer Ebene braucht `origin`, eines von `x_axis` und `y_axis`, und `towards`
     .hint = in `towards` eine Bezeichnung auf der positiven Seite der anderen Achse nennen: sie bestimmt die Richtung von z
 
 file-name-empty = der Name der Datei ist leer
@@ -83,7 +83,7 @@ date-invalid = `date` beginnt nicht mit einem Kalenderdatum
 
 temperature-implausible = `temperature_c` = { $value } ist keine Temperatur eines Roboters in Grad Celsius
     .expected = ein Wert von { $least } bis { $most }
-    .hint = die Einheit prüfen: 293.15 K sind 20 °C
+    .hint = die Einheit prüfen: 293.15 K sind 20 °C
 
 geometric-step-missing = in [geometric] fehlt `{ $missing }`, das `{ $step }` braucht
     .hint = ergänzen; s braucht `shaft` und `arc`; d1 und d3 brauchen `offsets`, `mid_travel_mm`, `arc`, `turn` und `shaft`; O braucht `arc`; C braucht `turn`
@@ -94,11 +94,11 @@ errors-table-incomplete = eine Fehlertabelle braucht die vollständige geometris
 key-out-of-range = `{ $key }` = { $value } liegt außerhalb von { $least } bis { $most }
 
 plausible-value = { $quantity ->
-        [scale] die Einheit prüfen: 1 µm/m ist 1 ppm
-        [polar] die Einheit prüfen: 10 ppm sind 10 µm/m, 1 Bogensekunde ist 4.85 µm/m
+        [scale] die Einheit prüfen: 1 µm/m ist 1 ppm
+        [polar] die Einheit prüfen: 10 ppm sind 10 µm/m, 1 Bogensekunde ist 4.85 µm/m
         [expansion] die Einheit prüfen: Stahl dehnt sich um 11.5e-6 je Grad aus, Aluminium um 23.5e-6
         [temperature] in Grad Celsius angeben
-        [coverage] den Erweiterungsfaktor angeben: 2 entspricht einem Grad des Vertrauens von etwa 95 %
+        [coverage] den Erweiterungsfaktor angeben: 2 entspricht einem Grad des Vertrauens von etwa 95 %
        *[homing] mehrere Referenzfahrten ausführen und die Streuung eines Gelenks an seinem Schalter verwenden
     }
 
@@ -160,11 +160,11 @@ not-an-output-folder = `{ $folder }` ist kein Ausgabeordner eines Laufs: manifes
     .hint = einen Ordner angeben, den `etalon run` schrieb, oder eine ausgeführte Kampagne
 
 file-not-of-run = der Lauf hat `{ $file }` nicht geschrieben
-    .hint = die Kampagne noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 
 file-changed-since-run = `{ $file }` wurde nach dem Lauf geändert
     .expected = der SHA-256 { $sha256 } aus manifest.json
-    .hint = die Kampagne noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
 
 folder-replaced = ein anderer Prozess hat `{ $folder }` beim Lesen ersetzt
     .hint = den Befehl wiederholen, wenn der andere Prozess beendet ist
@@ -183,7 +183,7 @@ foreign-file = `{ $file }` würde überschrieben, und kein Lauf hat es geschrieb
     .hint = in einen anderen Ordner verschieben oder in campaign.toml ein anderes `output` angeben
 
 input-changed = `{ $file }` hat sich während des Laufs geändert
-    .hint = die Kampagne noch einmal ausführen, wenn die Datei vollständig ist
+    .hint = die Kampagne erneut ausführen, wenn die Datei vollständig ist
 
 identify-missing = die Kampagne hat kein [identify], das die Posen zur Beurteilung der Parameter nennt
     .hint = `calibration` und `validation` in [identify] angeben

@@ -67,7 +67,7 @@ measurement-name = Zielmarke `{ $target }`, Pose { $pose }, Zyklus { $cycle }
 truth-pose-out-of-reach = Pose { $pose } ist unerreichbar: { $reason }
     .hint = die Pose in der Wahrheit oder [reach] in robot.toml berichtigen
 
-truth-point-out-of-reach = Pose { $pose }: der wahre Roboter erreicht seinen Punkt { $point } mm nicht
+truth-point-out-of-reach = Pose { $pose }: der wahre Roboter erreicht seinen Punkt { $point } mm nicht
     .hint = den Punkt oder die Pose in der Wahrheit berichtigen
 
 observe-without-table = die Wahrheit hat [[observe]], und die Kampagne kein [observations]
@@ -114,7 +114,7 @@ truth-not-touching = Pose { $pose }: keine Gelenkwerte nahe der Wahrheit stellen
 angle-uncertainty-missing = die Unsicherheit eines Winkels fehlt
     .hint = `expanded_rotation_uncertainty_deg` in [instrument] oder `urot_deg` in [[observe]] angeben
 
-simulated-table-misread = `{ $file }` würde falsch gelesen: eine Beobachtung von Pose { $pose } weicht um { FIXED($off, 3) } mm oder rad ab
+simulated-table-misread = `{ $file }` würde falsch gelesen: eine Beobachtung von Pose { $pose } weicht um { FIXED($off, 3) } mm oder rad ab
     .hint = `pose = "row"` und `target` von [observations] gelten für eine Zielmarke und eine Zeile je Pose
 
 truth-geometric-without-campaign = die Wahrheit hat [geometric], die Kampagne nicht oder ihr Roboter ist kein PreXYT

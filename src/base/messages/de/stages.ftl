@@ -1,9 +1,9 @@
 ### Meldungen von stages; Erklärungen in en/stages.ftl.
 
-rigid-distance-off = der Abstand { $first }-{ $second } ist { FIXED($off_mm, 3) } mm { $side ->
+rigid-distance-off = der Abstand { $first }-{ $second } ist { FIXED($off_mm, 3) } mm { $side ->
         [shorter] kürzer
        *[longer] länger
-    } als sein Median (Toleranz { $limit_mm } mm)
+    } als sein Median (Toleranz { $limit_mm } mm)
 
 rigid-point-coincides = { $message }; der Punkt liegt, wo `{ $other }` ist
 
@@ -58,7 +58,7 @@ point-lies-at-another = Zeile { $row }: `{ $point }` liegt, wo `{ $other }` ist{
 drift-few-readings = `{ $target }` ist { $count }-mal gemessen: zu selten, um eine Drift zu erkennen
     .expected = { $least } oder mehr
 
-reference-drifts = `{ $target }` driftet: von den Zeilen { $first } zu den Zeilen { $second } bewegt es sich um { FIXED($moved_mm, 4) } mm; Grenze { $limit_mm } mm
+reference-drifts = `{ $target }` driftet: von den Zeilen { $first } zu den Zeilen { $second } bewegt es sich um { FIXED($moved_mm, 4) } mm; Grenze { $limit_mm } mm
     .hint = Temperatur und Aufstellung des Messgeräts prüfen; mit `targets` und `each = "pose"` in [frame.world] folgt das System den Zielmarken
 
 frames-differ = die Punkte beziehen sich auf das System `{ $second }`, die eines anderen Exports auf `{ $first }`
@@ -85,9 +85,9 @@ labels-unused = { $count ->
     } von keinem Element oder System verwendet; die erste ist `{ $label }`
     .hint = die Bezeichnung oder `label` dieses Exports berichtigen
 
-column-step = { $column } auf { $step } { $unit }
+column-step = { $column } auf { $step } { $unit }
 
-coordinates-rounded = Koordinaten von `{ $file }` sind gerundet ({ $columns }): Standardunsicherheit { FIXED($rounding_um, 1) } µm, Messgerät { FIXED($instrument_um, 1) } µm
+coordinates-rounded = Koordinaten von `{ $file }` sind gerundet ({ $columns }): Standardunsicherheit { FIXED($rounding_um, 1) } µm, Messgerät { FIXED($instrument_um, 1) } µm
     .hint = sie mit mehr Dezimalen exportieren
 
 labels-missing = kein Punkt hat eine Bezeichnung der Form `{ $pattern }`
@@ -139,7 +139,7 @@ exclusion-matches-nothing = { $of ->
 join-missing = Exporte und Protokolle brauchen [join]
     .hint = `by` in [join] angeben: "pose", "pose_and_cycle", "row", "time" oder "label"
 
-join-by-time-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die beiden nächsten Zeiten liegen { FIXED($apart_s, 3) } s auseinander
+join-by-time-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die beiden nächsten Zeiten liegen { FIXED($apart_s, 3) } s auseinander
     .hint = Wert und Vorzeichen von `clock_offset_s` prüfen: Zeit der Messung minus Zeit des Protokolls
 
 join-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die erste Pose der Punkte ist `{ $measured }`, des Protokolls `{ $logged }`
@@ -148,13 +148,13 @@ join-empty = kein Messpunkt hat ein Gegenstück in Protokoll `{ $log }`: die ers
 clock-from-standstills = die Uhr von Protokoll `{ $log }` ist nach { $count ->
         [one] 1 Stillstand
        *[other] { $count } Stillständen
-    } gestellt: Versatz { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
+    } gestellt: Versatz { FIXED($offset_s, 3) } s ± { FIXED($half_width_s, 3) } s
     .hint = mit diesem Versatz fällt jeder Messpunkt in einen Stillstand
 
 pose-without-frame = { $count ->
         [one] 1 Pose
        *[other] { $count } Posen
-    } ohne Weltsystem, ausgelassen: { $poses }
+    } ohne Weltkoordinatensystem, ausgelassen: { $poses }
     .hint = die Zielmarken des Systems wurden abgewiesen oder nicht gemessen: siehe import.json
 
 join-contradicts = { $count ->
@@ -173,8 +173,8 @@ approach-direction-unknown = Protokoll `{ $log }` zeigt nicht, aus welcher Richt
 backlash-direction-unknown = Protokoll `{ $log }` hat keine Bewegung eines Gelenks mit Umkehrspiel vor Pose { $poses }: ausgelassen
     .hint = das Protokoll vor der ersten Pose beginnen oder die Anfahrrichtung angeben
 
-targets-out-of-plane = die Zielmarken des ebenen Roboters haben Höhen von { FIXED($low_mm, 3) } mm bis { FIXED($high_mm, 3) } mm im Weltsystem
-    .hint = z der Exporte (Einheit, Vorzeichen, Spalte) und die Punkte prüfen, die die Ebene des Weltsystems festlegen
+targets-out-of-plane = die Zielmarken des ebenen Roboters haben Höhen von { FIXED($low_mm, 3) } mm bis { FIXED($high_mm, 3) } mm im Weltkoordinatensystem
+    .hint = z der Exporte (Einheit, Vorzeichen, Spalte) und die Punkte prüfen, die die Ebene des Weltkoordinatensystems festlegen
 
 log-column-missing = Protokoll `{ $log }` hat keine Spalte `{ $column }`
 
@@ -211,7 +211,7 @@ join-key-missing = die Verknüpfung braucht `{ $key }`, das manche Zeilen nicht 
 join-by-label-targets = eine Verknüpfung nach Bezeichnung ist für Roboter mit einer Zielmarke; dieser hat { $count }
     .hint = eine Zielmarke nennen oder mit `by` in [join] einen anderen Schlüssel wählen
 
-join-by-label-frame = eine Verknüpfung nach Bezeichnung braucht ein Weltsystem für alle Posen
+join-by-label-frame = eine Verknüpfung nach Bezeichnung braucht ein Weltkoordinatensystem für alle Posen
     .hint = das System aus Punkten bilden, die sich nicht bewegen
 
 label-not-measured = kein Messpunkt hat die Bezeichnung `{ $label }`
@@ -234,13 +234,13 @@ times-missing = { $of ->
 several-rows-near = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
-    } mehrere Zeilen von Protokoll `{ $log }` innerhalb von { $tolerance_s } s: die nächste zählt
+    } mehrere Zeilen von Protokoll `{ $log }` innerhalb von { $tolerance_s } s: die nächste zählt
     .hint = `tolerance_s` auf weniger als die halbe Periode des Protokolls verringern
 
 points-without-row = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
-    } keine Zeile von Protokoll `{ $log }` innerhalb von { $tolerance_s } s
+    } keine Zeile von Protokoll `{ $log }` innerhalb von { $tolerance_s } s
 
 rows-without-point = { $count ->
         [one] 1 Zeile
@@ -256,10 +256,10 @@ log-row-met-twice = Zeile { $row } von Protokoll `{ $log }` ist { $count } Punkt
 clock-offset-none = bei keinem Versatz der Uhren fällt jeder Messpunkt in einen Stillstand des Protokolls: { $count ->
         [one] 1 Zeit passt
        *[other] { $count } Zeiten passen
-    }, bis { $last_s } s; die Zeit { $first_s } s passt nicht
+    }, bis { $last_s } s; die Zeit { $first_s } s passt nicht
     .hint = in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben: Zeilen ohne Gegenstück werden dann aufgelistet
 
-range-of-seconds = { FIXED($low_s, 3) } bis { FIXED($high_s, 3) } s
+range-of-seconds = { FIXED($low_s, 3) } bis { FIXED($high_s, 3) } s
 
 clock-offsets-several = die Stillstände lassen { $count } Bereiche des Uhrenversatzes zu, zuerst: { $ranges }
     .hint = die Uhren vergleichen und `clock_offset_s` als Zahl angeben
@@ -281,7 +281,7 @@ distance-to-itself = der Abstand ist von `{ $name }` zu sich selbst
 number-missing = `{ $column }` fehlt oder ist keine Zahl
     .expected = { $column ->
             [offset_mm] der Abstand der Zielmarke von der Ebene längs ihrer Achse oder von der Kugel nach außen: der Radius einer Kugel, oder 0
-           *[value_deg] der Gelenkwert nach dem Schalter oder dem zweiten Drehgeber
+           *[value_deg] der Gelenkwert nach dem Schalter oder dem zweiten Geber
         }
 
 row-without-pose = eine Zeile der Art `{ $kind }` hat keine Pose
@@ -318,7 +318,7 @@ partial-coordinates = { $count ->
     } eine oder zwei Koordinaten einer Zielmarke an: jede zählt für sich
 
 station-missing = die Spalte `station` ist hier leer, und andere Punkte haben eine
-    .hint = die Station nennen: Zeilen ohne Station gehören zur Station des Weltsystems, die den Roboter an mindestens { $least } Posen sehen muss
+    .hint = die Station nennen: Zeilen ohne Station gehören zur Station des Weltkoordinatensystems, die den Roboter an mindestens { $least } Posen sehen muss
 
 coordinates-unknown = `{ $text }` nennt keine Koordinaten
     .expected = Buchstaben aus x, y und z: "z", "xy"
@@ -347,8 +347,8 @@ uncertainty-missing = die Zeile hat keine Standardunsicherheit
         }
 
 surface-axis-missing = { $kind ->
-        [line] die Gerade `{ $name }` braucht die Achse des Weltsystems, die ihr am nächsten ist
-       *[plane] die Ebene `{ $name }` braucht die Achse des Weltsystems, die ihrer Normalen am nächsten ist
+        [line] die Gerade `{ $name }` braucht die Achse des Weltkoordinatensystems, die ihr am nächsten ist
+       *[plane] die Ebene `{ $name }` braucht die Achse des Weltkoordinatensystems, die ihrer Normalen am nächsten ist
     }
     .expected = x, y oder z in der Spalte `axis`{ $kind ->
             [line] {""}
@@ -359,7 +359,7 @@ offset-of-line = `offset_mm` ist für Ebenen und Kugeln, nicht für eine Gerade
     .hint = die Zelle leer lassen
 
 near-missing = ein Ort auf { $kind } braucht `near_mm`
-    .hint = angeben, wo ungefähr er im Weltsystem liegt
+    .hint = angeben, wo ungefähr er im Weltkoordinatensystem liegt
 
 load-direction-unknown = `{ $direction }` ist keine Richtung
     .expected = +x, -x, +y, -y, +z oder -z
@@ -379,13 +379,13 @@ attained-poses-twice = [poses] und [repeatability] geben beide Istposen an
 limit-without-value = der Grenzwert `{ $limit }` kann nicht beurteilt werden: Pose { $pose } hat keinen solchen Wert
     .hint = jede Pose mindestens zweimal anfahren und als Sollpose angeben
 
-compensation-scatters = Istpositionen streuen nach der Kompensation durch Referenzmarken um { FIXED($after_mm, 4) } mm um das Mittel ihrer Pose, vorher um { FIXED($before_mm, 4) } mm
+compensation-scatters = Istpositionen streuen nach der Kompensation durch Referenzmarken um { FIXED($after_mm, 4) } mm um das Mittel ihrer Pose, vorher um { FIXED($before_mm, 4) } mm
     .hint = nach einer falschen Ablesung unter den Referenzmarken suchen oder sie weglassen
 
-reference-targets-misshapen = Referenzmarken von Zyklus { $cycle } liegen { FIXED($rms_mm, 4) } mm (quadratisches Mittel) neben einer starren Bewegung des ersten Zyklus; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
+reference-targets-misshapen = Referenzmarken von Zyklus { $cycle } liegen { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert) neben einer starren Bewegung des ersten Zyklus; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
     .hint = eine hat sich bewegt oder ist falsch gemessen: neu messen oder weglassen
 
-repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltsystem
+repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltkoordinatensystem
     .hint = das System aus Punkten bilden, die sich nicht bewegen
 
 commanded-angle-unmeasured = `{ $column }` ist vorgegeben, aber Bezeichnungen liefern nur Positionen
@@ -418,8 +418,8 @@ visits-missing = nicht gemessen: { $poses }{ $count ->
        *[other] {""}; insgesamt { $count }
     }
 
-homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { FIXED($rp_mm, 4) } mm
-    .hint = den Wert als obere Schranke verwenden oder mit einem besseren Messgerät messen
+homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { FIXED($rp_mm, 4) } mm
+    .hint = den Wert als Obergrenze verwenden oder mit einem besseren Messgerät messen
 
 central-part-too-large = { $option } ist mehr als die Bahn
     .expected = eine Zahl größer als 0 und höchstens 100
@@ -436,7 +436,7 @@ weave-incomplete = dem Pendeln fehlt { $option }
 weave-direction-count = { $option } hat nicht drei Zahlen
     .expected = x, y und z der Richtung der Auslenkung
 
-stream-twice = der Datenstrom `{ $stream }` steht zweimal da
+stream-twice = der Datenstrom `{ $stream }` kommt zweimal vor
     .hint = jedem Datenstrom einen eigenen Namen geben
 
 in-observation = Pose { $pose } Zyklus { $cycle } der Beobachtungen: { $message }
@@ -457,14 +457,14 @@ table-without-observations = es gibt keine Beobachtungen
 arms-apart = mit Nennparametern treffen sich die Arme bei diesen Gelenkwerten nicht
     .hint = Einheit, Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
 
-assembly-mode-missing = der Aufbaumodus ist nicht angegeben
+assembly-mode-missing = der Montagemodus ist nicht angegeben
     .expected = 1 oder -1 in der Spalte `assembly`
     .hint = Kandidaten können auch Positionen sein: `pose,x_mm,y_mm` ohne Gelenke ergibt alle Arbeitsmodi
 
-assembly-mode-ambiguous = beide Aufbaumodi passen gleich gut: { FIXED($near_mm, 2) } mm und { FIXED($far_mm, 2) } mm von der gemessenen Position
+assembly-mode-ambiguous = beide Montagemodi passen gleich gut: { FIXED($near_mm, 2) } mm und { FIXED($far_mm, 2) } mm von der gemessenen Position
     .hint = eine Spalte `assembly` mit 1 oder -1 angeben; oder den Ort der Basis (x_o, y_o, phi) unter [nominal]
 
-assembly-modes-assumed = der Aufbaumodus von { $count } Beobachtungen wurde der Messung entnommen ({ $positive } in Modus +1, { $negative } in Modus -1); am wenigsten eindeutig ist Pose { $pose }: { FIXED($near_mm, 1) } mm und { FIXED($far_mm, 1) } mm
+assembly-modes-assumed = der Montagemodus von { $count } Beobachtungen wurde der Messung entnommen ({ $positive } in Modus +1, { $negative } in Modus -1); am wenigsten eindeutig ist Pose { $pose }: { FIXED($near_mm, 1) } mm und { FIXED($far_mm, 1) } mm
     .hint = eine Spalte `assembly` mit 1 oder -1 angeben, wenn das Protokoll sie enthält
 
 height-missing = Beobachtungen eines räumlichen Roboters fehlt `z_mm`
@@ -474,10 +474,10 @@ uncertainties-twice = die Tabelle gibt Standardunsicherheiten und Kovarianzen vo
     .hint = `ux_mm`, `uy_mm`, `uz_mm` entfernen
 
 coordinate-uncertainty-missing = die Zeile gibt eine Unsicherheit an, aber `{ $column }` ist leer
-    .expected = von 0,00002 bis 100 mm, oder alle leer
+    .expected = von 0,00002 bis 100 mm, oder alle leer
 
 coordinate-uncertainty-unusable = `{ $column }` = { $value } ist nicht die Unsicherheit einer Koordinate
-    .expected = von 0,00002 bis 100 mm, oder alle leer
+    .expected = von 0,00002 bis 100 mm, oder alle leer
 
 position-covariance-invalid = die Kovarianz der Zeile ist nicht positiv definit
     .hint = Reihenfolge und Einheit der Spalten `cxx_mm2` .. prüfen
@@ -518,16 +518,16 @@ target-positions = `{ $target }` ({ $count ->
        *[other] { $count } Positionen
     })
 
-coordinates-commanded = der Nennroboter ergibt die Koordinaten von { $targets } aus den Gelenkwerten auf { SCIENTIFIC($largest_mm, 2) } mm, die Rundung der Datei: sie sind Sollwerte, nicht gemessen
+coordinates-commanded = der nominale Roboter ergibt die Koordinaten von { $targets } aus den Gelenkwerten auf { SCIENTIFIC($largest_mm, 2) } mm, die Rundung der Datei: sie sind Sollwerte, nicht gemessen
     .hint = in `columns` die gemessenen Koordinaten nennen; bei simulierten Daten in der Kampagne `synthetic` angeben
 
-frame-points-mirrored = die Punkte des Weltsystems sind { FIXED($off_mm, 3) } mm von ihren Nennorten entfernt und passen zu deren Spiegelbild auf { FIXED($limit_mm, 3) } mm
+frame-points-mirrored = die Punkte des Weltkoordinatensystems sind { FIXED($off_mm, 3) } mm von ihren Nennorten entfernt und passen zu deren Spiegelbild auf { FIXED($limit_mm, 3) } mm
     .hint = zwei Achsen des Exports sind vertauscht, oder eine hat das andere Vorzeichen: seine Spalten prüfen
 
-frame-point-off = `{ $point }` ist { FIXED($off_mm, 3) } mm von seinem Nennort relativ zu den anderen Punkten entfernt (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+frame-point-off = `{ $point }` ist { FIXED($off_mm, 3) } mm von seinem Nennort relativ zu den anderen Punkten entfernt (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = den Punkt, seine Bezeichnung und `nominal_mm` prüfen oder die Toleranz der Zeichnung angeben
 
-frame-points-off = von `{ $first }` bis `{ $second }` sind es gemessen { FIXED($measured_mm, 3) } mm, nominal { FIXED($nominal_mm, 3) } mm (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+frame-points-off = von `{ $first }` bis `{ $second }` sind es gemessen { FIXED($measured_mm, 3) } mm, nominal { FIXED($nominal_mm, 3) } mm (Toleranz { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = den Punkt, seine Bezeichnung und `nominal_mm` prüfen oder die Toleranz der Zeichnung angeben
 
 nominal-point-unmeasured = `nominal_mm` nennt `{ $point }`, das nicht gemessen ist
@@ -535,11 +535,11 @@ nominal-point-unmeasured = `nominal_mm` nennt `{ $point }`, das nicht gemessen i
 nominal-few-points = `nominal_mm` braucht drei Punkte oder mehr
     .hint = Punkte des Systems ergänzen oder es entfernen
 
-world-axes-exchanged = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von dem Ort entfernt, den robot.toml angibt: x, y, z von robot.toml sind { $axes } des Weltsystems
-    .hint = Achsen, Einheit und Punkte des Weltsystems und [nominal] in robot.toml prüfen
+world-axes-exchanged = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von dem Ort entfernt, den robot.toml angibt: x, y, z von robot.toml sind { $axes } des Weltkoordinatensystems
+    .hint = Achsen, Einheit und Punkte des Weltkoordinatensystems und [nominal] in robot.toml prüfen
 
-base-off-nominal = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von dem Ort entfernt, den robot.toml angibt; Grenze { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
-    .hint = Achsen, Einheit und Punkte des Weltsystems und [nominal] in robot.toml prüfen
+base-off-nominal = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg, 1) } deg von dem Ort entfernt, den robot.toml angibt; Grenze { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
+    .hint = Achsen, Einheit und Punkte des Weltkoordinatensystems und [nominal] in robot.toml prüfen
 
 orientation-slip = { $slip ->
         [joint] `{ $name }` umgekehrt
@@ -547,22 +547,22 @@ orientation-slip = { $slip ->
         [scalar-first] dem Skalar der Quaternionen am Anfang
         [scalar-last-inverse] dem Skalar der Quaternionen am Ende und den inversen Drehungen
         [order] Winkeln in der Reihenfolge `{ $name }`
-        [vectors] Drehvektoren statt Winkeln
-        [order-of-vectors] Winkeln in der Reihenfolge `{ $name }` statt Drehvektoren
+        [vectors] Rotationsvektoren statt Winkeln
+        [order-of-vectors] Winkeln in der Reihenfolge `{ $name }` statt Rotationsvektoren
         [radians] Winkeln in Radiant statt Grad
         [degrees] Winkeln in Grad statt Radiant
         [inverse] den inversen Drehungen
        *[left-handed] einem linkshändigen System ({ $name } umgekehrt)
     }
 
-slip-leaves = mit { $slip } um { FIXED($left_deg, 2) } deg
+slip-leaves = mit { $slip } um { FIXED($left_deg, 2) } deg
 
 check-slips = sie unterscheiden sich { $slips }: das zuerst prüfen
 
 orientations-off = beobachtete Orientierungen unterscheiden sich von denen des { $robot ->
         [nominal] Nennroboters
        *[identified] identifizierten Roboters
-    } um { FIXED($median_deg, 1) } deg (Median)
+    } um { FIXED($median_deg, 1) } deg (Median)
     .hint = prüfen, dass qw, qx, qy, qz Vektoren des Körpers in die Welt drehen, der Skalar zuerst; oder die Reihenfolge der Winkel: ohne `orientation` werden die passenden genannt
 
 few-poses-to-leave-out = { $count ->
@@ -582,7 +582,7 @@ validation-far = die Validierung ist weit von der Kalibrierung entfernt: die Hä
     .hint = an Posen kalibrieren, die über den benutzten Arbeitsraum verteilt sind
 
 error-quantity-unknown = `{ $name }` ist keine Größe von Abweichungen
-    .hint = die Kampagne neu rechnen: `etalon run CAMPAIGN`
+    .hint = die Kampagne erneut ausführen: `etalon run CAMPAIGN`
 
 pose-set-unknown = `{ $name }` ist keine Menge von Posen
     .expected = calibration oder validation
@@ -593,13 +593,13 @@ joint-does-not-move = `{ $joint }` bewegt sich nicht: die Daten überlassen { $c
     }: { $parameters }
     .hint = `{ $joint }` zwischen den Kalibrierposen bewegen oder im Gebrauch bei seinem Wert bleiben; sonst bleiben Abweichungen bis zur Toleranz von `{ $first }`
 
-direction-undetermined = die Punkte lassen seine Richtung um { FIXED($direction_deg, 0) } deg unsicher (k = 1); Grenze { $limit_deg } deg
+direction-undetermined = die Punkte lassen seine Richtung um { FIXED($direction_deg, 0) } deg unsicher (k = 1); Grenze { $limit_deg } deg
     .hint = Punkte weiter auseinander messen, nicht alle auf einer Geraden
 
-direction-uncertain = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 2) } deg; Grenze { $limit_deg } deg
+direction-uncertain = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 2) } deg; Grenze { $limit_deg } deg
     .hint = Punkte weiter auseinander messen
 
-world-frame-incomplete = das Weltsystem { $fault ->
+world-frame-incomplete = das Weltkoordinatensystem { $fault ->
         [plane] hat keine Ebene
         [feature] hat eine Ebene, die kein Element ist
         [origin] hat keinen Ursprung
@@ -611,32 +611,32 @@ world-frame-incomplete = das Weltsystem { $fault ->
 world-side-undetermined = `towards` liegt auf der Achse: es legt die Seite der anderen Achse nicht fest
     .hint = einen Punkt neben der Achse nennen
 
-frame-few-targets = das Weltsystem hat { $count ->
+frame-few-targets = das Weltkoordinatensystem hat { $count ->
         [one] 1 Zielmarke
        *[other] { $count } Zielmarken
     }
     .expected = drei Zielmarken oder mehr
 
-frame-never-complete = keine Pose hat alle Zielmarken { $targets } des Weltsystems getrennt voneinander
+frame-never-complete = keine Pose hat alle Zielmarken { $targets } des Weltkoordinatensystems getrennt voneinander
     .hint = alle messen und ihre Bezeichnungen prüfen
 
 orientations-twice = die Tabelle hat Orientierungen zweimal: { $first } und { $second }
     .hint = eine davon weglassen
 
 orientation-columns-missing = der Orientierung fehlt { $missing }
-    .expected = { $columns }: Körper im Weltsystem
+    .expected = { $columns }: Körper im Weltkoordinatensystem
 
 orientation-missing = die Orientierung fehlt oder ist keine Zahl
-    .expected = qw, qx, qy, qz: Körper im Weltsystem; oder ein Drehvektor, oder drei Winkel
+    .expected = qw, qx, qy, qz: Körper im Weltkoordinatensystem; oder ein Rotationsvektor, oder drei Winkel
 
 angle-order-missing = die Reihenfolge der Winkel ist nicht angegeben
     .hint = `orientation = "zyx"` in [observations] oder --orientation angeben
 
-angle-orders-unfit = keine Reihenfolge der Winkel passt zum Nennroboter: `{ $order }` lässt { FIXED($left_deg, 1) } deg (quadratisches Mittel); prüfen, dass sie den Körper in die Welt drehen, und die Gelenke
+angle-orders-unfit = keine Reihenfolge der Winkel passt zum nominalen Roboter: `{ $order }` lässt { FIXED($left_deg, 1) } deg (quadratischer Mittelwert); prüfen, dass sie den Körper in die Welt drehen, und die Gelenke
 
-angle-order-leaves = `{ $order }` lässt { FIXED($left_deg, 3) } deg
+angle-order-leaves = `{ $order }` lässt { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation angeben; vom Nennroboter { $orders } (quadratisches Mittel)
+angle-orders-fit = `orientation = "zyx"` in [observations] oder --orientation angeben; vom nominalen Roboter { $orders } (quadratischer Mittelwert)
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
     .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen
@@ -647,19 +647,19 @@ actuator-unknown = Antrieb { $actuator } existiert nicht
 lead-position-unknown = Position { $position } von Antrieb { $actuator } ist nicht in `positions_mm`
     .hint = die Bezeichnung berichtigen oder `positions_mm` ergänzen
 
-geometric-frame = die geometrische Kalibrierung braucht ein Weltsystem aus den Schienen und Kugel R
+geometric-frame = die geometrische Kalibrierung braucht ein Weltkoordinatensystem aus den Schienen und Kugel R
     .expected = `plane`, `origin`, `y_axis = [Ursprung, anderes Ende]` und `towards`, wie in 3.4.1 der Arbeit
 
 geometric-other-robot = [geometric] ist die geometrische Kalibrierung eines PreXYT
     .expected = ein Roboter mit Modell `prexyt`
 
-scale-bar-error = Maßstab `{ $name }`: eine Abweichung von { FIXED($error_mm, 4) } mm überschreitet die zulässige von { FIXED($limit_mm, 4) } mm
+scale-bar-error = Maßstab `{ $name }`: eine Abweichung von { FIXED($error_mm, 4) } mm überschreitet die zulässige von { FIXED($limit_mm, 4) } mm
     .hint = Taster, Temperatur und Aufstellung des Messgeräts prüfen und den Maßstab neu messen
 
 scale-bar-uncertain = Maßstab `{ $name }`: die zulässige Abweichung ist das { FIXED($ratio, 1) }-Fache der erweiterten Messunsicherheit seines Zertifikats, gefordert ist das { $least }-Fache
     .hint = einen Maßstab mit besserem Zertifikat verwenden: dieser verifiziert nichts
 
-step-scatters = { $step }: Residuen streuen um { FIXED($found_mm, 4) } mm, das Messgerät gibt { FIXED($stated_mm, 4) } mm an: die Unsicherheiten folgen den Residuen
+step-scatters = { $step }: Residuen streuen um { FIXED($found_mm, 4) } mm, das Messgerät gibt { FIXED($stated_mm, 4) } mm an: die Unsicherheiten folgen den Residuen
     .hint = nach Spiel, einer schmutzigen Kugel oder einem losen Sitz suchen; den Schritt neu messen
 
 table-without-poses = an keiner Pose der Tabelle `{ $title }` sind K und L zusammen gemessen
@@ -698,13 +698,13 @@ calibration-without-residuals = die Kalibrierung zeigt keine Standardabweichung 
 effect-would-prove = { $effect }{ $count ->
         [0] {""}
        *[other] {" "}der Gelenke { $joints }
-    } würde sich nachweisen lassen: die Abweichung an ausgelassenen Kalibrierposen fällt von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratisches Mittel)
+    } würde sich nachweisen lassen: die Abweichung an ausgelassenen Kalibrierposen fällt von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratischer Mittelwert)
     .hint = "{ $effect }" in `effects` von [identify] ergänzen oder `effects = "proven"` angeben
 
-outliers-too-many = `outliers = "exclude"` würde mehr als { $share_percent } % aller Ablesungen auslassen
+outliers-too-many = `outliers = "exclude"` würde mehr als { $share_percent } % aller Ablesungen auslassen
     .hint = das Modell oder der Aufbau ist falsch: sehen, was `outliers = "keep"` meldet
 
-log-correlates = mit Protokoll `{ $log }` korrelieren die Residuen mit dem Unterschied beider Protokolle (r = { FIXED($correlation, 2) }): ihr quadratisches Mittel ist { FIXED($rms_mm, 3) } mm, mit Protokoll `{ $other }` { FIXED($other_rms_mm, 3) } mm
+log-correlates = mit Protokoll `{ $log }` korrelieren die Residuen mit dem Unterschied beider Protokolle (r = { FIXED($correlation, 2) }): ihr quadratischer Mittelwert ist { FIXED($rms_mm, 3) } mm, mit Protokoll `{ $other }` { FIXED($other_rms_mm, 3) } mm
 
 use-log = { $hint ->
         [name-first] mit Protokoll `{ $log }` identifizieren: es zuerst nennen
@@ -737,8 +737,8 @@ check-column-unit = die Einheit seiner Spalte prüfen: alle Werte liegen im Bere
        *[millimetres] Millimeter statt Meter
     } sind
 
-joint-out-of-range = Gelenk `{ $joint }` = { $value } { $unit } ist außerhalb des Bereichs
-    .expected = von { $lower } bis { $upper } { $unit }: { $reason ->
+joint-out-of-range = Gelenk `{ $joint }` = { $value } { $unit } ist außerhalb des Bereichs
+    .expected = von { $lower } bis { $upper } { $unit }: { $reason ->
             [limits] die Grenzen, die die Roboterdatei angibt, und 0,1 darüber hinaus
             [turns] zwei Umdrehungen, da die Roboterdatei keine Grenzen angibt
            *[others] da die Hälfte seiner Werte beieinander liegt
@@ -789,7 +789,7 @@ remedy = { $remedy ->
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }
 
-reading-off = { FIXED($off_mm, 4) } mm ({ $target }, Pose { $pose }, Zyklus { $cycle })
+reading-off = { FIXED($off_mm, 4) } mm ({ $target }, Pose { $pose }, Zyklus { $cycle })
 
 largest-residuals = größte Residuen einer robusten Anpassung: { $readings }
     .hint = dort zuerst nach vertauschten Bezeichnungen und falschen Ablesungen suchen; Abweichungen des Roboters verteilen sich auf alle Posen
@@ -797,7 +797,7 @@ largest-residuals = größte Residuen einer robusten Anpassung: { $readings }
 outlier-readings = { $count ->
         [one] 1 von { $total } Ablesungen ist ein Ausreißer
        *[other] { $count } von { $total } Ablesungen sind Ausreißer
-    }, mehr als das { $times }-Fache von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
+    }, mehr als das { $times }-Fache von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
 
 outliers = { $outliers }
 
@@ -808,24 +808,24 @@ repeated-position = { $target } an den Posen { $first } und { $second }
 positions-repeat = gemessene Positionen wiederholen sich bis zur letzten Ziffer, während sich die Gelenke bewegen, { $count }-mal: { $pairs }
     .hint = der Export hat eine Ablesung einer anderen Pose: diese neu messen oder auslassen
 
-repeated-joints = Posen { $first } und { $second }, { FIXED($apart_mm, 3) } mm auseinander
+repeated-joints = Posen { $first } und { $second }, { FIXED($apart_mm, 3) } mm auseinander
 
 joint-values-repeat = Gelenkwerte wiederholen sich bis zur letzten Ziffer, während sich die Zielmarken bewegen, { $count }-mal: { $pairs }
     .hint = das Protokoll hat eine Ablesung einer anderen Pose: diese neu aufzeichnen oder auslassen
 
-repeats-scatter = Wiederholungen von `{ $label }` liegen bis zu { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
+repeats-scatter = Wiederholungen von `{ $label }` liegen bis zu { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
     .hint = `unit` des Exports und die Unsicherheit des Messgeräts prüfen, und dass sich der Punkt nicht bewegt hat
 
 repeat-off = { $away } von { $count } Wiederholungen von `{ $label }` { $away ->
         [one] liegt
        *[other] liegen bis zu
-    } { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
+    } { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
     .hint = die falsche Ablesung aus dem Export entfernen oder den Punkt neu messen: jedes Ergebnis hängt davon ab
 
 uncertainty-zero-rounded = `{ $column }` ist in { $count ->
         [one] 1 Zeile
        *[other] { $count } Zeilen
-    } 0: gerundet, und als Auflösung der Spalte gelesen, u = { $u } { $unit } (Hälfte der letzten Ziffer durch √3)
+    } 0: gerundet, und als Auflösung der Spalte gelesen, u = { $u } { $unit } (Hälfte der letzten Ziffer durch √3)
     .hint = Unsicherheiten mit mehr Dezimalen exportieren
 
 uncertainty-zero = `{ $column }` ist in { $count ->
@@ -840,7 +840,7 @@ key-of-text-table = `{ $key }` hat für ein Blatt einer Arbeitsmappe keine Bedeu
 measurements-undescribed = an den { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    } lässt das Modell { FIXED($after_mm, 3) } mm (quadratisches Mittel) von Positionen übrig, die über { FIXED($spread_mm, 1) } mm streuen; { $count } von { $total } Ablesungen weichen um mehr als { FIXED($limit_mm, 1) } mm ab: das Modell beschreibt diese Messungen nicht
+    } lässt das Modell { FIXED($after_mm, 3) } mm (quadratischer Mittelwert) von Positionen übrig, die über { FIXED($spread_mm, 1) } mm streuen; { $count } von { $total } Ablesungen weichen um mehr als { FIXED($limit_mm, 1) } mm ab: das Modell beschreibt diese Messungen nicht
 
 undescribed-targets = alle Ablesungen von { $targets } weichen ab, und keine anderen: Bezeichnungen prüfen, und ob die Zielmarke bewegt wurde
 
@@ -848,7 +848,7 @@ undescribed-readings = { $readings }: { $remedy }
 
 undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nennparameter und die Verknüpfung von Protokoll und Punkten prüfen
 
-undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
+undescribed-frame-moved = eine Bewegung des Systems um { FIXED($motion_mm, 1) } mm lässt { FIXED($left_mm, 3) } mm: Basis oder Messsystem hat sich zwischen Kalibrier- und Validierungsposen bewegt
 
 undescribed-unchecked = die Kalibrierposen lassen keine Koordinate zur Kontrolle übrig: andere Lagen von Basis und Zielmarken passen ebenso zu ihnen; mehr Kalibrierposen messen, im Arbeitsraum verteilt
 
@@ -863,13 +863,13 @@ prior-of-conditions = `--frames prior` ist nur für gemessene Positionen
 place-without-nominal = `{ $parameter }` hat keinen Nennwert: er wird aus Messungen bestimmt
     .hint = Basis und Zielmarken an die Kalibrierposen anpassen: `--frames refit`
 
-given-parameters-worse = die gegebenen Parameter lassen { FIXED($given_mm, 3) } mm, die Nennparameter { FIXED($nominal_mm, 3) } mm (quadratisches Mittel)
+given-parameters-worse = die gegebenen Parameter lassen { FIXED($given_mm, 3) } mm, die Nennparameter { FIXED($nominal_mm, 3) } mm (quadratischer Mittelwert)
     .hint = prüfen, dass es die dieses Roboters sind, und ob Basis und Zielmarken die dieser Kampagne sind (`--frames`)
 
 candidate-poses-too-few = { $wanted } von { $count } Kandidatenposen können nicht gewählt werden
     .hint = weniger `--positions` oder mehr Kandidaten angeben
 
-target-names-exchanged = mit vertauschten Namen der Zielmarken `{ $first }` und `{ $second }` fallen die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
+target-names-exchanged = mit vertauschten Namen der Zielmarken `{ $first }` und `{ $second }` fallen die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
     .hint = die beiden Namen im Export vertauschen
 
 one-pose-contradicts = ohne Pose `{ $pose }` widersprechen die Beobachtungen den Parametern nicht
@@ -887,29 +887,29 @@ no-coordinates-to-check = { $count ->
     } { $parameters } Parameter: keine bleibt, um sie zu prüfen
     .hint = mehr Posen messen, über den Arbeitsraum verteilt
 
-validation-outliers = { $count } von { $total } Validierungsabweichungen überschreiten { FIXED($limit_mm, 4) } mm, das { $times }-Fache ihres Medians: { $readings }
+validation-outliers = { $count } von { $total } Validierungsabweichungen überschreiten { FIXED($limit_mm, 4) } mm, das { $times }-Fache ihres Medians: { $readings }
 
 common-scale = { $parameters } sind alle etwa das { FIXED($factor, 5) }-Fache des Nennwerts: ein Maßstabsfehler des Messsystems oder der Gelenke erklärt das eher als Abweichungen von { $count } Teilen
-    .hint = Maßstab, Temperaturkompensation und Einheit des Messsystems und der Drehgeber prüfen
+    .hint = Maßstab, Temperaturkompensation und Einheit des Messsystems und der Geber prüfen
 
-compliance-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk biegt sich gegen die Schwerkraft
+compliance-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk biegt sich gegen die Schwerkraft
     .hint = `gravity` und die Richtung der Gelenkachse in robot.toml prüfen
 
-backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk eilt seinem Antrieb voraus, was kein Umkehrspiel erklärt
+backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk eilt seinem Antrieb voraus, was kein Umkehrspiel erklärt
     .hint = das Vorzeichen der Anfahrrichtungen prüfen (+1, wo der Gelenkwert stieg, -1, wo er fiel), und dass die Zeiten des Protokolls zur selben Bewegung gehören
 
-ball-names-exchanged = `{ $parameter }`, der Abstand von K und L, ist { FIXED($value, 3) } { $unit }: K und L sind vertauscht
+ball-names-exchanged = `{ $parameter }`, der Abstand von K und L, ist { FIXED($value, 3) } { $unit }: K und L sind vertauscht
     .hint = die Namen der beiden Zielmarken in den Bezeichnungen des Exports vertauschen
 
 identified-worse-than-nominal = an den { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    } ist der identifizierte Roboter schlechter als der Nennroboter: { FIXED($before_mm, 4) } mm vorher, { FIXED($after_mm, 4) } mm nachher (quadratisches Mittel)
+    } ist der identifizierte Roboter schlechter als der nominale Roboter: { FIXED($before_mm, 4) } mm vorher, { FIXED($after_mm, 4) } mm nachher (quadratischer Mittelwert)
     .hint = mehr Posen messen, über den Arbeitsraum verteilt, oder Parameter festhalten, die sie nicht bestimmen
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
-        [mm] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
-        [deg] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [mm] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
+        [deg] { FIXED($value, 3) } { $unit } (Nennwert { $nominal } { $unit }, Toleranz { FIXED($tolerance, 3) } { $unit })
        *[other] { FIXED($value, 4) } (Nennwert { $nominal }, Toleranz { FIXED($tolerance, 3) })
     }
 
@@ -921,11 +921,11 @@ tolerance-exceeded = { $count ->
 
 format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }
 
-clock-rate-from-standstills = die Uhr der Messung geht um { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) gegen die Uhr des Protokolls `{ $log }` (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
+clock-rate-from-standstills = die Uhr der Messung geht um { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) gegen die Uhr des Protokolls `{ $log }` (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
     .hint = mit diesem Versatz und Gang fällt jeder Messpunkt in einen Stillstand; mit einem Versatz allein nicht
 
-clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
+clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
     .hint = `clock_rate` weglassen: der Versatz allein wird verwendet
 
-clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
+clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben

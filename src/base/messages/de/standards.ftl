@@ -75,7 +75,7 @@ stream-too-short = eine aufgezeichnete Bewegung braucht mindestens zwei Abtastwe
 stream-value-missing = eine Koordinate oder die Zeit fehlt oder ist nicht endlich
     .hint = diesen Abtastwert entfernen
 
-time-not-increasing = die Zeit nimmt nicht zu: { $later_s } s nach { $earlier_s } s
+time-not-increasing = die Zeit nimmt nicht zu: { $later_s } s nach { $earlier_s } s
     .hint = die Abtastwerte sortieren oder mit feineren Zeitstempeln aufzeichnen
 
 weave-direction = Pendeln: die Auslenkung hat keine Richtung quer zur Mittellinie

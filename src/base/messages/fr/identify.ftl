@@ -3,29 +3,29 @@
 no-observations = il n’y a pas d’observations pour identifier des paramètres
     .hint = vérifier quelles poses sont choisies et lesquelles sont exclues
 
-pose-residuals-without-uncertainty = les résidus de la pose mêlent mm et rad : ils demandent l’incertitude-type d’une coordonnée
+pose-residuals-without-uncertainty = les résidus de la pose mêlent mm et rad : ils nécessitent l’incertitude-type d’une coordonnée
 
-common-uncertainty-alone = une incertitude commune à plusieurs observations demande les résidus des cibles et l’incertitude de chaque observation
+common-uncertainty-alone = une incertitude commune à plusieurs observations nécessite les résidus des cibles et l’incertitude de chaque observation
 
 parameter-unknown = `{ $pattern }` n’est pas un paramètre de ce robot
 
-observations-need-arm = orientations, distances, contacts, surfaces et valeurs articulaires sont pour les bras spatiaux, pas pour `{ $model }`
+observations-need-arm = orientations, distances, contacts, surfaces et valeurs articulaires sont pour les bras tridimensionnels, pas pour `{ $model }`
 
-kinds-need-target-residuals = orientations, distances, contacts, surfaces et valeurs articulaires demandent les résidus des cibles sans incertitude commune
+kinds-need-target-residuals = orientations, distances, contacts, surfaces et valeurs articulaires nécessitent les résidus des cibles sans incertitude commune
     .hint = comparer les cibles, et omettre l’incertitude commune
 
-kinds-without-uncertainty = des observations de plusieurs genres demandent l’incertitude-type d’une coordonnée
+kinds-without-uncertainty = des observations de plusieurs genres nécessitent l’incertitude-type d’une coordonnée
 
-own-uncertainties-unusable = des incertitudes propres aux lectures demandent les résidus des cibles sans incertitude commune
+own-uncertainties-unusable = des incertitudes propres aux lectures nécessitent les résidus des cibles sans incertitude commune
 
 readings-without-uncertainty = { $without } des { $readings } lectures n’ont pas d’incertitude
 
 pose-residuals-not-planar = les résidus de la pose sont pour les robots plans, pas pour `{ $model }`
 
-tool-part-missing = le point de l’outil est indiqué dans le repère de { $part ->
+tool-part-missing = le point de l’outil est indiqué dans le référentiel de { $part ->
         [flange] la bride
        *[platform] la plate-forme
-    } : `{ $model }` n’en a pas
+    } : `{ $model }` n’en a pas
 
 too-few-poses-planned = { $poses } poses ne déterminent pas { $parameters } paramètres
 
@@ -34,7 +34,7 @@ base-not-found = la base et les cibles ne peuvent pas être localisées à parti
 
 nothing-to-identify = aucun paramètre ne reste à identifier{ $cause ->
         [none] {""}
-       *[other] {" "}: { $cause }
+       *[other] {" "}: { $cause }
     }
 
 hold-fewer-parameters = imposer moins de paramètres
@@ -56,7 +56,7 @@ parameters-inseparable = `{ $parameter }` n’est pas identifiable séparément 
 
 identifiability-unsteady = l’ensemble des paramètres identifiables séparément change entre les pas du solveur
 
-identification-without-result = l’identification s’est terminée sans résultat : { $reason }
+identification-without-result = l’identification s’est terminée sans résultat : { $reason }
 
 solver-ended = { $termination ->
         [iteration-limit] pas de convergence avant la limite d’itérations
@@ -73,26 +73,26 @@ named-poses = { $count ->
 
 poses-unreachable = le robot nominal ne peut pas prendre les valeurs articulaires de { $poses }
 
-extents-differ = les points mesurés s’étendent sur { FIXED($measured_mm, 0) } mm, ceux du modèle sur { FIXED($model_mm, 0) } mm
+extents-differ = les points mesurés s’étendent sur { FIXED($measured_mm, 0) } mm, ceux du modèle sur { FIXED($model_mm, 0) } mm
 
-assembly-mode-contradicted = la position mesurée contredit le mode d’assemblage dans { $poses } : pour la pose { $worst }, le mode indiqué { $stated } laisse { FIXED($stated_mm, 1) } mm, le mode { $other } { FIXED($other_mm, 1) } mm
+assembly-mode-contradicted = la position mesurée contredit le mode d’assemblage dans { $poses } : pour la pose { $worst }, le mode indiqué { $stated } laisse { FIXED($stated_mm, 1) } mm, le mode { $other } { FIXED($other_mm, 1) } mm
 
-scale-unobserved = aucune observation ne contient de longueur : l’échelle du robot est celle de ses longueurs nominales{ $lengths ->
+scale-unobserved = aucune observation ne contient de longueur : l’échelle du robot est celle de ses longueurs nominales{ $lengths ->
         [none] {""}
        *[other] {" "}({ $lengths })
     }
     .hint = mesurer une distance entre deux logements ou à un point fixe, ou la position d’une cible
 
-readings-weighted = { $own } des { $readings } lectures sont pondérées par leurs propres incertitudes-types : { FIXED($least_mm, 4) } à { FIXED($most_mm, 4) } mm par coordonnée
+readings-weighted = { $own } des { $readings } lectures sont pondérées par leurs propres incertitudes-types : { FIXED($least_mm, 4) } à { FIXED($most_mm, 4) } mm par coordonnée
 
-rigid-part-contradicted = { $places } de { $targets } contredisent les mesures au-delà de leur incertitude : de `{ $first }` à `{ $second }`, { FIXED($found_mm, 4) } mm { $by ->
+rigid-part-contradicted = { $places } de { $targets } contredisent les mesures au-delà de leur incertitude : de `{ $first }` à `{ $second }`, { FIXED($found_mm, 4) } mm { $by ->
         [identification] identifiés sans elles
        *[measurement] mesurés
-    }, { FIXED($stated_mm, 4) } mm indiqués
+    }, { FIXED($stated_mm, 4) } mm indiqués
 
 stated-positions = les positions indiquées
 
-comparison-without-uncertainty = une comparaison avec des paramètres donnés demande l’incertitude-type d’une coordonnée
+comparison-without-uncertainty = une comparaison avec des paramètres donnés nécessite l’incertitude-type d’une coordonnée
     .hint = indiquer l’incertitude de l’instrument
 
 robot-not-at-joints = le robot ne peut pas prendre ces valeurs articulaires avec les paramètres { $parameters ->
@@ -104,56 +104,56 @@ robot-not-at-joints = le robot ne peut pas prendre ces valeurs articulaires avec
 covariance-not-positive-definite = la covariance des paramètres n’est pas définie positive
     .hint = utiliser la covariance telle que l’identification l’a indiquée
 
-no-redundant-observations = il y a autant d’équations que de paramètres : l’incertitude des paramètres est inconnue
+no-redundant-observations = il y a autant d’équations que de paramètres : l’incertitude des paramètres est inconnue
     .hint = mesurer plus de poses, ou indiquer l’incertitude de l’instrument
 
-pose-residuals-correlated = les résidus d’une pose sont corrélés : les incertitudes-types sont estimées par la dispersion des poses, { FIXED($ratio, 1) } fois celles de l’instrument
+pose-residuals-correlated = les résidus d’une pose sont corrélés : les incertitudes-types sont estimées par la dispersion des poses, { FIXED($ratio, 1) } fois celles de l’instrument
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’instrument des erreurs communes aux lectures d’une pose
 
-instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
-    .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; des erreurs communes à toutes les poses sont invisibles dans les résidus
+instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
+    .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; des erreurs communes à toutes les poses sont invisibles dans les résidus
 
-residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 0) }, { $degrees } degrés de liberté) : les incertitudes-types sont { $from ->
+residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 0) }, { $degrees } degrés de liberté) : les incertitudes-types sont { $from ->
         [poses] estimées par la dispersion des poses
         [regions] estimées par la dispersion des régions de l’espace de travail
        *[residuals] agrandies, comme si les résidus d’une pose étaient indépendants
     } ({ FIXED($inflation, 1) } fois celles de l’instrument, médiane)
-    .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
+    .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
-parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et restent à leur valeur nominale : { $parameters }
+parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et restent à leur valeur nominale : { $parameters }
 
-parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il reste à sa valeur nominale
+parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il reste à sa valeur nominale
 
-parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` reste à sa valeur nominale
+parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` reste à sa valeur nominale
 
 parameter-separable-poorly = `{ $parameter }` n’est séparable de { $others } qu’avec une incertitude-type de { FIXED($uncertainty, 2) }{ $unit ->
         [mm] {" "}{ $unit }
         [deg] {" "}{ $unit }
        *[other] {""}
-    } : { $held ->
+    } : { $held ->
         [placed] il reste à sa première estimation
        *[nominal] il reste à sa valeur nominale, mieux connue
     }
     .hint = mesurer des poses dans lesquelles ces paramètres agissent différemment
 
-tool-targets-collinear = les cibles ne définissent pas de repère pour le point de l’outil : il en faut trois dans l’espace, non alignées ; deux dans le plan
-    .hint = indiquer le point dans le repère de la bride, ou utiliser la première cible elle-même ([0, 0, 0])
+tool-targets-collinear = les cibles ne définissent pas de référentiel pour le point de l’outil : il en faut trois dans l’espace, non alignées ; deux dans le plan
+    .hint = indiquer le point dans le référentiel de la bride, ou utiliser la première cible elle-même ([0, 0, 0])
 
-nominal-robot-far = le robot nominal manque les mesures de { FIXED($left_mm, 3) } mm (moyenne quadratique, base et cibles ajustées) ; les tolérances permettent { FIXED($allowed_mm, 3) } mm
+nominal-robot-far = le robot nominal manque les mesures de { FIXED($left_mm, 3) } mm (moyenne quadratique, base et cibles ajustées) ; les tolérances permettent { FIXED($allowed_mm, 3) } mm
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
 nominal-robot-not-at-joints = le robot nominal ne peut pas prendre ces valeurs articulaires
     .hint = vérifier signes, unités et ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
-placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
+placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
     .hint = vérifier unités, ordre, signes et décalages des articulations, et les paramètres nominaux du robot
 
-reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
-    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément, ou mesurer de nouveau
+reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
+    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément, ou mesurer de nouveau
 
-parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
+parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
 
-parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses : { $groups } ; leurs incertitudes-types sont grandes, et leurs erreurs se compensent près de ces poses
+parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses : { $groups } ; leurs incertitudes-types sont grandes, et leurs erreurs se compensent près de ces poses
 
 parameter-group = { $first } et { $second }
 
@@ -174,13 +174,13 @@ study-too-few-positions = { $positions } positions ne déterminent pas tous les 
 no-candidates = il n’y a pas de candidates
     .hint = vérifier le tableau des candidates
 
-candidates-unreachable = aucune candidate n’est à portée : pose { $pose } ({ $reason })
+candidates-unreachable = aucune candidate n’est à portée : pose { $pose } ({ $reason })
     .hint = vérifier les valeurs articulaires, leurs unités et les limites du robot
 
 candidates-left-out = { $count ->
         [one] { $count } candidate est hors de portée et n’est jamais choisie
        *[other] { $count } candidates sont hors de portée et ne sont jamais choisies
-    } : { $candidates }
+    } : { $candidates }
 
 candidate-violation = pose { $pose } ({ $reason })
 
@@ -188,31 +188,31 @@ at-geometric-step = { $step ->
         [lead-1] pas de l’actionneur 1
         [lead-2] pas de l’actionneur 2
         [lead-3] pas de l’actionneur 3
-        [base] repère de base
-        [mobile] repère mobile
+        [base] référentiel de base
+        [mobile] référentiel mobile
         [shaft] arbre
        *[offsets] décalages
-    } : { $message }
+    } : { $message }
 
 geometric-step-alone = { $step ->
-        [shaft] l’arbre demande l’arc de la bille N
-       *[offsets] le déplacement de l’actionneur 1 demande l’arc de la bille N, la plate-forme tournée et l’arbre
+        [shaft] l’arbre nécessite l’arc de la bille N
+       *[offsets] le déplacement de l’actionneur 1 nécessite l’arc de la bille N, la plate-forme tournée et l’arbre
     }
     .hint = mesurer les étapes qui manquent, ou omettre celle-ci
 
-geometry-incomplete = la géométrie complète demande l’arc de la bille N, la plate-forme tournée, l’arbre dans deux positions et un déplacement de l’actionneur 1
+geometry-incomplete = la géométrie complète nécessite l’arc de la bille N, la plate-forme tournée, l’arbre dans deux positions et un déplacement de l’actionneur 1
     .expected = au moins une répétition de chacun
 
 ball-unmoved = { $ball ->
         [R] la bille R n’a pas bougé pendant que l’actionneur 2 allait à son extrémité
-       *[K] la bille K a bougé de moins de 1 mm selon x pendant que l’actionneur 1 allait à son extrémité
+       *[K] la bille K a bougé de moins de 1 mm selon x pendant que l’actionneur 1 allait à son extrémité
     }
     .hint = mesurer de nouveau la bille { $ball } après avoir déplacé le seul actionneur { $actuator } jusqu’à son extrémité
 
 lead-undetermined = ces positions ne déterminent pas le pas de l’actionneur
     .expected = au moins trois lectures, à deux déplacements commandés ou plus
 
-shaft-positions-parallel = les deux positions de l’arbre sont parallèles : leurs axes ne se coupent pas
+shaft-positions-parallel = les deux positions de l’arbre sont parallèles : leurs axes ne se coupent pas
     .hint = déplacer entre elles le seul actionneur 2, jusqu’à son extrémité
 
 points-undetermined = ces points ne déterminent pas l’élément ajusté
@@ -220,7 +220,7 @@ points-undetermined = ces points ne déterminent pas l’élément ajusté
 
 slip-reversed = { $joint } inversé
 
-slip-exchanged = { $first } et { $second } échangés
+slip-exchanged = { $first } et { $second } intervertis
 
 slip-joint-order = les articulations { $order ->
         [reversed] dans l’ordre inverse
@@ -228,7 +228,7 @@ slip-joint-order = les articulations { $order ->
        *[right] décalées d’une place de l’autre côté
     }
 
-slip-offset = { $degrees } deg ajoutés à { $joint }
+slip-offset = { $degrees } deg ajoutés à { $joint }
 
 slip-unit = { $quantity ->
         [all-joints] toutes les articulations
@@ -245,13 +245,13 @@ slip-unit = { $quantity ->
     }
 
 slip-points = { $change ->
-        [mirrored] les points mesurés en miroir (un repère gauche, ou deux coordonnées échangées)
-        [exchanged] x et y des points mesurés échangés
+        [mirrored] les points mesurés en miroir (un référentiel gauche, ou deux coordonnées interverties)
+        [exchanged] x et y des points mesurés intervertis
         [x] x des points mesurés inversé
        *[y] y des points mesurés inversé
     }
 
-slip-targets = les cibles { $first } et { $second } échangées
+slip-targets = les cibles { $first } et { $second } interverties
 
 slip-neighbour = les articulations de chaque pose prises dans la { $neighbour ->
         [previous] précédente
@@ -260,9 +260,9 @@ slip-neighbour = les articulations de chaque pose prises dans la { $neighbour ->
 
 slip-convention = { $convention }
 
-slip-world-frame = le repère monde tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
+slip-world-frame = le référentiel atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
 
-slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
+slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
 
 with-slip = avec { $slip }{ $origin ->
         [none] {""}
@@ -272,8 +272,8 @@ with-slip = avec { $slip }{ $origin ->
 set-up-slip = { $first }{ $others ->
         [none] {""}
        *[other] {" "}(de même { $others })
-    }, une identification laisse { FIXED($changed_mm, 3) } mm (moyenne quadratique){ $stated ->
-        [unreachable] {" "}; sans cela, des poses sont hors de portée
+    }, une identification laisse { FIXED($changed_mm, 3) } mm (moyenne quadratique){ $stated ->
+        [unreachable] {" "}; sans cela, des poses sont hors de portée
         [tolerances] {" "}et garde les paramètres dans leurs tolérances
-       *[residuals] {" "}au lieu de { FIXED($stated_mm, 3) } mm
-    } : le vérifier d’abord
+       *[residuals] {" "}au lieu de { FIXED($stated_mm, 3) } mm
+    } : le vérifier d’abord
