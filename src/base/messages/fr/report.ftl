@@ -882,6 +882,7 @@ targets-from-their-places = distance des cibles à leurs positions de référenc
 targets-in-world = cibles dans le référentiel atelier
 targets-placed-by-validation = Aucune pose d'étalonnage ne mesure { $targets } : cibles localisées d'après les lectures aux poses de validation, le robot identifié étant fixé. Chacune de ces erreurs est divisée par √r (r : redondance).
 temperature = température
+temperature-range = { $lowest } °C à { $highest } °C dans les exports
 test-certificate = Certificat d'essai
 test-certificate-draft = Projet de certificat d'essai
 test-cube = P1 est le centre d'un cube de { $size } mm, P2 à P5 sont sur les diagonales du plan d'essai (ISO 9283:1998, 6).
