@@ -10,6 +10,7 @@ mod robot_faults;
 mod robot_file;
 mod robot_keys;
 mod selection;
+mod table;
 mod toml_file;
 mod types;
 mod urdf;
@@ -19,6 +20,7 @@ pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
 pub use robot_file::RobotFile;
 pub use selection::{Selection, Selections, StatedPoses};
+pub use table::{TableDefinition, TableFiles, TableKeys};
 pub use toml_file::UnreadKeys;
 pub use types::*;
 

@@ -2,7 +2,7 @@
 
 use super::given::Given;
 use super::identify::{check_uncertainty, unread};
-use super::plan::read as candidates_of;
+use super::plan::candidates_of;
 use super::report::Reports;
 use super::table_file::TableFile;
 use super::text_format::TableFormat;
@@ -126,7 +126,8 @@ impl Verify {
     /// Chooses candidates to measure.
     fn plan(&self, robot_file: &RobotFile, document: &ParametersDocument) -> anyhow::Result<Verdict> {
         let Some(candidates) = &self.candidates else { return Ok(Verdict::Met) };
-        let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, candidates)?;
+        let table = self.format.read_other(candidates)?;
+        let (mut robot, Candidates { observations, limit_violations }) = candidates_of(robot_file, &table)?;
         let described = robot_file.description_path();
         let inputs = files::sha256_of([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);

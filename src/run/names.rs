@@ -58,11 +58,19 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         }
     }
     let rigid = file.rigid.iter().flat_map(|r| &r.targets).chain(file.fixed.iter().flat_map(|f| &f.targets));
-    // points that a log touches need not have the name of the robot's target
-    let joined = file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
-    for name in rigid.chain(joined) {
+    for name in rigid {
         want(name, &[&targets], &|target| error!("target-not-exported", target));
     }
+    // points that a log touches need not have the name of the robot's target
+    let joined = || file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
+    let is_measured = |name: &Spanned<String>| targets.contains(name.get_ref().as_str());
+    let odd: Vec<Message> = file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
+    // where no label has the form that is stated, no target is named
+    let is_odd = complete && !odd.is_empty() && !joined().all(is_measured);
+    for name in joined().filter(|_| !is_odd) {
+        want(name, &[&targets], &|target| error!("target-not-exported", target));
+    }
+    problems.0.extend(odd.into_iter().filter(|_| is_odd));
     if !open.is_empty() {
         open.sort_unstable();
         open.dedup();
@@ -80,13 +88,18 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, problems: &mut Probl
             problems.0.push(message.hint_names(pattern.get_ref(), names()));
         }
     }
-    for target in campaign.file.join_targets() {
-        if !robot.targets().contains(target.get_ref()) {
-            let message = error!("target-not-of-robot", target = target.get_ref()).at(campaign.place(target));
-            problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
-        }
+    let foreign: Vec<_> =
+        campaign.file.join_targets().filter(|target| !robot.targets().contains(target.get_ref())).collect();
+    for target in &foreign {
+        let message = error!("target-not-of-robot", target = target.get_ref()).at(campaign.place(target));
+        // a target that this robot cannot have need not be measured
+        problems.0.retain(|other| other.id != "target-not-exported" || other.place != message.place);
+        problems.0.push(message.hint_names(target.get_ref(), robot.targets().iter().map(String::as_str)));
     }
-    if let Some(targets) = campaign.file.join.as_ref().and_then(|join| join.targets.as_ref()) {
+    // a wrong name stands where the missing one belongs
+    if let (Some(targets), true) =
+        (campaign.file.join.as_ref().and_then(|join| join.targets.as_ref()), foreign.is_empty())
+    {
         let named = |name: &&String| targets.iter().any(|t| t.get_ref() == *name);
         for target in robot.targets().iter().filter(|t| !named(t)) {
             problems.0.push(error!("targets-incomplete", target).at(campaign.place_of(&["join", "targets"])));

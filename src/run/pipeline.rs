@@ -4,7 +4,7 @@ use crate::run::output::Output;
 use crate::run::summary::summary;
 use crate::run::walk::{Mode, Walk};
 use crate::stages::controller_files;
-use crate::stages::gather::Gathered;
+use crate::stages::gather::{self, Gathered};
 use crate::stages::identification::Identified;
 use crate::stages::join::Joined;
 use crate::stages::kinds;
@@ -91,7 +91,8 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     };
     let Walk { gathered, joined, geometric, identified, tested, .. } = walk;
     // formats that leave parameters out hold what is identified without them
-    let summary = summary(campaign, presentation);
+    let temperature_range_c = gather::temperature_range(&gathered.points);
+    let summary = CampaignSummary { temperature_range_c, ..summary(campaign, presentation) };
     let controllers = identified.as_ref().filter(|found| found.parameters.is_plausible()).and_then(|found| {
         let given = given(campaign, robot.as_ref(), found, &summary);
         controller_files::identify_again(&given, robot.as_ref(), found, &formats(campaign))

@@ -263,8 +263,10 @@ impl Walk {
             let first = joined.observations.first();
             poses = first.and_then(|(_, first)| first.poses().ok()).unwrap_or_default();
         }
-        // a join by time may find no pose before the log is read
-        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) {
+        // a join by time may find no pose before the log is read; without any pose the cause is
+        // reported already
+        let without = poses.is_empty() && self.problems.0.iter().any(|m| m.severity == Severity::Error);
+        if !campaign.unread.affects(&["identify"]) && (self.is_read || !poses.is_empty()) && !without {
             self.problems.keep(check_selections(campaign, &poses));
         }
     }

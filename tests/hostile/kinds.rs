@@ -71,8 +71,8 @@ fn what_a_further_station_cannot_state_is_refused_with_its_line() {
     let header = "kind,station,pose,cycle,target,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,u_mm,ux_mm,uy_mm,uz_mm,cxx_mm2,cxy_mm2,cxz_mm2,cyy_mm2,cyz_mm2,czz_mm2,urot_deg";
     for (row, what) in [
         (
-            "pose,T2,2,1,ball,1,2,3,1,2,3,1,0,0,0,0.02,,,,,,,,,,0.01",
-            "error[station-row-unsupported]: a row of kind `pose` states the station `T2`",
+            "pose,T2,2,1,ball,1,2,3,1,2,,1,0,0,0,0.02,,,,,,,,,,0.01",
+            "error[station-row-unsupported]: a coordinate measured by station `T2`",
         ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,,,,1e-4,0,0,1e-4,0,1e-4,",

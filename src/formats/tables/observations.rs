@@ -35,6 +35,8 @@ pub struct TableLayout {
     pub columns: BTreeMap<String, ColumnSource>,
     /// `true` if columns that the file lacks are left out, for several tables with one layout.
     pub lenient: bool,
+    /// `true` for observations, whose columns are known and which have a repeat.
+    pub is_of_observations: bool,
     /// Columns with the same cell in all rows.
     pub constants: BTreeMap<String, Constant>,
     /// Filter: only rows with one of these cells in each of these columns are read.
@@ -60,6 +62,7 @@ impl Default for TableLayout {
             missing: Missing::default(),
             columns: BTreeMap::new(),
             lenient: false,
+            is_of_observations: true,
             constants: BTreeMap::new(),
             only: BTreeMap::new(),
             without: BTreeMap::new(),
@@ -67,6 +70,13 @@ impl Default for TableLayout {
             target: None,
             pose: None,
         }
+    }
+}
+
+impl TableLayout {
+    /// Layout of a table of poses, loads or joints, whose columns may have any name.
+    pub fn of_any_columns() -> Self {
+        Self { is_of_observations: false, ..Self::default() }
     }
 }
 
@@ -93,7 +103,7 @@ impl TableLayout {
         let mut renamed: Vec<Option<&str>> = vec![None; width];
         let mut computed: Vec<ReadColumn> = Vec::new();
         for (name, source) in &self.columns {
-            let known = is_known(name) || self.lenient || TEXT_COLUMNS.contains(&name.as_str());
+            let known = is_known(name) || !self.is_of_observations || TEXT_COLUMNS.contains(&name.as_str());
             let at = match source {
                 ColumnSource::Heading(heading) => headings.iter().position(|h| h == heading),
                 ColumnSource::Number(number) => Some(number - 1).filter(|at| *at < width),
@@ -168,13 +178,13 @@ impl TableLayout {
             }
             let mut named = Cow::Borrowed(name);
             let factor = in_mm(&mut named, self.coverage_factor);
-            added.push(match cell.parse::<f64>().ok().filter(|_| meaning(name).is_some()) {
+            added.push(match cell.parse::<f64>().ok().filter(|_| is_numeric(name)) {
                 Some(number) => Series::new(named.as_ref().into(), vec![factor * number; height]).into(),
                 None => Series::new(named.as_ref().into(), vec![cell.as_str(); height]).into(),
             });
         }
         let has_cycle = table.column("cycle").is_ok() || added.iter().any(|column| column.name() == "cycle");
-        if !has_cycle && !self.lenient {
+        if !has_cycle && self.is_of_observations {
             added.push(Series::new("cycle".into(), vec![1i64; height]).into());
         }
         table.hstack_mut(&added).map_err(failed)?;
@@ -184,6 +194,15 @@ impl TableLayout {
 
 /// Columns of texts in tables of poses and loads.
 const TEXT_COLUMNS: [&str; 4] = ["approach", "robot", "reading", "direction"];
+/// Column of the force of a load (N).
+pub const FORCE: &str = "force_n";
+
+/// `true` if cells of the column are numbers, poses or repeats; others are texts.
+fn is_numeric(name: &str) -> bool {
+    meaning(name).is_some()
+        || name == FORCE
+        || [&COVARIANCES[..], &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
+}
 
 /// Reads a table with commas, decimal points and a header. The column `line` has the line of each
 /// row.
@@ -290,7 +309,7 @@ fn made_column(
 ) -> Column {
     let name = column.name.as_ref();
     let at = if let Expression::Column(at) = column.from { at } else { usize::MAX };
-    if meaning(name).is_none() && ![&COVARIANCES[..], &QUATERNION, &MATRIX].iter().any(|n| n.contains(&name)) {
+    if !is_numeric(name) {
         return Series::new(name.into(), rows.iter().map(|row| row.field(at)).collect::<Vec<_>>()).into();
     }
     if name == "pose" {

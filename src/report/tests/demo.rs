@@ -101,6 +101,7 @@ impl Documents {
                 decision_rule: None,
                 contact: None,
                 temperature_c: Some(20.1),
+                temperature_range_c: None,
                 conditions: Conditions::default(),
                 issue: Issue::default(),
                 report: Presentation::default(),

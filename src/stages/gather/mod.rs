@@ -9,8 +9,10 @@ mod excluded;
 mod mislabelling;
 mod points;
 mod rounding;
+mod temperature;
 
 pub(crate) use points::used_labels;
+pub use temperature::range as temperature_range;
 
 use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::files::Stamp;
@@ -111,6 +113,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
+        messages.extend(temperature::contradicted(campaign, &columns.points));
     }
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),

@@ -12,7 +12,7 @@ use crate::stages::table_file::CampaignTables;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Pose;
-use etalon_campaign::{Campaign, Limits, PosesDefinition};
+use etalon_campaign::{Campaign, Limits, PosesDefinition, TableDefinition};
 use etalon_documents::*;
 use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use pose::{PoseTables, PreparedTest};
@@ -51,7 +51,7 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     }
     // a file that is not named is reported already
     let named = |definition: &&PosesDefinition| {
-        ![&definition.attained, &definition.commanded].into_iter().any(|file| file.get_ref().is_empty())
+        [&definition.attained, &definition.commanded].into_iter().all(TableDefinition::is_named)
     };
     if let Some(definition) = file.poses.as_ref().filter(named) {
         data.poses = problems.keep(read_poses(&mut files, definition));
@@ -59,8 +59,8 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     let (streams, more) = streams::read(&mut files);
     problems.0.extend(more.0);
     data.streams = streams;
-    if let Some(definition) = file.compliance.as_ref().filter(|definition| !definition.file.get_ref().is_empty()) {
-        let table = files.read(&definition.file, "static compliance");
+    if let Some(definition) = file.compliance.as_ref().filter(|definition| definition.is_named()) {
+        let table = files.read(definition, SourceKind::Table, "static compliance");
         let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
         data.compliance = problems.keep(found);
     }
@@ -116,7 +116,7 @@ fn drift_sets(campaign: &Campaign) -> Problems {
     if let Some(definition) = &file.poses {
         check(&definition.drift_set, true);
         if file.repeatability.is_some() {
-            problems.0.push(error!("attained-poses-twice").at(campaign.place(&definition.attained)));
+            problems.0.push(error!("attained-poses-twice").at(campaign.place(definition.attained.first())));
         }
     }
     problems

@@ -8,8 +8,8 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, RepeatabilityDefinition};
-use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit};
+use etalon_campaign::{Campaign, RepeatabilityDefinition, TableDefinition};
+use etalon_documents::{FramesDocument, Iso9283Document, Iso9283OutOfPlane, Iso9283Pose, Iso9283Visit, SourceKind};
 use etalon_formats::Point;
 use etalon_formats::table::ANGLES;
 use etalon_formats::tables::recording::commanded_poses;
@@ -18,7 +18,6 @@ use etalon_standards::iso9283::pose::coplanarity::from_the_others;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::test::{AttainedPose, CommandedPose, PoseTest, TestedPose, from_pose};
 use std::collections::{BTreeMap, BTreeSet};
-use toml::Spanned;
 
 /// The characteristics of the campaign's labelled visits, in its world frame, and the files beside
 /// the exports that they are of.
@@ -116,8 +115,8 @@ pub struct Commanded {
 }
 
 impl Commanded {
-    pub(super) fn read(files: &mut CampaignTables, file: &Spanned<String>) -> Result<Self> {
-        let table = files.read(file, "commanded poses")?;
+    pub(super) fn read(files: &mut CampaignTables, table: &TableDefinition) -> Result<Self> {
+        let table = files.read(table, SourceKind::Table, "commanded poses")?;
         if let Some(column) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
             return Err(table.place(table.named().place(error!("commanded-angle-unmeasured", column))));
         }

@@ -8,8 +8,15 @@ option-not-positive = { $option } muss positiv sein
 option-refused = { $option }: { $reason }
     .hint = `etalon BEFEHL --help` zählt die Werte auf
 
-column-option-malformed = --column: `{ $text }` hat kein `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option }: `{ $text }` hat kein `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+option-columns-twice = --columns und --column nennen beide die Spalten
+    .hint = eine der beiden behalten
 
 option-unit-missing = die Dateien nennen ihre Längeneinheit nicht
     .hint = die Einheit angeben: --unit mm, m, um oder inch; sie wird nie geraten

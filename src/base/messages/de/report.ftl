@@ -882,6 +882,7 @@ targets-from-their-places = Abstand der Zielmarken von ihren Referenzpositionen
 targets-in-world = den Zielmarken im Weltkoordinatensystem
 targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz).
 temperature = Temperatur
+temperature-range = { $lowest } °C bis { $highest } °C in den Exporten
 test-certificate = Prüfschein
 test-certificate-draft = Entwurf eines Prüfscheins
 test-cube = P1 ist die Mitte eines Würfels von { $size } mm, P2 bis P5 liegen auf den Diagonalen der Prüfebene (ISO 9283:1998, 6).

@@ -335,7 +335,7 @@ station-row-unsupported = { $fault ->
         [covariance] ein von Station `{ $station }` gemessener Punkt gibt eine Kovarianz an
        *[uncertainties] von Station `{ $station }` gemessene Koordinaten haben eigene Unsicherheiten
     }
-    .expected = Zeilen der Art `point` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
+    .expected = Zeilen der Art `point` oder `pose` mit x_mm, y_mm, z_mm und einer Unsicherheit `u_mm`, für alle Stationen außer der ersten
 
 uncertainty-not-positive = `{ $column }` = { $value } ist keine Standardunsicherheit
     .expected = eine positive Zahl
@@ -929,3 +929,12 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 
 clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
+
+label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Log `{ $log }` nennt `{ $label }` in { $count } Zeilen
+    .hint = nach Pose, Zeile oder Zeit verbinden, wenn das Messgerät in jeder Pose den Körper am Roboter gemessen hat
+
+temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
+    .hint = `temperature_c` berichtigen, oder die Spalte: sie ist in Grad Celsius
+
+temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Unsicherheit der Längen ist zu klein
+    .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt

@@ -20,12 +20,23 @@ option-not-positive = { $option } must be positive
 option-refused = { $option }: { $reason }
     .hint = `etalon COMMAND --help` lists the values
 
-# Means: `--column` names no heading.
-# Matters: It is unknown which column is meant.
-# Do: State NAME=HEADING.
+# Means: An option that names a column has no `=`.
+# Matters: It is unknown what is stated about the column.
+# Do: State NAME=HEADING, NAME=VALUE or COLUMN=CELL.
 # Example: `--column q1_deg`
-column-option-malformed = --column: `{ $text }` has no `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option }: `{ $text }` has no `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+# Means: The columns are stated from the left (`--columns`) and by name (`--column`).
+# Matters: The two may differ.
+# Do: Keep one of the two options.
+# Example: `--columns x,y,z --column x=X`
+option-columns-twice = --columns and --column both state the columns
+    .hint = keep one of them
 
 # Means: The files do not state their length unit.
 # Matters: Exports carry no unit; a wrong guess falsifies every result.

@@ -885,6 +885,7 @@ targets-from-their-places = distance of the targets from their reference positio
 targets-in-world = the targets in the world
 targets-placed-by-validation = No calibration pose measures { $targets }: located from readings at the validation poses, with the identified robot held. Each of these errors is divided by √r (r: redundancy).
 temperature = temperature
+temperature-range = { $lowest } °C to { $highest } °C in the exports
 test-certificate = Test certificate
 test-certificate-draft = Draft of a test certificate
 test-cube = P1 is the centre of a cube of { $size } mm, P2 to P5 are on the diagonals of the test plane (ISO 9283:1998, 6).

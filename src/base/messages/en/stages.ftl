@@ -674,9 +674,9 @@ place-missing = the place of `{ $point }` is missing or not a number
 joint-value-missing = a joint value is missing or not a number
     .hint = complete or remove the row
 
-# Means: A row of a station other than the first is not a point with three coordinates and one
-# uncertainty.
-# Matters: Its frame is identified with the robot; this is computed for whole points.
+# Means: A row of a station other than the first is not a point or a pose with three coordinates and
+# one uncertainty.
+# Matters: Its frame is identified with the robot; this is computed for whole points and poses.
 # Do: State x_mm, y_mm, z_mm and `u_mm`.
 # Example: a height alone, measured from a second station
 station-row-unsupported = { $fault ->
@@ -685,7 +685,7 @@ station-row-unsupported = { $fault ->
         [covariance] a point measured by station `{ $station }` states a covariance
        *[uncertainties] coordinates measured by station `{ $station }` have uncertainties of their own
     }
-    .expected = rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first
+    .expected = rows of kind `point` or `pose` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first
 
 # Means: The standard uncertainty of a row is zero or negative.
 # Matters: It is the weight of the row.
@@ -1892,3 +1892,27 @@ clock-rate-insignificant = the standstills of log `{ $log }` show no difference 
 # Example: the log of yesterday's run
 clock-rate-none = at no offset of the clocks and no rate within ± { $most_ppm } ppm does every measured point fall into a standstill of the log
     .hint = check that the log is of this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
+
+# Means: An export joined by label has orientations, and the log names a label in several rows.
+# Matters: The robot then touches a place that was measured once; its orientation is not that of the
+# body on the robot. Positions alone are used.
+# Do: Nothing, or join by pose, row or time if the instrument measured the body at each pose.
+# Example: nests of a plate measured by a probe of six degrees of freedom
+label-orientations-unused = orientations of the export are not used: log `{ $log }` names `{ $label }` in { $count } rows
+    .hint = join by pose, row or time if the instrument measured the body on the robot at each pose
+
+# Means: The temperatures in the rows of the exports are not near `temperature_c` of the campaign.
+# Matters: Identified lengths hold at the stated temperature; a robot of aluminium expands by 23 µm/m for
+# each degree.
+# Do: Correct `temperature_c`, or the unit of the column: it is in degrees Celsius.
+# Example: `temperature_c = 20.0`, and rows with 24.6 to 25.3
+temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
+    .hint = correct `temperature_c`, or the column: it is in degrees Celsius
+
+# Means: The temperatures in the rows of the exports differ by more than [expansion] states.
+# Matters: The uncertainty of lengths from the temperature is too small. Rows are not corrected for their
+# temperature.
+# Do: State the expanded uncertainty that covers the range.
+# Example: `expanded_temperature_uncertainty_c = 0.5`, and rows with 19.1 to 22.8
+temperature-varies = the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C, more than ±{ $expanded_c } °C; the uncertainty of lengths is too small
+    .hint = state an `expanded_temperature_uncertainty_c` that covers the range

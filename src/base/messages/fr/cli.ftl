@@ -8,8 +8,15 @@ option-not-positive = { $option } doit être positif
 option-refused = { $option } : { $reason }
     .hint = `etalon COMMANDE --help` énumère les valeurs
 
-column-option-malformed = --column : `{ $text }` n’a pas de `=`
-    .expected = q1_deg=J1
+column-option-malformed = --{ $option } : `{ $text }` n’a pas de `=`
+    .expected = { $option ->
+        [column] q1_deg=J1
+        [constant] kind=distance
+       *[other] deleted=1
+    }
+
+option-columns-twice = --columns et --column indiquent toutes deux les colonnes
+    .hint = garder l’une des deux
 
 option-unit-missing = les fichiers n’indiquent pas leur unité de longueur
     .hint = indiquer l’unité : --unit mm, m, um ou inch ; elle n’est jamais devinée

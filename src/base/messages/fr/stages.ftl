@@ -335,7 +335,7 @@ station-row-unsupported = { $fault ->
         [covariance] un point mesuré par la station `{ $station }` indique une covariance
        *[uncertainties] les coordonnées mesurées par la station `{ $station }` ont leurs propres incertitudes
     }
-    .expected = des lignes de type `point` avec x_mm, y_mm, z_mm et une incertitude `u_mm`, pour les stations autres que la première
+    .expected = des lignes de type `point` ou `pose` avec x_mm, y_mm, z_mm et une incertitude `u_mm`, pour les stations autres que la première
 
 uncertainty-not-positive = `{ $column }` = { $value } n’est pas une incertitude-type
     .expected = un nombre positif
@@ -932,3 +932,12 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 
 clock-rate-none = à aucun décalage des horloges et à aucune dérive dans ± { $most_ppm } ppm chaque point mesuré ne tombe dans un arrêt du journal
     .hint = vérifier que le journal est celui de cette mesure et retirer les points mesurés en mouvement ; ou indiquer `clock_offset_s` par un nombre
+
+label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` nomme `{ $label }` dans { $count } lignes
+    .hint = joindre par pose, ligne ou temps si l’instrument a mesuré à chaque pose le corps sur le robot
+
+temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
+    .hint = corriger `temperature_c`, ou la colonne : elle est en degrés Celsius
+
+temperature-varies = les lignes des exports indiquent { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, plus que ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
+    .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre l’étendue
