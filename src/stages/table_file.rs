@@ -1,8 +1,9 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
@@ -164,7 +165,7 @@ pub(crate) struct CampaignTables<'a> {
 
 impl CampaignTables<'_> {
     /// A table; `holds` describes it in the list of inputs.
-    pub fn read(&mut self, file: &Spanned<String>, holds: &str) -> Result<TableFile> {
+    pub fn read(&mut self, file: &Spanned<String>, holds: Phrase) -> Result<TableFile> {
         self.read_with(file, SourceKind::Table, holds, etalon_formats::observations)
     }
 
@@ -172,7 +173,7 @@ impl CampaignTables<'_> {
     pub fn laid_out(
         &mut self,
         file: &Spanned<String>,
-        holds: &str,
+        holds: Phrase,
         layout: TableLayout,
         encoding: Option<Encoding>,
     ) -> Result<TableFile> {
@@ -200,7 +201,7 @@ impl CampaignTables<'_> {
             let place = self.campaign.place_of(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
-        self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
+        self.listed(&stated.file, SourceKind::Table, phrase!("table-of-observations"), |path, bytes| {
             TableFile::observations(path, &bytes, stated.layout(), stated.encoding, stated.sheet.as_deref())
         })
     }
@@ -210,7 +211,7 @@ impl CampaignTables<'_> {
         &mut self,
         file: &Spanned<String>,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
         table: impl FnOnce(&str, &str) -> Result<DataFrame>,
     ) -> Result<TableFile> {
         self.listed(file, kind, holds, |path, bytes| TableFile::of(path, files::text(path, bytes)?, table))
@@ -220,7 +221,7 @@ impl CampaignTables<'_> {
         &mut self,
         file: &Spanned<String>,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
         read: impl FnOnce(&Path, Vec<u8>) -> Result<TableFile>,
     ) -> Result<TableFile> {
         let here = self.campaign.place(file);
@@ -233,7 +234,8 @@ impl CampaignTables<'_> {
             sha256: stamp.sha256,
             bytes: stamp.size,
             kind,
-            dialect: holds.to_owned(),
+            dialect: holds.to_string(),
+            dialect_phrase: Some(holds),
             rows_read: table.table.height(),
             refused: Vec::new(),
             standstills: Vec::new(),

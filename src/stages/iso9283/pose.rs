@@ -1,9 +1,10 @@
 //! Tables of a test of poses: read, compensated for the drift of the set-up, evaluated.
 
 use crate::stages::table_file::{CampaignTables, TableFile};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_campaign::PosesDefinition;
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit};
 use etalon_formats::tables::pose_test::pose_test;
@@ -45,14 +46,15 @@ impl PoseTables {
     /// Tables of a campaign; all tables that do not read are reported.
     pub fn of_campaign(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<Self> {
         let mut problems = Problems::default();
-        let mut read = |file: &Spanned<String>, holds: &str| {
-            let layout = definition.layout(holds == "attained poses");
+        let mut read = |file: &Spanned<String>, holds: Phrase, attained: bool| {
+            let layout = definition.layout(attained);
             let table = files.laid_out(file, holds, layout, definition.encoding);
             table.map_err(|more| problems.0.extend(more.0)).ok()
         };
-        let attained = read(&definition.attained, "attained poses");
-        let commanded = read(&definition.commanded, "commanded poses");
-        let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
+        let attained = read(&definition.attained, phrase!("table-of-attained-poses"), true);
+        let commanded = read(&definition.commanded, phrase!("table-of-commanded-poses"), false);
+        let reference = definition.reference.as_ref();
+        let reference = reference.map(|file| read(file, phrase!("table-of-reference-targets"), false));
         let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
         problems.check()?;
         Ok(Self { attained, commanded: Some(commanded), reference: reference.flatten() })
@@ -118,11 +120,11 @@ impl PreparedTest {
         let mut document = Iso9283Document::evaluate(test, settings)?;
         if !drift.epochs.is_empty() {
             let convention = match (drift.turned, test.angles.is_empty()) {
-                (true, _) => "positions and orientations are carried back by reference targets",
-                (false, true) => "positions are carried back by reference targets",
-                (false, false) => "positions are carried back by reference targets; angles are not",
+                (true, _) => phrase!("convention-drift-compensated"),
+                (false, true) => phrase!("convention-positions-drift-compensated"),
+                (false, false) => phrase!("convention-angles-not-drift-compensated"),
             };
-            document.conventions.push(convention.to_owned());
+            document.agree(convention);
         }
         document.reference.clone_from(&drift.epochs);
         let epochs = drift.epochs.iter();
