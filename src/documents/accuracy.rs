@@ -3,6 +3,7 @@
 use super::LimitVerdict;
 use super::{CampaignReference, Effect, Figure, Provenance, ReadingReliability, ToolFrame, UncertaintySource};
 use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -291,6 +292,14 @@ impl PoseSet {
     /// Both sets, calibration first.
     pub const ALL: [Self; 2] = [Self::Calibration, Self::Validation];
 
+    /// Text of the catalogue.
+    pub fn phrase(self) -> Phrase {
+        match self {
+            Self::Calibration => phrase!("calibration"),
+            Self::Validation => phrase!("validation"),
+        }
+    }
+
     /// Name of the set.
     pub fn name(self) -> &'static str {
         self.into()
@@ -354,6 +363,21 @@ pub enum ErrorQuantity {
 }
 
 impl ErrorQuantity {
+    /// Text of the catalogue.
+    pub fn phrase(self) -> Phrase {
+        match self {
+            Self::Position => phrase!("position"),
+            Self::X => phrase!("axis-x"),
+            Self::Y => phrase!("axis-y"),
+            Self::Z => phrase!("axis-z"),
+            Self::Orientation => phrase!("orientation"),
+            Self::Distance => phrase!("distance"),
+            Self::Surface => phrase!("surface"),
+            Self::Contact => phrase!("contact"),
+            Self::Coordinate => phrase!("coordinate"),
+        }
+    }
+
     /// Coordinates, in order.
     pub const AXES: [Self; 3] = [Self::X, Self::Y, Self::Z];
     /// Quantities of single errors that are no position.

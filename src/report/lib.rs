@@ -266,14 +266,14 @@ impl Renderer {
     /// Creates the report of a campaign.
     pub fn campaign(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         Ok(Self::new(report.contents(&words), report.attachments()?, presentation, words))
     }
 
     /// Creates the report of a comparison of campaigns.
     pub fn comparison(document: &CompareDocument, presentation: Presentation) -> Result<Self> {
         use sections::changes::{lead, sections, verdict};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let synthetic = document
             .campaigns
             .iter()
@@ -295,7 +295,7 @@ impl Renderer {
     /// Creates the report of a plan.
     pub fn plan(document: &PlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::plan::{sections, verdict};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let robot = words.model(&document.robot);
         let contents = Contents {
             title: tr!(words, "poses-to-measure"),
@@ -319,7 +319,7 @@ impl Renderer {
 
     /// Creates the report of given parameters that were judged on the data of a campaign.
     pub fn validation(document: &AccuracyDocument, presentation: Presentation) -> Result<Self> {
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let verdict = sections::verdict::of_validation(document, &words);
         let limits: Vec<_> = document.limits.iter().collect();
         let limits = sections::limits::of(&limits, false, &words);
@@ -337,7 +337,7 @@ impl Renderer {
     /// Creates the report on whether given parameters still apply.
     pub fn verification(document: &VerificationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{still_valid, verification};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "verification-of-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -354,7 +354,7 @@ impl Renderer {
     /// Creates the report of poses that verify parameters.
     pub fn verification_plan(document: &VerificationPlanDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{chosen, poses_to_verify};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "poses-to-verify-identified-parameters"),
             subtitle: named(&document.robot, &words),
@@ -369,7 +369,7 @@ impl Renderer {
     /// Creates the report of recommended parameters.
     pub fn recommendation(document: &RecommendationDocument, presentation: Presentation) -> Result<Self> {
         use sections::given::{recommendation, recommended};
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = Contents {
             title: tr!(words, "recommendation-title"),
             subtitle: named(&document.robot, &words),
@@ -392,7 +392,7 @@ impl Renderer {
     /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
     pub fn certificate(report: &Report) -> Result<Self> {
         let presentation = report.campaign.report.clone();
-        let words = Words::of(presentation.language)?;
+        let words = Words::of(presentation.language);
         let contents = sections::certificate::contents(report, report.contents(&words), &words);
         Ok(Self::new(contents, report.attachments()?, presentation, words))
     }

@@ -273,15 +273,9 @@ impl Text {
         Self::of(text.to_owned(), Mark::English)
     }
 
-    /// A text of a document in the language of the report; texts without translation are marked as
-    /// English.
-    pub fn document(text: &str, words: &Words) -> Self {
-        words.of_document(text).map_or_else(|| Self::english(text), Self::from)
-    }
-
     /// A text of a document in the language of the report; English without a catalogue entry.
     pub fn worded(text: &str, phrase: Option<&Phrase>, words: &Words) -> Self {
-        phrase.map_or_else(|| Self::document(text, words), |phrase| words.tr(phrase).into())
+        phrase.map_or_else(|| Self::english(text), |phrase| words.tr(phrase).into())
     }
 
     /// A line of a file, or a checksum.
@@ -302,8 +296,9 @@ impl Text {
     }
 
     /// Joins sentences without full stops to one sentence.
-    pub fn conventions(all: &[String], words: &Words) -> Self {
-        let joined = all.iter().map(|c| Self::document(c, words)).reduce(|a, b| a.and("; ").and(b));
+    pub fn conventions(all: &[String], phrases: &[Phrase], words: &Words) -> Self {
+        let worded = |(i, text): (usize, &String)| Self::worded(text, phrases.get(i), words);
+        let joined = all.iter().enumerate().map(worded).reduce(|a, b| a.and("; ").and(b));
         joined.map_or_else(Self::default, |text| text.and("."))
     }
 

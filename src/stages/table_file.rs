@@ -1,8 +1,9 @@
 //! A table that a command is given, or a campaign names: every one is read here.
 
-use etalon_base::error;
+use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition, TableKeys};
 use etalon_documents::{Source, SourceKind};
 use etalon_formats::dialect::{Decimal, Delimiter, Dialect, Encoding};
@@ -175,7 +176,7 @@ pub(crate) struct CampaignTables<'a> {
 impl CampaignTables<'_> {
     /// A table in the form that the campaign states, of one file or of several; `holds` describes
     /// it in the list of inputs.
-    pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: &str) -> Result<TableFile> {
+    pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: Phrase) -> Result<TableFile> {
         self.read_in(table, &TableForm::default(), kind, holds)
     }
 
@@ -185,7 +186,7 @@ impl CampaignTables<'_> {
         table: &TableDefinition,
         form: &TableForm,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
     ) -> Result<TableFile> {
         if let Some(key) = table.keys().and_then(TableKeys::meaningless_beside_sheet) {
             return Err(error!("key-of-text-table", key).at(self.campaign.place(table.first())).into());
@@ -195,7 +196,7 @@ impl CampaignTables<'_> {
         let mut problems = Problems::default();
         let mut all: Option<TableFile> = None;
         for file in table.files() {
-            let read = self.listed(file, kind, holds, |path, bytes| TableFile::observations(path, &bytes, form));
+            let read = self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, form));
             let Some(read) = problems.keep(read) else { continue };
             all = match all {
                 Some(before) => problems.keep(before.followed_by(read)),
@@ -225,7 +226,7 @@ impl CampaignTables<'_> {
             let place = self.campaign.place_of(&["observations", key]);
             return Err(error!("key-of-text-table", key).at(place).into());
         }
-        self.listed(&stated.file, SourceKind::Table, "observations", |path, bytes| {
+        self.listed(&stated.file, SourceKind::Table, phrase!("table-of-observations"), |path, bytes| {
             let form = TableForm { layout: stated.layout(), encoding: stated.encoding, sheet: stated.sheet.clone() };
             TableFile::observations(path, &bytes, &form)
         })
@@ -233,7 +234,7 @@ impl CampaignTables<'_> {
 
     /// A recorded motion: an export in its format, or a table of etalon.
     pub fn recording(&mut self, stream: &StreamDefinition) -> Result<TableFile> {
-        self.listed(&stream.file, SourceKind::Stream, "recorded motion", |path, bytes| {
+        self.listed(&stream.file, SourceKind::Stream, phrase!("recorded-motion-file"), |path, bytes| {
             match (&stream.format, stream.unit) {
                 (Some(format), Some(unit)) => {
                     let text = etalon_formats::text_of(path, &bytes, stream.encoding, format)?;
@@ -251,7 +252,7 @@ impl CampaignTables<'_> {
         &mut self,
         file: &Spanned<String>,
         kind: SourceKind,
-        holds: &str,
+        holds: Phrase,
         read: impl FnOnce(&Path, Vec<u8>) -> Result<TableFile>,
     ) -> Result<TableFile> {
         let here = self.campaign.place(file);
@@ -264,7 +265,8 @@ impl CampaignTables<'_> {
             sha256: stamp.sha256,
             bytes: stamp.size,
             kind,
-            dialect: holds.to_owned(),
+            dialect: holds.to_string(),
+            dialect_phrase: Some(holds),
             rows_read: table.table.height(),
             refused: Vec::new(),
             standstills: Vec::new(),

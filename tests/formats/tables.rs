@@ -1,6 +1,7 @@
 //! One language for all tables: columns by name, number or expression, constants, filters, several files.
 
 use crate::support::scratch::{Scratch, copy_sample, ends};
+use etalon::base::phrase;
 use etalon::documents::ParametersDocument;
 use etalon::formats::table::{coordinates, numbers, texts};
 use etalon::formats::{Export, TableLayout, observations_with};
@@ -90,7 +91,7 @@ fn exports_have_computed_columns_and_filters_too() {
         text,
     );
     assert_eq!(points[0], ([9.5, 19.75, 31.0], None), "{problems}");
-    assert_eq!(points[1].1.as_deref(), Some("left out: `deleted` is `1`"));
+    assert_eq!(points[1].1.as_deref(), Some(&phrase!("row-left-out-by-cell", column = "deleted", cell = "1")));
     // without a header
     let (points, problems) =
         read("{ delimiter = \"blank\", columns = { x = \"25.4 * $2\", y = 3, z = \"$1\" } }", "1 2 3\n4 5 6\n");

@@ -5,7 +5,9 @@
 //! `import::bounded`).
 
 use crate::support::scratch::{Scratch, copy_sample};
+use etalon::base::catalogue::Phrase;
 use etalon::base::message::Result;
+use etalon::base::phrase;
 use etalon::campaign::Campaign;
 use etalon::formats::Format;
 use etalon::formats::dialect::Unit;
@@ -71,10 +73,11 @@ fn trap_7_what_was_not_measured_is_listed_and_never_a_number() {
     let rows: String = markers.iter().map(|m| format!("A;{m};{m};{m}\n")).collect();
     let text = rows + "B;1;*****;3\nC;;;\nD; ; ; \nE;1;2;3\n";
     let points = read(&text, &format!("{{ delimiter = \";\", {LXYZ} }}")).unwrap();
-    let reasons: Vec<&str> = points.iter().filter_map(|p| p.refused.as_deref()).collect();
+    let reasons: Vec<&Phrase> = points.iter().filter_map(|p| p.refused.as_deref()).collect();
     assert_eq!((points.len(), reasons.len()), (10, 9));
-    assert_eq!((reasons[4], reasons[6]), ("not measured: x is `*********`", "not measured: y is `*****`"));
-    assert_eq!(reasons[7], "not measured: no coordinates");
+    assert_eq!(reasons[4], &phrase!("row-not-measured", column = "x", cell = "*********"));
+    assert_eq!(reasons[6], &phrase!("row-not-measured", column = "y", cell = "*****"));
+    assert_eq!(reasons[7], &phrase!("row-without-coordinates"));
     // half an empty row is no statement
     assert!(said("A;1;;3\n", &format!("{{ delimiter = \";\", {LXYZ} }}")).contains("[number-empty]"));
     // what the campaign states holds instead of all that

@@ -52,12 +52,11 @@ pub(super) fn read(LogText { log, stated, text }: LogText, wanted: &[Wanted], so
     if log.delimiter() == Delimiter::Comma && log.decimal == Decimal::Comma {
         return Err(two_commas().at(stated.place(&log.file)).into());
     }
-    source.dialect = format!(
-        "{}delimited by `{}`, decimal `{}`",
-        if log.kind().about().title.is_empty() { String::new() } else { format!("{}, ", log.kind().about().title) },
-        log.delimiter().name(),
-        log.decimal.name()
-    );
+    let delimited = phrase!("log-delimited", delimiter = log.delimiter().name(), decimal = log.decimal.name());
+    source.read_as(match log.kind().about().title {
+        "" => delimited,
+        title => phrase!("log-of-format", format = title, read = delimited),
+    });
     let mut problems = Problems::default();
     let mut sheet = split(stated, log, text, &mut problems)?;
     source.rows_read = sheet.rows.len();

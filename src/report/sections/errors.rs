@@ -91,7 +91,7 @@ fn with_flagged(accuracy: &AccuracyDocument, errors: &[PointError], flagged: &Fl
 
 /// Heading of the errors of a set.
 fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> String {
-    let name = words.tr(&names::set(set.name));
+    let name = words.tr(&set.name.phrase());
     match accuracy.point.as_str() {
         "" => tr!(words, "set-summary", set = name, poses = set.poses, errors = set.count),
         point => {
@@ -242,7 +242,7 @@ fn statistics(
         .sheet("errors", "", |_| set.count)
         .sheet("quantity", "", |e| e.quantity.as_ref())
         .sheet("unit", "", |e| e.unit.as_str())
-        .page(phrase!("error"), "", |e| Text::name(&words.tr(&names::quantity(e.quantity))))
+        .page(phrase!("error"), "", |e| Text::name(&words.tr(&e.quantity.phrase())))
         .page(phrase!("unit"), "", unit)
         .both(phrase!("mean"), "", move |e| cell(e, e.before.mean))
         .both(phrase!("rms"), "", move |e| cell(e, e.before.rms))
@@ -330,7 +330,7 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let columns = Columns::<OfPose>::new()
         .sheet("set", "", |r| r.set.name())
         .both(phrase!("pose"), "", |r| r.pose)
-        .page(phrase!("set"), "", |r| Text::name(&words.tr(&names::set(r.set))))
+        .page(phrase!("set"), "", |r| Text::name(&words.tr(&r.set.phrase())))
         .both(phrase!("errors"), "", |r| r.errors.len())
         .sheet("position before, mean", "mm", |r| r.mean(before_mm))
         .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))

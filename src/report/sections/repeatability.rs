@@ -19,7 +19,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let mut section = Section::new("repeatability", tr!(words, "repeatability-title"));
     section.summarise(tr!(words, "conventions"), document.conventions.join("; "), "");
     section.push(Block::Table(spheres(&poses, words).detail()));
-    section.push(Block::note(Text::conventions(&document.conventions, words)));
+    section.push(Block::note(Text::conventions(&document.conventions, &document.convention_phrases, words)));
     let note = tr!(words, "definition-rp");
     section.table(tr!(words, "uncertainty-of-rp"), note, intervals(&poses, words));
     let rule = quarter_rule(&poses, words);

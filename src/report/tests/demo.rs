@@ -176,6 +176,7 @@ fn import() -> ImportDocument {
         bytes: 48_211,
         kind,
         dialect: dialect.to_owned(),
+        dialect_phrase: None,
         rows_read: 590,
         refused,
         standstills: Vec::new(),
@@ -184,6 +185,7 @@ fn import() -> ImportDocument {
         line: 17,
         text: "K_12_3;412,331;n/a;20,001".to_owned(),
         reason: "`n/a` is not a number (column y)".to_owned(),
+        reason_phrase: None,
     };
     ImportDocument {
         schema: "etalon/import/1".to_owned(),

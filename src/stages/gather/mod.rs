@@ -18,7 +18,7 @@ use crate::stages::table_file::{CampaignTables, TableFile};
 use etalon_base::files::Stamp;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::two_spellings;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
 use etalon_formats::{Export, JointLog, Log, LogRow, Point};
@@ -75,17 +75,19 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Ok(_) if !campaign.export_reads(i) => {}
             Ok((text, bytes)) => {
                 let mut source = statement(SourceKind::Export, file, &Stamp::of(&bytes));
-                source.dialect = format!("{}, unit {}", export.format, export.unit.name());
+                let read = phrase!("read-in-unit", format = export.format.title(), unit = export.unit.name());
                 if exports[i + 1..].iter().any(|later| later.file.get_ref() == file) {
                     opened.insert(file, bytes);
                 } else {
                     drop(bytes);
                 }
                 problems.0.extend(columns.read(campaign, export, &text, &mut source).0);
-                if let Some(frame) = export.format.frame(&text) {
-                    source.dialect.push_str(&format!(", relative to `{frame}`"));
-                    frames.push((campaign.place(&export.file), frame.to_owned()));
-                }
+                let frame = export.format.frame(&text);
+                source.read_as(match frame {
+                    Some(frame) => phrase!("read-in-frame", read, frame),
+                    None => read,
+                });
+                frames.extend(frame.map(|frame| (campaign.place(&export.file), frame.to_owned())));
                 sources.push(source);
             }
             Err(more) => problems.0.extend(more.0),
@@ -219,6 +221,7 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
             SourceKind::Export | SourceKind::Log => String::new(),
             _ => "TOML".to_owned(),
         },
+        dialect_phrase: None,
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),

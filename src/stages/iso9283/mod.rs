@@ -11,6 +11,7 @@ use crate::stages::gather::Gathered;
 use crate::stages::table_file::CampaignTables;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
+use etalon_base::phrase;
 use etalon_base::pose::Pose;
 use etalon_campaign::{Campaign, Limits, PosesDefinition, TableDefinition};
 use etalon_documents::*;
@@ -60,7 +61,7 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     problems.0.extend(more.0);
     data.streams = streams;
     if let Some(definition) = file.compliance.as_ref().filter(|definition| definition.is_named()) {
-        let table = files.read(definition, SourceKind::Table, "static compliance");
+        let table = files.read(definition, SourceKind::Table, phrase!("table-of-compliance"));
         let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
         data.compliance = problems.keep(found);
     }
@@ -146,9 +147,7 @@ fn of_tables(
         seed: definition.seed,
         ..settings
     })?;
-    document
-        .conventions
-        .push(format!("the 25 % rule with U at k = {COVERAGE_FACTOR}; positions in the frame of the tables"));
+    document.agree(phrase!("convention-tables", k = COVERAGE_FACTOR));
     document.visits = attained.visits();
     Ok(document)
 }

@@ -1,9 +1,10 @@
 //! Tables of a test of poses: read, compensated for the drift of the set-up, evaluated.
 
 use crate::stages::table_file::{CampaignTables, TableFile, TableForm};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, centroid, minus, norm};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{PosesDefinition, TableDefinition};
 use etalon_documents::{Iso9283Document, Iso9283Epoch, Iso9283Visit, SourceKind};
 use etalon_formats::tables::pose_test::pose_test;
@@ -48,15 +49,16 @@ impl PoseTables {
             return Err(error!("key-of-text-table", key).at(place).into());
         }
         let mut problems = Problems::default();
-        let mut read = |table: &TableDefinition, holds: &str| {
-            let layout = definition.layout(holds == "attained poses");
+        let mut read = |table: &TableDefinition, holds: Phrase, attained: bool| {
+            let layout = definition.layout(attained);
             let form = TableForm { layout, encoding: definition.encoding, sheet: definition.sheet.clone() };
             let table = files.read_in(table, &form, SourceKind::Table, holds);
             table.map_err(|more| problems.0.extend(more.0)).ok()
         };
-        let attained = read(&definition.attained, "attained poses");
-        let commanded = read(&definition.commanded, "commanded poses");
-        let reference = definition.reference.as_ref().map(|file| read(file, "reference targets"));
+        let attained = read(&definition.attained, phrase!("table-of-attained-poses"), true);
+        let commanded = read(&definition.commanded, phrase!("table-of-commanded-poses"), false);
+        let reference = definition.reference.as_ref();
+        let reference = reference.map(|file| read(file, phrase!("table-of-reference-targets"), false));
         let (Some(attained), Some(commanded)) = (attained, commanded) else { return Err(problems) };
         problems.check()?;
         Ok(Self { attained, commanded: Some(commanded), reference: reference.flatten() })
@@ -122,11 +124,11 @@ impl PreparedTest {
         let mut document = Iso9283Document::evaluate(test, settings)?;
         if !drift.epochs.is_empty() {
             let convention = match (drift.turned, test.angles.is_empty()) {
-                (true, _) => "positions and orientations are carried back by reference targets",
-                (false, true) => "positions are carried back by reference targets",
-                (false, false) => "positions are carried back by reference targets; angles are not",
+                (true, _) => phrase!("convention-drift-compensated"),
+                (false, true) => phrase!("convention-positions-drift-compensated"),
+                (false, false) => phrase!("convention-angles-not-drift-compensated"),
             };
-            document.conventions.push(convention.to_owned());
+            document.agree(convention);
         }
         document.reference.clone_from(&drift.epochs);
         let epochs = drift.epochs.iter();

@@ -2,8 +2,8 @@
 
 use super::stated::TestStatement;
 use crate::stages::table_file::CampaignTables;
-use etalon_base::error;
 use etalon_base::message::{Problems, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, StreamDefinition};
 use etalon_documents::{Iso9283NamedStream, Iso9283StreamDocument, Iso9283StreamsDocument, SourceKind};
 use etalon_formats::tables::recording::{commanded_path, commanded_poses, recording};
@@ -71,14 +71,14 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
     let poses = match &stream.commanded {
         None => None,
         Some(commanded) => {
-            let table = files.read(commanded, SourceKind::Stream, "commanded poses")?;
+            let table = files.read(commanded, SourceKind::Stream, phrase!("table-of-commanded-poses"))?;
             Some(commanded_poses(table.named()).map_err(|p| table.place(p))?)
         }
     };
     let path = match &stream.path {
         None => None,
         Some(path) => {
-            let table = files.read(path, SourceKind::Stream, "commanded path")?;
+            let table = files.read(path, SourceKind::Stream, phrase!("table-of-commanded-path"))?;
             Some(commanded_path(table.named(), &recorded.name, &recording).map_err(|p| table.place(p))?)
         }
     };

@@ -5,7 +5,7 @@ use super::unmatched::At;
 use super::{Remarks, Row, own_covariance};
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Pose, Vector};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::FramesDocument;
 use etalon_fit::rotation_onto;
@@ -65,7 +65,7 @@ pub(super) fn by_label(
     let idle: BTreeSet<&str> = measured.keys().copied().filter(idle).collect();
     if let Some(first) = idle.first() {
         remarks.messages.push(warning!("points-untouched", log = name, count = idle.len(), label = first));
-        let reason = format!("no row of log `{name}` touches it");
+        let reason = phrase!("no-row-touches", log = name);
         let alone = points.iter().filter(|p| idle.contains(&*p.label));
         remarks.unmatched.extend(alone.map(|p| At::point(p).unmatched(p.label.to_string(), &reason)));
     }

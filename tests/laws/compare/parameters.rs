@@ -107,6 +107,7 @@ pub(crate) fn identified(
         robot: None,
         synthetic: Some("drawn for a test".to_owned()),
         notes: None,
+        temperature_range_c: None,
         date: None,
         operator: None,
         instrument: None,

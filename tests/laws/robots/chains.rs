@@ -458,7 +458,7 @@ impl ProbeStations {
             let flange = self.robot.free_base().unwrap().flange(&self.truth, &joints);
             let body = turn.then(&flange.then(&mounted));
             let (station, frame) = if i % 2 == 1 { (Some(self.station), station) } else { (None, Pose::identity()) };
-            let frame_T_body = Pose { translation_mm: [0.0; 3], ..frame.then(&body) };
+            let in_frame = Pose { translation_mm: [0.0; 3], ..frame.then(&body) };
             let pose = (i as i64).into();
             let mut add = |kind, standard_uncertainty| {
                 let joints = joints.clone();
@@ -471,7 +471,7 @@ impl ProbeStations {
                     observations.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
                 }
             }
-            add(Kind::Orientation(Orientation { frame_T_body, station, mounting: self.mounting }), U_RAD);
+            add(Kind::Orientation(Orientation { in_frame, station, mounting: self.mounting }), U_RAD);
         }
         (observations, settings)
     }

@@ -930,6 +930,27 @@ clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen kei
 clock-rate-none = bei keinem Versatz der Uhren und keinem Gangunterschied bis ± { $most_ppm } ppm fällt jeder Messpunkt in einen Stillstand des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
 
+row-excluded = ausgeschlossen: { $reason }
+row-at-origin = nicht gemessen: 0 0 0
+row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
+no-rows-around = dem Protokoll `{ $log }` fehlt davor oder danach eine Zeile innerhalb von { $tolerance_s } s
+no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
+no-point-nearest = kein gemessener Punkt liegt ihr am nächsten
+no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
+no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
+no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
+row-of-unframed-pose = seine Pose hat kein Weltsystem
+
+table-of-observations = Beobachtungen
+table-of-attained-poses = Istposen
+table-of-commanded-poses = Sollposen
+table-of-reference-targets = Referenzmarken
+table-of-commanded-path = Sollbahn
+table-of-compliance = statische Nachgiebigkeit
+recorded-motion-file = aufgezeichnete Bewegung
+read-in-unit = { $format }, Einheit { $unit }
+read-in-frame = { $read }, bezogen auf `{ $frame }`
+
 label-orientations-unused = die Orientierungen des Exports werden nicht verwendet: Log `{ $log }` nennt `{ $label }` in { $count } Zeilen
     .hint = nach Pose, Zeile oder Zeit verbinden, wenn das Messgerät in jeder Pose den Körper am Roboter gemessen hat
 

@@ -767,3 +767,21 @@ arrays-unreadable = the file cannot be read as arrays of { $format ->
 # Example: a day of joint values at 10 kHz
 arrays-too-large = the arrays of the file are larger than { $most_mib } MiB
     .hint = save the arrays of the measurement alone
+
+row-marked-deleted = left out: it is marked as deleted (`{ $cell }`)
+row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
+row-without-coordinates = not measured: no coordinates
+row-not-measured = not measured: { $column } is `{ $cell }`
+characteristic-of-no-axis = no coordinate: the name of the characteristic does not end in X, Y or Z
+feature-of-no-point = a feature `{ $kind }`: its point may lie anywhere on it
+feature-not-read = a feature `{ $kind }`: this kind is not read
+point-incomplete = no point: { $found } without { $missing }
+probe-centre-no-point = a probe centre, not a point of the feature
+
+log-delimited = delimited by `{ $delimiter }`, decimal `{ $decimal }`
+log-of-format = { $format }, { $read }
+log-with-start = { $read }, start { $start }
+read-with-decimal-comma = { $format }, decimal `,`
+
+value-without-label = a value without a label
+primitive-no-point = a primitive of type `{ $kind }`, not a point

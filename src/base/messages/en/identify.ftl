@@ -507,3 +507,13 @@ set-up-slip = { $first }{ $others ->
         [tolerances] {" "}and keeps parameters within their tolerances
        *[residuals] {" "}instead of { FIXED($stated_mm, 3) } mm
     }: check that first
+
+index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1
+index-o2 = O2 = smin / smax; Jacobian in mm per mm, rad and 1
+index-o3 = O3 = smin; Jacobian in mm per mm, rad and 1
+index-o4 = O4 = smin^2 / smax; Jacobian in mm per mm, rad and 1
+index-o5 = O5 = 1 / (1/s1 + ... + 1/sm); Jacobian in mm per mm, rad and 1
+index-d = D = (s1...sm)^(1/m); Jacobian in mm per mm, rad and 1
+index-a = A = 1 / sqrt(tr((J'J)^-1)); columns of J divided by their norms over all candidates
+index-e = E = smin; columns of J divided by their norms over all candidates
+index-i = I = 1 / root mean square standard uncertainty of position over all candidates, per mm of noise

@@ -1893,6 +1893,27 @@ clock-rate-insignificant = the standstills of log `{ $log }` show no difference 
 clock-rate-none = at no offset of the clocks and no rate within ± { $most_ppm } ppm does every measured point fall into a standstill of the log
     .hint = check that the log is of this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
 
+row-excluded = excluded: { $reason }
+row-at-origin = not measured: 0 0 0
+row-of-several = { $rows } rows of log `{ $log }` are within { $tolerance_s } s: the nearest counts
+no-rows-around = log `{ $log }` lacks a row before or after it within { $tolerance_s } s
+no-row-near = no row of log `{ $log }` is within { $tolerance_s } s
+no-point-nearest = no measured point is nearest to it
+no-row-of-key = no row of log `{ $log }` has this key
+no-point-of-key = no measured point has this key
+no-row-touches = no row of log `{ $log }` touches it
+row-of-unframed-pose = its pose has no world frame
+
+table-of-observations = observations
+table-of-attained-poses = attained poses
+table-of-commanded-poses = commanded poses
+table-of-reference-targets = reference targets
+table-of-commanded-path = commanded path
+table-of-compliance = static compliance
+recorded-motion-file = recorded motion
+read-in-unit = { $format }, unit { $unit }
+read-in-frame = { $read }, relative to `{ $frame }`
+
 # Means: An export joined by label has orientations, and the log names a label in several rows.
 # Matters: The robot then touches a place that was measured once; its orientation is not that of the
 # body on the robot. Positions alone are used.

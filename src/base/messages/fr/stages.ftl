@@ -933,6 +933,27 @@ clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune 
 clock-rate-none = à aucun décalage des horloges et à aucune dérive dans ± { $most_ppm } ppm chaque point mesuré ne tombe dans un arrêt du journal
     .hint = vérifier que le journal est celui de cette mesure et retirer les points mesurés en mouvement ; ou indiquer `clock_offset_s` par un nombre
 
+row-excluded = exclue : { $reason }
+row-at-origin = non mesuré : 0 0 0
+row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
+no-rows-around = le journal `{ $log }` n'a pas de ligne avant ou après à moins de { $tolerance_s } s
+no-row-near = aucune ligne du journal `{ $log }` n'est à moins de { $tolerance_s } s
+no-point-nearest = aucun point mesuré n'en est le plus proche
+no-row-of-key = aucune ligne du journal `{ $log }` n'a cette clé
+no-point-of-key = aucun point mesuré n'a cette clé
+no-row-touches = aucune ligne du journal `{ $log }` ne le touche
+row-of-unframed-pose = sa pose n'a pas de repère monde
+
+table-of-observations = observations
+table-of-attained-poses = poses atteintes
+table-of-commanded-poses = poses commandées
+table-of-reference-targets = cibles de référence
+table-of-commanded-path = trajectoire commandée
+table-of-compliance = souplesse statique
+recorded-motion-file = mouvement enregistré
+read-in-unit = { $format }, unité { $unit }
+read-in-frame = { $read }, par rapport à `{ $frame }`
+
 label-orientations-unused = les orientations de l’export ne sont pas utilisées : le journal `{ $log }` nomme `{ $label }` dans { $count } lignes
     .hint = joindre par pose, ligne ou temps si l’instrument a mesuré à chaque pose le corps sur le robot
 
