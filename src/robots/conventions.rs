@@ -395,7 +395,8 @@ impl Serial {
         Self::of_table(TableConvention::Modified, joints, targets, &effects)
     }
 
-    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg parameters,
+    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg
+    /// parameters,
     /// with `targets` on its last link.
     pub fn of_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
         let convention = if modified { TableConvention::Modified } else { TableConvention::Standard };

@@ -196,7 +196,8 @@ impl CampaignTables<'_> {
         let mut problems = Problems::default();
         let mut all: Option<TableFile> = None;
         for file in table.files() {
-            let read = self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, form));
+            let read =
+                self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, form));
             let Some(read) = problems.keep(read) else { continue };
             all = match all {
                 Some(before) => problems.keep(before.followed_by(read)),

@@ -162,7 +162,8 @@ impl Row {
         Ok(())
     }
 
-    /// An error where a row of another station is not a point or a pose with all coordinates and one
+    /// An error where a row of another station is not a point or a pose with all coordinates and
+    /// one
     /// uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;

@@ -471,7 +471,7 @@ impl ProbeStations {
                     observations.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
                 }
             }
-            add(Kind::Orientation(Orientation { in_frame, station, mounting: self.mounting }), U_RAD);
+            add(Kind::Orientation(Orientation { frame_T_body: in_frame, station, mounting: self.mounting }), U_RAD);
         }
         (observations, settings)
     }
