@@ -23,6 +23,8 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
             .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),
         temperature_c: file.temperature_c,
         conditions: file.conditions.clone(),
+        valid_until: file.valid_until.clone(),
+        controller_files: Vec::new(),
         issue: issue(&file.report),
         report,
     }
