@@ -39,6 +39,8 @@ pub struct CampaignFile {
     pub notes: Option<String>,
     /// Date of the measurements (ISO 8601), as the report prints it.
     pub date: Option<String>,
+    /// Last day on which the calibration is valid, as the laboratory states it: year-month-day.
+    pub valid_until: Option<String>,
     /// Name of the operator.
     pub operator: Option<String>,
     /// Temperature during the measurements.

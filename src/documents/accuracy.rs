@@ -58,6 +58,10 @@ pub struct AccuracyDocument {
     /// and time; empty with fewer than ten poses.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub trends: Vec<ResidualTrend>,
+    /// Effects of the identified parameters of the robot at the measured points, the largest change
+    /// first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parameter_influences: Vec<ParameterInfluence>,
     /// Limits that the campaign states, with their verdicts.
     pub limits: Vec<LimitVerdict>,
     /// Expected error at the tool point; absent without a tool point or a covariance.
@@ -112,6 +116,24 @@ pub struct EffectProof {
     pub gain_over_u: Option<f64>,
     /// Probability of the F statistic of the effect.
     pub p_value: Option<f64>,
+}
+
+/// Effect of a parameter at the measured point that it moves most, with all other parameters, base
+/// and targets unchanged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterInfluence {
+    /// Name of the parameter.
+    pub name: String,
+    /// Pose of the point.
+    pub pose: PoseName,
+    /// Displacement of the point by identified minus nominal value (mm), with the sign of the
+    /// change.
+    pub change_mm: f64,
+    /// Displacement of the point by the standard uncertainty of the parameter (mm, k = 1).
+    pub standard_uncertainty_mm: Option<f64>,
+    /// Displacement of the point by the stated tolerance of the parameter (mm).
+    pub tolerance_mm: Option<f64>,
 }
 
 /// F test of a trend in the errors after identification: a parabola in one quantity against a

@@ -1,7 +1,7 @@
 //! Verdict on everything that a report judges, with its reasons.
 
 use crate::{
-    Acceptance, AccuracyDocument, Characteristics, Conditions, Conformity, ControllerErrors, ControllersDocument,
+    Acceptance, Action, AccuracyDocument, Characteristics, Conditions, Conformity, ControllerErrors, ControllersDocument,
     Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic, PositionErrors,
 };
 use etalon_base::pose_name::PoseName;
@@ -24,6 +24,9 @@ pub struct VerdictDocument {
     pub reasons: Vec<Reason>,
     /// All limits with their verdicts.
     pub limits: Vec<LimitVerdict>,
+    /// Next steps, at most five, those with the largest gain first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub actions: Vec<Action>,
 }
 
 /// Reason why a verdict is not `pass`.
@@ -251,6 +254,7 @@ impl Judged<'_> {
             verdict,
             reasons,
             limits,
+            actions: Vec::new(),
         }
     }
 }

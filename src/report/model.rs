@@ -81,6 +81,9 @@ impl Contents {
         for headline in &mut self.verdict.headlines {
             (headline.before, headline.after) = (words.number(&headline.before), words.number(&headline.after));
         }
+        for figure in &mut self.verdict.graphs {
+            figure.svg = svg_numbers(&figure.svg, words);
+        }
         for section in &mut self.sections {
             section.blocks.iter_mut().for_each(|block| block.numbers(words));
             let cells = section.data.iter_mut().flat_map(|table| table.rows.iter_mut().flatten());
@@ -91,7 +94,7 @@ impl Contents {
 }
 
 /// Adds a capital at the beginning and a full stop at the end.
-fn sentence(text: &str) -> String {
+pub(super) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     let end = if text.ends_with(|c: char| c.is_alphanumeric() || c == ')') { "." } else { "" };
@@ -109,6 +112,28 @@ pub(crate) struct Verdict {
     /// Subject of the headlines.
     pub about: String,
     pub headlines: Vec<Headline>,
+    /// Limits and headlines in figures.
+    pub graphs: Vec<Figure>,
+    /// Next steps, the most useful first.
+    pub steps: Vec<Step>,
+    /// Fields to complete before signing.
+    pub to_complete: Option<ToComplete>,
+}
+
+/// A next step with its reason.
+#[derive(Debug, Serialize)]
+pub(crate) struct Step {
+    pub what: Text,
+    pub reason: Text,
+    /// Command to run in the folder of the campaign.
+    pub command: Option<String>,
+}
+
+/// Fields without which a report is a draft.
+#[derive(Debug, Serialize)]
+pub(crate) struct ToComplete {
+    pub title: String,
+    pub fields: Vec<String>,
 }
 
 /// Style of a verdict.
@@ -148,6 +173,9 @@ pub(crate) struct Headline {
     pub before: String,
     pub after: String,
     pub unit: &'static str,
+    /// Unit of the documents, and both values in it.
+    #[serde(skip)]
+    pub in_documents: (&'static str, [f64; 2]),
 }
 
 /// A section; its `id` names it in links and templates.
@@ -165,6 +193,8 @@ pub(crate) struct Section {
     /// `true` if the terminal shows the section.
     #[serde(skip)]
     pub on_terminal: bool,
+    /// `true` for a section behind the evidence: folded on a page, after the signatures on paper.
+    pub annex: bool,
 }
 
 /// A name with its value.
@@ -979,6 +1009,11 @@ impl Section {
     /// Shows the section on the terminal too.
     pub fn on_terminal(self) -> Self {
         Self { on_terminal: true, ..self }
+    }
+
+    /// Moves the section behind the evidence.
+    pub fn annex(self) -> Self {
+        Self { annex: true, ..self }
     }
 
     /// Inserts a block before all others.

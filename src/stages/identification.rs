@@ -1,5 +1,6 @@
 //! Identify: observations become parameters, and errors before and after.
 
+use crate::stages::influence::influences;
 use crate::stages::apart::Apart;
 use crate::stages::checks::{reliability_summary, robust_message, robust_summary, trends, with_reliability};
 use crate::stages::commanded::commanded;
@@ -172,6 +173,7 @@ pub fn identify(
         parameters.reliability = reliability_summary(robot, &reliability);
     }
     let base = robot.kinematics().and_then(|k| k.base_in_world(&found.values)).filter(|_| robot.platform().is_none());
+    accuracy.parameter_influences = influences(robot, &all, &found.values, &parameters);
     accuracy.trends = trends(&errors, &accuracy.joints, base.map_or([0.0; 3], |base| base.translation_mm));
     let again = Again { systematic, before, apart };
     Ok(Identified { parameters, accuracy, errors, sets, settings, found, again })

@@ -17,6 +17,7 @@ pub mod gather;
 pub mod geometric;
 pub mod given;
 pub mod identification;
+mod influence;
 pub mod iso9283;
 pub mod join;
 pub mod joint_range;

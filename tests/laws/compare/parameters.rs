@@ -38,6 +38,7 @@ fn no_errors() -> AccuracyDocument {
         given: None,
         joints: vec![],
         trends: vec![],
+        parameter_influences: Vec::new(),
         schema: "etalon/accuracy/1".to_owned(),
         definition: String::new(),
         definition_phrase: None,
@@ -118,6 +119,8 @@ pub(crate) fn identified(
         contact: None,
         temperature_c: None,
         conditions: Conditions::default(),
+        valid_until: None,
+        controller_files: Vec::new(),
         issue: etalon::documents::Issue::default(),
         report: Presentation::default(),
     };

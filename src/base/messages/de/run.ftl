@@ -190,3 +190,9 @@ identify-missing = die Kampagne hat kein [identify], das die Posen zur Beurteilu
 
 clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
     .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen
+
+valid-until-no-date = `valid_until` ist kein Datum: „{ $date }“
+    .expected = der letzte Tag der Gültigkeit in Anführungszeichen, wie "2027-03-02"
+
+valid-until-before-measurements = `valid_until` ({ $date }) liegt vor den Messungen ({ $measured })
+    .hint = `valid_until` oder `date` berichtigen

@@ -421,3 +421,17 @@ identify-missing = the campaign has no [identify], which names the poses to judg
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
     .hint = state `clock_offset_s = "standstills"`, or leave `clock_rate` out
+
+# Means: `valid_until` is not a date of the form year-month-day.
+# Matters: Reports and batches compare this day with others.
+# Do: State the last day of validity as 2027-03-02.
+# Example: `valid_until = "next year"`
+valid-until-no-date = `valid_until` is not a date: "{ $date }"
+    .expected = the last day of validity in quotation marks, as "2027-03-02"
+
+# Means: The last day of validity is before the date of the measurements.
+# Matters: The calibration would never have been valid.
+# Do: Correct `valid_until` or `date`.
+# Example: `date = "2026-03-02"` with `valid_until = "2025-03-02"`
+valid-until-before-measurements = `valid_until` ({ $date }) is before the measurements ({ $measured })
+    .hint = correct `valid_until` or `date`

@@ -190,3 +190,9 @@ identify-missing = la campagne n’a pas de [identify], qui mentionne les poses 
 
 clock-rate-without-offset = `clock_rate = "standstills"` exige `clock_offset_s = "standstills"`
     .hint = indiquer `clock_offset_s = "standstills"`, ou omettre `clock_rate`
+
+valid-until-no-date = `valid_until` n’est pas une date : « { $date } »
+    .expected = le dernier jour de validité entre guillemets, comme "2027-03-02"
+
+valid-until-before-measurements = `valid_until` ({ $date }) précède les mesures ({ $measured })
+    .hint = corriger `valid_until` ou `date`
