@@ -122,7 +122,7 @@ fn report_several(targets: &[Target], several: Vec<(usize, usize)>, clocks: Cloc
     }
     remarks.messages.push(warning!("several-rows-near", count = several.len(), log = name, tolerance_s));
     remarks.unmatched.extend(several.into_iter().map(|(i, rows)| {
-        let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest counts");
+        let reason = format!("{rows} rows of log `{name}` are within {tolerance_s} s: the nearest row is used");
         unmatched(&targets[i], &reason)
     }));
 }

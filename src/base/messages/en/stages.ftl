@@ -1739,7 +1739,7 @@ undescribed-frame-moved = one motion of the frame by { FIXED($motion_mm, 1) } mm
 
 undescribed-unchecked = the calibration poses have no redundant coordinate: other positions of base and targets fit equally well; measure more calibration poses, spread over the workspace
 
-undescribed-other-poses = the calibration poses fit, but no motion of the frame explains the others: check that log and exports of the validation poses belong together (wrong log, or another numbering of poses)
+undescribed-other-poses = the calibration poses fit, but no motion of the frame explains the others: check that log and exports of the validation poses belong together (not a log of another campaign, or another numbering of poses)
 
 # Means: `--frames prior` is stated for nominal parameters.
 # Matters: This mode weights base and targets by the covariance of identified parameters.
