@@ -7,12 +7,12 @@ use etalon_robots::{FreeBase, Robot};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 
-/// The body that carries the target is oriented so in the world; three parameters are the rotation
-/// vector that turns the flange to the body. Residuals: the rotation vector from the observed
-/// orientation to the model's, rad.
+/// Orientation of the body that carries the target in the world; three parameters are the rotation
+/// vector from the flange to the body. Residuals: the rotation vector from the observed orientation
+/// to that of the model (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orientation {
-    /// The body in the world, by its rotation alone.
+    /// Orientation of the body in the world.
     pub world_T_body: Pose,
     /// First parameter of the rotation vector.
     pub mounting: usize,
@@ -73,7 +73,7 @@ impl Equation for Orientation {
     }
 }
 
-/// Orientations of bodies on the flange: the mean of what their observed orientations show.
+/// Orientations of bodies on the flange: the mean from their observed orientations.
 pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usize], values: &mut [f64]) {
     let mut bodies: BTreeMap<usize, Vec<(Vector, Vector)>> = BTreeMap::new();
     for c in conditions {
@@ -90,15 +90,15 @@ pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usiz
     }
 }
 
-/// Root mean square angle that observed orientations are from those of the robot with `values`,
-/// with their bodies mounted where they explain these best, rad; not a number where there are none.
+/// Root mean square angle (rad) between observed orientations and those of the robot with `values`,
+/// for the best mounting of the bodies; not a number without orientations.
 pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
     let misfits = mounted_misfits_rad(robot, conditions, values);
     (misfits.iter().map(|angle| angle * angle).sum::<f64>() / misfits.len() as f64).sqrt()
 }
 
-/// Angles that observed orientations are from those of the robot with `values`, with their bodies
-/// mounted where they explain these best, rad.
+/// Angles (rad) between observed orientations and those of the robot with `values`, for the best
+/// mounting of the bodies.
 pub fn mounted_misfits_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> Vec<f64> {
     let Some(arm) = robot.free_base() else { return Vec::new() };
     let mut values = values.to_vec();
