@@ -1,5 +1,5 @@
-//! The position of a target, of which single coordinates and those of further stations are
-//! conditions; the place of a fixed point.
+//! The position of a target (single coordinates and those of further stations are conditions), or
+//! the position of a fixed point.
 
 use super::kind::xyz;
 use super::{Cells, Facts, Row, RowKind, Simulated};
@@ -56,7 +56,7 @@ impl RowKind for Point {
     }
 }
 
-/// The coordinates that a text names.
+/// The coordinates in a text.
 fn coordinates(text: &str) -> Result<[bool; 3]> {
     let known = text.chars().all(|c| "xyz".contains(c)) && !text.is_empty();
     let wrong = || error!("coordinates-unknown", text);
