@@ -1,4 +1,4 @@
-//! Names of what documents enumerate.
+//! Names of enumerated values in documents.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
@@ -115,8 +115,8 @@ pub(crate) fn source(source: UncertaintySource) -> Phrase {
     }
 }
 
-/// Names that documents enumerate in texts: elements, methods, movements, quantities of a
-/// comparison. `None` for any other text.
+/// Names of enumerated values in texts: elements, methods, movements, quantities of a comparison.
+/// `None` for any other text.
 pub(crate) fn of_document(name: &str) -> Option<Phrase> {
     Some(match name {
         "plane" => phrase!("plane"),
