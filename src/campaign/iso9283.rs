@@ -44,7 +44,7 @@ impl RepeatabilityDefinition {
     }
 }
 
-/// A test of poses from tables, in a frame of its own.
+/// A test of poses from tables, in its own frame.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PosesDefinition {
@@ -65,7 +65,7 @@ pub struct PosesDefinition {
     /// Decimal mark of the tables.
     #[serde(default)]
     pub decimal: Decimal,
-    /// Encoding of their characters, where no byte-order mark states it.
+    /// Character encoding, if no byte-order mark states it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Rows before the data of each table; the last one names the columns: a number, `false` for
@@ -81,7 +81,7 @@ pub struct PosesDefinition {
     /// columns.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
-    /// Number of cycles in one set of a drift test; without it there is no drift.
+    /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
     /// Order of the rotations a, b, c; if stated, reference targets also compensate orientations.
