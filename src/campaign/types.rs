@@ -214,7 +214,7 @@ impl Expansion {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Homing {
-    /// Expanded uncertainty of sliding joints.
+    /// Expanded uncertainty of prismatic joints.
     pub expanded_uncertainty_um: Option<f64>,
     /// Expanded uncertainty of revolute joints.
     pub expanded_uncertainty_deg: Option<f64>,
@@ -252,7 +252,7 @@ pub struct ObservationsDefinition {
     pub header: Header,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
+    /// Cells that mean "not measured", in addition to empty cells.
     #[serde(default)]
     pub missing: Missing,
     /// Source of each column that has another name in the file: a heading, a number from 1, or an
@@ -262,17 +262,17 @@ pub struct ObservationsDefinition {
     /// Columns with the same value in all rows, e.g. `kind = "distance"`.
     #[serde(default)]
     pub constants: BTreeMap<String, Constant>,
-    /// Rows that are read: those with one of these cells in each of these columns.
+    /// Filter of the rows: only rows with one of these cells in each of these columns are read.
     #[serde(default)]
     pub only: BTreeMap<String, Cells>,
-    /// Rows that are left out: those with one of these cells in one of these columns.
+    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
     #[serde(default)]
     pub without: BTreeMap<String, Cells>,
     /// Coverage factor of the columns of uncertainties, where they are expanded.
     pub coverage_factor: Option<f64>,
-    /// Kind of all observations, of a table without such a column.
+    /// Kind of all observations, for a table without the column.
     pub kind: Option<String>,
-    /// The target of all rows, of a table without such a column.
+    /// Target of all rows, for a table without the column.
     pub target: Option<String>,
     /// `row`: the number of the data row is the number of the pose, for a table without such a
     /// column; `row + 100` adds an offset.

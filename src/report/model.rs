@@ -29,7 +29,7 @@ pub(crate) struct Contents {
     pub date: Option<String>,
     /// Date of issue.
     pub issued: Option<String>,
-    /// Mark across every page of what must not be used as a certificate.
+    /// Mark across every page of a document that must not be used as a certificate.
     pub draft: Option<String>,
     /// Number of the report, shown on every page.
     pub number: Option<String>,
@@ -279,7 +279,7 @@ enum Mark {
 }
 
 impl Text {
-    /// A text; what stands between backticks in a sentence is a key or a name.
+    /// A text; parts between backticks in a sentence are keys or names.
     fn of(text: String, mark: Mark) -> Self {
         let is_sentence = matches!(mark, Mark::Own | Mark::English);
         if !is_sentence || !text.contains('`') || !text.matches('`').count().is_multiple_of(2) {
@@ -826,7 +826,7 @@ impl Table {
         self.laid_out(self.on_page())
     }
 
-    /// Layout for a page: what decides is beside the name.
+    /// Layout for a page: the deciding column is beside the name.
     fn laid_on_page(&self) -> Laid<'_> {
         let mut places = self.on_page();
         if let Some(i) = places.iter().position(|i| self.columns[*i].decisive).filter(|i| *i > 1) {

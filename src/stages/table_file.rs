@@ -1,4 +1,4 @@
-//! A table that a command is given, or a campaign names: every one is read here.
+//! Tables of commands and campaigns: all are read here.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::files::{self, Stamp};
@@ -14,10 +14,10 @@ use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::path::Path;
 use toml::Spanned;
 
-/// A table with the text that it was read from.
+/// A table with its text.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFile {
-    /// The file as the user named it.
+    /// File name stated by the user.
     pub name: String,
     text: String,
     pub table: DataFrame,
@@ -26,10 +26,10 @@ pub(crate) struct TableFile {
     more: Vec<(String, String)>,
 }
 
-/// Lines of the second file of several begin behind this, those of the third behind twice of it.
+/// Offset of the line numbers of each further file.
 const FILE: usize = 1_000_000_000;
 
-/// Problems of the rows of several files, with the file and the line that each is about.
+/// Problems of the rows of several files, each with its file and line.
 pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
         if let Some(line) = place.line.filter(|line| *line >= FILE) {
@@ -41,7 +41,7 @@ pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
     if files.len() > 1 { problems } else { problems.at(&Place::file(first)) }
 }
 
-/// Problems of rows that a join made, which are in no file: about the campaign.
+/// Problems of rows of a join, which belong to no file: about the campaign.
 pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
     for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
         if place.file.is_empty() {
@@ -90,7 +90,7 @@ impl TableFile {
         &self.text
     }
 
-    /// Takes the rows out for which `left_out` is true.
+    /// Removes the rows for which `left_out` is true.
     pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
         if left_out.contains(&true) {
             let kept: Vec<bool> = left_out.iter().map(|out| !out).collect();
@@ -115,7 +115,7 @@ impl TableFile {
         NamedTable { file: &self.name, frame: &self.table }
     }
 
-    /// Problems of the table, with the lines they are about.
+    /// Problems of the table, each with its line.
     pub fn place(&self, problems: Problems) -> Problems {
         if self.more.is_empty() {
             return problems.in_text(&self.name, &self.text);
@@ -132,7 +132,7 @@ impl TableFile {
         })
     }
 
-    /// This table and the rows of another behind its own.
+    /// This table, followed by the rows of another one.
     fn followed_by(mut self, other: Self) -> Result<Self> {
         let number = self.more.len() + 1;
         let lines: Vec<i64> =
@@ -208,7 +208,7 @@ impl CampaignTables<'_> {
         all.ok_or_else(|| error!("data-rows-missing").at(self.campaign.place(table.first())).into())
     }
 
-    /// The tables of observations, one behind the other.
+    /// The tables of observations, one after the other.
     pub fn all_observations(&mut self, stated: &[ObservationsDefinition]) -> Result<Option<TableFile>> {
         let mut all: Option<TableFile> = None;
         for definition in stated {

@@ -105,7 +105,7 @@ fn rows_of_an_export_weigh_by_their_uncertainty_and_are_left_out_by_number() {
         ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"119\"\nreason = \"r\"\n", "there is no row 119"),
         ("[[identify.exclude]]\nfile = \"al.csv\"\nrows = \"1\"\nreason = \"r\"\n", "did you mean `all.csv`"),
         ("[[identify.exclude]]\nrows = \"1\"\nreason = \"r\"\n", "either poses or the rows of a file"),
-        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"1\"\nreason = \" \"\n", "an exclusion needs its reason"),
+        ("[[identify.exclude]]\nfile = \"all.csv\"\nrows = \"1\"\nreason = \" \"\n", "an exclusion needs a reason"),
     ] {
         let scratch = campaign(&weighted, "", &rows);
         add(&scratch, rule);
@@ -409,7 +409,7 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
 
     // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
     let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
-    assert!(code == Some(2) && said.contains("is there twice at pose 1") && said.contains("row + 100"), "{said}");
+    assert!(code == Some(2) && said.contains("occurs twice at pose 1") && said.contains("row + 100"), "{said}");
     let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));
     assert!(code == Some(2) && said.contains("state different `joints`"), "{said}");
     let (code, said) = run(&export("a.csv", 1, "LR", "").replace("target = \"LR\"\n", ""));

@@ -59,7 +59,7 @@ fn a_compensation_table_holds_the_means_of_both_directions() {
         assert!(out.lines().any(|l| l == line), "{line}: {out} {err}");
     }
     let (code, _, err) = answer(&uneven, &["--compensation", "sinumerik"]);
-    assert!(code == Some(2) && err.contains("constant distance"), "{err}");
+    assert!(code == Some(2) && err.contains("equidistant"), "{err}");
 }
 
 /// The control adds the table to the actual value, and the axis moves the other way (Siemens, K3): what it then reaches is programmed.

@@ -218,7 +218,7 @@ fn simulate_writes_over_no_measured_campaign() {
     std::fs::copy("samples/prexyt-cmm/truth.toml", folder.path().join("mine/truth.toml")).unwrap();
     let refused = etalon(folder.path(), &["simulate", "mine"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text_of(&refused).contains("its files may be measured ones"));
+    assert!(text_of(&refused).contains("its files may be measured data"));
     assert!(!folder.path().join("mine/encoders.csv").exists());
 }
 
@@ -373,7 +373,7 @@ fn a_campaign_without_its_variable_is_skipped_only_when_asked() {
     scratch.replace("campaign.toml", "exports/poses.txt", "$ETALON_NO_SUCH_VARIABLE/poses.txt");
     let refused = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("the environment has no `ETALON_NO_SUCH_VARIABLE`"));
+    assert!(text(&refused.stderr).contains("the environment variable `ETALON_NO_SUCH_VARIABLE` is not set"));
     let skipped = etalon(scratch.root(), &["run", "--skip-missing", "campaign"]);
     assert!(skipped.status.success() && text(&skipped.stderr).starts_with("skipped: "));
 }

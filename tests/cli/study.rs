@@ -131,7 +131,7 @@ fn simulated_backlash_is_identified_by_the_times_of_the_log() {
         "run",
         2,
         &[
-            "error[approach-direction-unknown]: log `log` does not show from which direction joint `shoulder_pan` moved",
+            "error[approach-direction-unknown]: log `log` does not show the direction of approach of joint `shoulder_pan`",
             "`time_s` in `columns`",
         ],
     );

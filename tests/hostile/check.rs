@@ -21,7 +21,7 @@ fn unreadable_rows_hide_nothing() {
         "error[selection-without-pose]: `calibration`",
         "error[key-not-positive]: `position_max_mm`",
         "campaign.toml:46:19",
-        "`bending` means nothing for this model",
+        "`bending` has no effect on this model",
     ];
     ends(&scratch, "check", 2, &parts);
 }
@@ -52,7 +52,7 @@ fn what_only_a_run_used_to_find_is_found_by_check() {
         "campaign.toml",
         "by = [\"pose\", \"cycle\"]",
         "by = \"row\"",
-        &["`exports/poses.txt` has 590 rows, log `log` has 295", "equal counts for a join by row"],
+        &["`exports/poses.txt` has 590 rows, but log `log` has 295", "equal counts for a join by row"],
     );
 }
 
@@ -74,12 +74,12 @@ fn tables_without_poses_are_found_by_check() {
 fn statements_that_mean_nothing_or_contradict_are_refused() {
     let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
     robot("[nominal]\nbetta = 1.0", &["[nominal] names `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
-    robot("gravity = [0, 0, -1]\n[nominal]", &["`gravity` means nothing for this model", "robot.toml:"]);
+    robot("gravity = [0, 0, -1]\n[nominal]", &["`gravity` has no effect on this model", "robot.toml:"]);
     broken(
         "robot.toml",
         "travel_mm = [170.0, 300.0, 300.0]",
         "type1_margin_deg = 5.0",
-        &["`type1_margin_deg` means nothing for this model", "five_bar"],
+        &["`type1_margin_deg` has no effect on this model", "five_bar"],
     );
     broken("robot.toml", "l_kl = 146.0", "l_kl = nan", &["`nan` is not a measured value", "robot.toml:"]);
     let campaign = |from: &str, to: &str, parts: &[&str]| broken("campaign.toml", from, to, parts);
@@ -112,7 +112,7 @@ fn statements_that_mean_nothing_or_contradict_are_refused() {
     arm(
         "bending = [2, 3]",
         "bending = [2, 3, 2, 9]",
-        &["joint 2 is there twice", "there is no joint 9", "robot.toml:"],
+        &["joint 2 is named twice", "there is no joint 9", "robot.toml:"],
     );
 }
 
@@ -166,7 +166,7 @@ fn a_report_that_cannot_be_dressed_is_refused() {
     let dressed = |line: &str, parts: &[&str]| {
         broken("campaign.toml", "[instrument]", &format!("[report]\n{line}\n\n[instrument]"), parts);
     };
-    dressed("language = \"es\"", &["unknown variant `es`", "language = \"es\""]);
+    dressed("language = \"es\"", &["unknown value `es`", "language = \"es\""]);
     dressed("country = \"UK\"", &["`UK` is not a country code of ISO 3166-1", "country = \"UK\""]);
     dressed("logo = \"logo.svg\"", &["cannot read `", "logo.svg", "logo = \"logo.svg\""]);
     dressed("logo = \"robot.toml\"", &["[logo-unusable]", "an SVG or PNG picture"]);

@@ -57,7 +57,7 @@ fn slips_are_refused_with_their_line() {
         ("plane,1,1,ball,1,2,3,,,,,,,,,,,table,z,,0.02,", &["error[number-missing]: `offset_mm`"]),
         ("contact,,,A,,,,,,,,,,,,,B,,,,0.02,", &["error[row-without-pose]: a row of kind `contact`"]),
         ("distance,,,A,,,,,,,,,,,300,A,,,,,0.02,", &["error[distance-to-itself]: the distance is from `A`"]),
-        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]: the place of `A`"]),
+        ("point,,,A,,,,1,2,,,,,,,,,,,,0.02,", &["error[place-missing]: the position of `A`"]),
     ] {
         let error = error(HEADER, &format!("{good}\n{row}"), &[]);
         for part in parts.iter().chain(&["o.csv:3"]) {
@@ -80,7 +80,7 @@ fn what_a_further_station_cannot_state_is_refused_with_its_line() {
         ),
         (
             "point,T2,2,1,ball,1,2,3,1,2,3,,,,,,0.01,0.02,0.01,,,,,,,",
-            "error[station-row-unsupported]: coordinates measured by station `T2` have uncertainties",
+            "error[station-row-unsupported]: coordinates measured by station `T2` have separate uncertainties",
         ),
         (
             "point,T2,2,1,ball,1,2,3,1,,3,,,,,0.02,,,,,,,,,,",
@@ -145,7 +145,7 @@ fn slips_in_surfaces_and_joints_are_refused_with_their_line() {
         ("joints,1,1,,1,2,3,,,,,,,q4,1.0,,,,0.01", &["error[not-of-this-robot]: `q4`"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,,,,,0.01", &["`value_deg` is missing"]),
         ("joints,1,1,,1,2,3,,,,,,,q2,1.0,,,,", &["error[uncertainty-missing]", "--rotation-uncertainty-deg"]),
-        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]: the place of `a`"]),
+        ("line,,,a,,,,1,2,,post,,z,,,,,0.02,", &["error[place-missing]: the position of `a`"]),
         ("sphere,,,dome,,,,,,,,dome,,,,-5,,0.02,", &["error[distance-not-positive]"]),
     ] {
         let error = error(header, &format!("{good}\n{row}"), &[]);

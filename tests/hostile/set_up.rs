@@ -21,7 +21,7 @@ fn the_world_export_in_another_unit_is_refused_and_named() {
     let scratch = copy_sample("prexyt-cmm");
     let world = "file = \"exports/world.txt\"\nformat = \"polyworks\"\nunit = ";
     scratch.replace("campaign.toml", &format!("{world}\"mm\""), &format!("{world}\"in\""));
-    let parts = ["the nominal robot misses the measurements", "with the world frame turned by", "`unit`"];
+    let parts = ["the nominal robot misses the measurements", "with the world frame rotated by", "`unit`"];
     ends(&scratch, "check", 2, &parts);
     ends(&scratch, "run", 1, &["`x_o` = -7829", "no controller file is written"]);
     assert!(!scratch.path().join("out/controller.json").exists());
@@ -201,7 +201,7 @@ fn a_ball_that_bears_the_coordinates_of_another_is_named() {
         scratch.replace("exports/plate.txt", &ball.join(","), &[&ball[..3], &other[3..]].concat().join(","));
         let (found, _) = etalon::run::walk::everything(&Campaign::read(&scratch.path()).unwrap());
         let said: String = found.messages.iter().map(|m| m.what.clone() + "\n").collect();
-        let named = |a: &str, b: &str| said.contains(&format!("`{a}` lies where `{b}` is"));
+        let named = |a: &str, b: &str| said.contains(&format!("`{a}` has the position of `{b}`"));
         assert!(named(&ball[2], &other[2]) || named(&other[2], &ball[2]), "{}: {said}", ball[2]);
     }
 }
@@ -221,7 +221,7 @@ fn as_many_parameters_as_coordinates_are_said_to_be_unchecked() {
             .unwrap();
         let said = String::from_utf8(done.stderr).unwrap();
         assert_eq!(done.status.code(), Some(code), "{prior}: {said}");
-        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses determine 6 parameters";
+        let unchecked = "[no-coordinates-to-check]: 6 coordinates of the calibration poses for 6 parameters";
         assert!(said.contains(unchecked), "{prior}: {said}");
     }
 }

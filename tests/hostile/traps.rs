@@ -112,7 +112,7 @@ fn trap_9_names_that_occur_twice_are_no_key() {
         "[[export]]\nfile = \"o.txt\"\nunit = \"mm\"\nformat = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"";
     let told = campaign(export, &files).1.unwrap_err().to_string();
     assert!(
-        told.contains("error[target-twice]: target `K` is there twice at pose 1")
+        told.contains("error[target-twice]: target `K` occurs twice at pose 1")
             && told.contains("the first is o.txt:1"),
         "{told}"
     );
@@ -130,7 +130,10 @@ fn trap_10_rows_of_other_widths_trailing_fields_and_the_last_word() {
     assert!(told.contains("error[row-field-count]: the row has 5 fields"), "{told}");
     assert!(told.contains("error[row-field-count]: the row has 3 fields"), "{told}");
     assert!(told.contains("check delimiter, decimal mark and quotes") && told.contains("cut off"), "{told}");
-    assert!(said("A;1;2;3\nEND\nB;1;2;3\n", &format).contains("error[rows-after-end]: rows follow `END`"));
+    assert!(
+        said("A;1;2;3\nEND\nB;1;2;3\n", &format)
+            .contains("error[rows-after-end]: rows follow the end of the data, `END`")
+    );
     // without a statement the word is not a point
     let told = said("A;1;2;3\nEND\n", &format!("{{ delimiter = \";\", {LXYZ} }}"));
     assert!(told.contains("error[row-field-count]: the row has 1 field\n") && told.contains(":2\n"), "{told}");

@@ -39,7 +39,7 @@ fn wrong_urdf_files_are_refused_by_name() {
         (
             "xyz=\"0 -0.1 0.4\"",
             "xyz=\"0 -100 400\"",
-            vec!["412 m from its parent", "divide those of this file by 1000"],
+            vec!["412 m from its parent", "divide the lengths of this file by 1000"],
         ),
         ("rpy=\"0.1 0 0\"", "rpy=\"90 0 0\"", vec!["error[urdf-angles-beyond-turn]", "radians"]),
         ("xyz=\"0 0 0.36\"", "xyz=\"0 0 O.36\"", vec!["`O.36` is not a number", "arm.urdf:"]),
@@ -77,11 +77,11 @@ fn what_robot_toml_states_of_a_urdf_is_checked() {
         (
             "base_link = \"base_link\"",
             "base_link = \"column_height\"",
-            vec!["`bending` needs a fixed direction of gravity, and joints move `column_height`", "robot.toml:6"],
+            vec!["`bending` needs a fixed direction of gravity, but joints move `column_height`", "robot.toml:6"],
         ),
         ("\"elbow\"]", "\"elbo\"]", vec!["there is no joint `elbo`", "robot.toml:6"]),
         ("\"elbow\"]", "9]", vec!["there is no joint 9"]),
-        ("model = \"urdf\"", "model = \"serial\"", vec!["`file` means nothing for this model"]),
+        ("model = \"urdf\"", "model = \"serial\"", vec!["`file` has no effect on this model"]),
     ] {
         let scratch = copy_sample("column-arm");
         scratch.replace("robot.toml", from, to);

@@ -107,7 +107,7 @@ fn heading(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Str
     }
 }
 
-/// Sentence on targets that are placed by validation poses alone.
+/// Sentence on targets that are located by validation poses alone.
 fn placed_by_validation(placed: &[PlacedApart], words: &Words) -> String {
     let of = |p: &PlacedApart| match p.is_assessed {
         true => tr!(
@@ -267,7 +267,7 @@ fn statistics(
     Table::of(words, &set.errors, columns)
 }
 
-/// Benefit of each effect at poses that are left out.
+/// Benefit of each effect at left-out poses.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
     let yes_no = |yes: bool| term(words, if yes { phrase!("yes") } else { phrase!("no") });
     let columns = Columns::<EffectProof>::new()

@@ -23,7 +23,7 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     }
 }
 
-/// Verdict on everything that is judged: plausibility of the result, characteristics of ISO 9283,
+/// Verdict on all judged items: plausibility of the result, characteristics of ISO 9283,
 /// instrument, and all limits of the campaign.
 pub(crate) fn verdict(report: &Report, words: &Words) -> Verdict {
     let (identified, tested) = (report.identified.as_ref(), report.tested);
@@ -145,7 +145,7 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences on the errors that are limited; without limits, on the largest leading error.
+/// Sentences on the limited errors; without limits, on the largest leading error.
 fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<String> {
     let limited: Vec<String> = accuracy.limits.iter().filter_map(|l| limited(l, set, words)).collect();
     if accuracy.limits.is_empty() { largest_error(set, words).into_iter().collect() } else { limited }

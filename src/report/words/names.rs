@@ -1,4 +1,4 @@
-//! Names of what documents enumerate.
+//! Names of enumerated values in documents.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;

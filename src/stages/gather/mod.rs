@@ -33,7 +33,7 @@ pub struct Gathered {
     pub points: Vec<Point>,
     /// Joint values of each log.
     pub logs: Vec<JointLog>,
-    /// The table of observations, where the campaign has one.
+    /// The table of observations, if the campaign has one.
     pub(crate) observations: Option<TableFile>,
     /// Files that were read, and rows that were refused.
     pub document: ImportDocument,
@@ -127,7 +127,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     (Gathered { points: columns.points, logs, observations, document }, problems)
 }
 
-/// Reads what can be read of all logs: their rows, and remarks.
+/// Reads all readable rows of all logs, with remarks.
 fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems) -> (Vec<JointLog>, Vec<Message>) {
     let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
@@ -176,7 +176,7 @@ fn together(logs: Vec<JointLog>) -> JointLog {
     all
 }
 
-/// The points that an export brings if this is its text, before rules about blunders.
+/// The points of an export with this text, before the rules about blunders.
 pub(crate) fn points_of(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
     columns
@@ -201,7 +201,7 @@ pub(crate) fn log_of(campaign: &Campaign, stated: &Log, text: &str) -> Result<Jo
     .map(|(table, _)| table)
 }
 
-/// An error about a pose that two rows of exports and logs name in two spellings.
+/// Returns an error if rows of exports and logs name a pose in two spellings.
 fn other_spelling(points: &[Point], logs: &[JointLog]) -> Option<Message> {
     let logged = || logs.iter().flat_map(|log| log.rows.iter().map(move |row| (log, row)));
     let names = points.iter().map(|point| point.pose).chain(logged().map(|(_, row)| row.pose));
@@ -228,7 +228,8 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
     }
 }
 
-/// A warning if the exports of a campaign, each with its place, are relative to several frames.
+/// Returns a warning if the exports of a campaign, each with its place, are relative to several
+/// frames.
 pub(crate) fn frames_differ(frames: &[(Place, String)]) -> Option<Message> {
     let (_, first) = frames.first()?;
     let (place, other) = frames.iter().find(|(_, frame)| frame != first)?;

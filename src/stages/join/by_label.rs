@@ -1,5 +1,5 @@
-//! The log states which measured point the robot touches: a plate measured once, then encoders
-//! alone.
+//! Join by label: the log states the measured point that the robot touches. A plate is measured
+//! once; after that, only encoders are read.
 
 use super::unmatched::At;
 use super::{Remarks, Row, own_covariance};
@@ -16,7 +16,7 @@ use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One observation for every row of the log: the robot's only target is at the point that the row
-/// names. The mean counts of a point that was measured several times; all its observations then
+/// names. A point that was measured several times counts as its mean; all its observations then
 /// have the very same coordinates.
 pub(super) fn by_label(
     campaign: &Campaign,
