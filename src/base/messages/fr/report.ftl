@@ -437,8 +437,8 @@ load-proven = { $count ->
 }
 load-sentence = Charge : { $load } kg.
 load-stable = { $count ->
-    [one] charger { $load } paramètre sur { $count } (tous les paramètres stables) : les paramètres à écart significatif laissent à eux seuls de plus grandes erreurs
-   *[other] charger { $load } paramètres sur { $count } (tous les paramètres stables) : les paramètres à écart significatif laissent à eux seuls de plus grandes erreurs
+    [one] charger { $load } paramètre sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
+   *[other] charger { $load } paramètres sur { $count } (tous les paramètres stables) : les paramètres à écart significatif donnent à eux seuls de plus grandes erreurs
 }
 log = journal
 logo-of-the-laboratory = Logo du laboratoire
