@@ -3,7 +3,7 @@
 no-observations = es gibt keine Beobachtungen, aus denen Parameter identifiziert werden können
     .hint = prüfen, welche Posen gewählt und welche ausgeschlossen sind
 
-pose-residuals-without-uncertainty = in den Residuen der Pose stehen mm und rad zusammen: sie brauchen die Standardunsicherheit einer Koordinate
+pose-residuals-without-uncertainty = die Residuen der Pose enthalten mm und rad: sie brauchen die Standardunsicherheit einer Koordinate
 
 common-uncertainty-alone = eine gemeinsame Unsicherheit mehrerer Beobachtungen braucht Residuen von Zielmarken und die Unsicherheit jeder Beobachtung
 

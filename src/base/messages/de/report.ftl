@@ -96,8 +96,8 @@ checklist-clause = Abschnitt
 checklist-field = Angabe
 checklist-key = Schlüssel
 checklist-note = { $count ->
-    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und rechnen Sie die Kampagne neu.
-   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und rechnen Sie die Kampagne neu.
+    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
+   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
 }
 checklist-title = Vor der Unterschrift zu ergänzen
 checks-of-the-model = Prüfung des Modells
@@ -325,7 +325,7 @@ geometry-alone-title = Messungen mit Geometrie allein
 geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation
 geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
 guarded-acceptance = Annahme mit Schutzabstand (ISO 14253-1)
-guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Unsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
+guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
 harmonics = Oberwellen
 harmonics-of-the-transmissions = Oberwellen der Getriebe
 held = festgehalten
@@ -905,7 +905,7 @@ to-load = zu laden
 to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
-tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Unsicherheit einer Pose (k = 2): { $largest } µm.
+tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
 tool-point-headline = Werkzeugpunkt, RMS: nominal minus identifiziert → erwartet
 traceability = Rückführbarkeit
 trend = Trend

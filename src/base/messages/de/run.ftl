@@ -154,7 +154,7 @@ threads-failed = die Kampagnen können nicht gleichzeitig ausgeführt werden: { 
     }
     .hint = mit weniger Threads ausführen: `RAYON_NUM_THREADS=1`
 
-data-elsewhere = ihre Daten liegen unter ${ $name }, das nicht gesetzt ist
+data-elsewhere = ihre Daten liegen unter ${ $name }, einer nicht gesetzten Umgebungsvariablen
 
 not-an-output-folder = es gibt keine Datei `{ $file }`
     .hint = einen Ordner angeben, den `etalon run` schrieb, oder eine ausgeführte Kampagne
@@ -170,14 +170,14 @@ folder-replaced = ein anderer Prozess hat `{ $folder }` beim Lesen ersetzt
     .hint = den Befehl wiederholen, wenn der andere Prozess beendet ist
 
 document-unreadable = `{ $file }` ist kein Dokument dieser Version: { $reason }
-    .hint = die Kampagne mit dieser Version noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne mit dieser Version erneut ausführen: `etalon run KAMPAGNE`
 
 document-schema-other = `{ $file }` hat { $schema ->
         [none] kein Schema
        *[other] das Schema `{ $schema }`
     }
     .expected = das Schema `{ $wanted }`
-    .hint = die Kampagne mit dieser Version noch einmal ausführen: `etalon run KAMPAGNE`
+    .hint = die Kampagne mit dieser Version erneut ausführen: `etalon run KAMPAGNE`
 
 foreign-file = `{ $file }` würde überschrieben, obwohl kein Lauf diese Datei geschrieben hat
     .hint = die Datei in einen anderen Ordner verschieben oder in campaign.toml ein anderes `output` angeben

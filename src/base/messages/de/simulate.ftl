@@ -37,7 +37,7 @@ simulated-kind = { $kind ->
         [repeated-columns] ein Protokoll, das Spalten zweimal nennt
         [workbook-sheet] ein Blatt einer Arbeitsmappe
         [encoding] eine Tabelle in anderer Kodierung als UTF-8
-        [blank-columns] eine Beobachtungstabelle mit Leerzeichen zwischen den Spalten: seine leeren Zellen gingen verloren
+        [blank-columns] eine Beobachtungstabelle mit Leerzeichen zwischen den Spalten: ihre leeren Zellen gingen verloren
         [computed-columns] eine Beobachtungstabelle mit berechneten, nummerierten oder konstanten Spalten, mit Filtern oder mit einem anderen Kopf als einer Zeile
         [unmodelled] eine Beobachtungstabelle mit Abweichungen aus {"["}unmodelled]
        *[backlash] eine Beobachtungstabelle eines Roboters mit Umkehrspiel

@@ -7,7 +7,7 @@ rigid-distance-off = der Abstand { $first }-{ $second } ist { FIXED($off_mm, 3) 
 
 rigid-point-coincides = { $message }; der Punkt fällt mit `{ $other }` zusammen
 
-rigid-row-refused = Zeile { $row }: `{ $target }` wird abgelehnt: { $reason }
+rigid-row-refused = `{ $target }` wird in Zeile { $row } abgelehnt: { $reason }
 
 rigid-targets = ein starres Teil braucht mindestens zwei Zielmarken, jede einmal genannt
     .hint = jede Zielmarke des Teils einmal in `targets` nennen
@@ -68,7 +68,7 @@ export-empty = `{ $file }` enthält keine Punkte
     .hint = die Punkte neu exportieren oder diesen [[export]] entfernen; `etalon formats DATEI` zeigt, wie eine Textdatei gelesen wird
 
 target-formula = der Zielmarkenname `{ $target }` wäre in einer Tabellenkalkulation eine Formel
-    .hint = sie umbenennen oder ein `label` ohne ihr erstes Zeichen angeben
+    .hint = die Zielmarke umbenennen oder ein `label` ohne das erste Zeichen angeben
 
 target-without-pose = die Zeile nennt eine Zielmarke, aber keine Pose
     .hint = die Pose in der Bezeichnung nennen oder für diesen Export `pose = "row"` angeben
@@ -766,7 +766,7 @@ probe-of-feature-unknown = `{ $feature }` wird nicht angepasst: seine Punkte sin
            *[radius] angeben: --probe-radius-mm
         }
 
-unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenze { FIXED($limit, 1) })
+unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenzwert { FIXED($limit, 1) })
 
 parameters-unstable = instabile und daher festgehaltene Parameter; die Werte aus einem Teil der Posen weichen von den Werten aus allen Posen ab (in Standardabweichungen der Differenz): { $parameters }
     .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen prüfen
@@ -803,7 +803,7 @@ largest-residuals = größte Residuen einer robusten Anpassung: { $readings }
 outlier-readings = { $count ->
         [one] 1 von { $total } Messwerten ist ein Ausreißer
        *[other] { $count } von { $total } Messwerten sind Ausreißer
-    }, mehr als das { $times }-Fache von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
+    } mit einem Residuum über dem { $times }-Fachen von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
 
 outliers = { $outliers }
 
@@ -823,9 +823,9 @@ repeats-scatter = die Wiederholungen von `{ $label }` weichen bis zu { FIXED($of
     .hint = `unit` des Exports und die Unsicherheit des Messgeräts prüfen, und ob sich der Punkt bewegt hat
 
 repeat-off = { $away } von { $count } Wiederholungen von `{ $label }` { $away ->
-        [one] liegt
-       *[other] liegen bis zu
-    } { FIXED($off_mm, 4) } mm neben ihrem Median; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
+        [one] weicht um
+       *[other] weichen um bis zu
+    } { FIXED($off_mm, 4) } mm von ihrem Median ab; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
     .hint = den falschen Messwert aus dem Export entfernen oder den Punkt neu messen: alle Ergebnisse hängen davon ab
 
 uncertainty-zero-rounded = `{ $column }` ist in { $count ->

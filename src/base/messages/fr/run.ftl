@@ -154,7 +154,7 @@ threads-failed = les campagnes ne peuvent pas être exécutées en parallèle :
     }
     .hint = relancer avec moins de fils : `RAYON_NUM_THREADS=1`
 
-data-elsewhere = ses données sont sous ${ $name }, qui n’est pas définie
+data-elsewhere = ses données sont sous ${ $name }, variable d’environnement non définie
 
 not-an-output-folder = il n’y a pas de fichier `{ $file }`
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée

@@ -7,7 +7,7 @@ rigid-distance-off = la distance { $first }-{ $second } est { $side ->
 
 rigid-point-coincides = { $message } ; le point coïncide avec `{ $other }`
 
-rigid-row-refused = ligne { $row } : `{ $target }` est rejetée : { $reason }
+rigid-row-refused = `{ $target }` est rejetée à la ligne { $row } : { $reason }
 
 rigid-targets = une pièce rigide nécessite au moins deux cibles, chacune indiquée une seule fois
     .hint = indiquer chaque cible de la pièce une seule fois dans `targets`
@@ -68,7 +68,7 @@ export-empty = `{ $file }` ne contient aucun point
     .hint = exporter de nouveau les points, ou supprimer cet [[export]] ; `etalon formats FICHIER` montre comment un fichier texte est lu
 
 target-formula = le nom de cible `{ $target }` serait une formule dans un tableur
-    .hint = la renommer, ou indiquer un `label` sans son premier caractère
+    .hint = renommer la cible, ou indiquer un `label` qui omet le premier caractère
 
 target-without-pose = la ligne indique une cible, mais pas de pose
     .hint = indiquer la pose dans l’étiquette, ou indiquer `pose = "row"` pour cet export
@@ -182,7 +182,7 @@ column-empty = la colonne `{ $column }` est vide ou manque
     .hint = ajouter la colonne, ou compléter la cellule
 
 targets-missing = des cibles manquent (poses : { $poses })
-    .hint = leurs autres cibles comptent ; une pose ou une orientation les exige toutes
+    .hint = les autres cibles de ces poses comptent ; une pose ou une orientation exige toutes les cibles
 
 key-in-lines = { $key } (lignes { $lines })
 
@@ -750,8 +750,8 @@ joint-out-of-range = articulation `{ $joint }` = { $value } { $unit } : hors p
            *[others] d’après la plage qui regroupe la moitié de ses valeurs
         }
     .hint = vérifier le séparateur décimal et l’unité de la valeur ; si l’articulation peut l’atteindre, { $reason ->
-            [limits] corriger ses limites dans le fichier du robot
-           *[others] indiquer ses limites dans le fichier du robot
+            [limits] corriger ses limites dans le fichier de robot
+           *[others] indiquer ses limites dans le fichier de robot
         }
 
 common-errors-of-conditions = les tirages ne couvrent les erreurs communes à toutes les lectures (échelle, température, prise d’origine) que pour des positions de cibles
@@ -803,7 +803,7 @@ largest-residuals = plus grands résidus d’un ajustement robuste : { $reading
 outlier-readings = { $count ->
         [one] { $count } lecture sur { $total } est aberrante
        *[other] { $count } lectures sur { $total } sont aberrantes
-    }, à plus de { $times } fois { FIXED($scale_mm, 4) } mm, l’écart-type des autres dans un ajustement robuste : { $readings }
+    } : résidu supérieur à { $times } fois { FIXED($scale_mm, 4) } mm, écart-type des autres dans un ajustement robuste : { $readings }
 
 outliers = { $outliers }
 
@@ -811,12 +811,12 @@ outliers-excluded = exclusion par `outliers = "exclude"` : { $outliers }
 
 repeated-position = { $target } aux poses { $first } et { $second }
 
-positions-repeat = des positions mesurées sont identiques au dernier chiffre près alors que les articulations bougent, { $count } fois : { $pairs }
+positions-repeat = des positions mesurées sont identiques jusqu’au dernier chiffre alors que les articulations bougent, { $count } fois : { $pairs }
     .hint = l’export contient une lecture d’une autre pose : mesurer ces poses de nouveau, ou les exclure
 
 repeated-joints = poses { $first } et { $second }, distantes de { FIXED($apart_mm, 3) } mm
 
-joint-values-repeat = des valeurs articulaires sont identiques au dernier chiffre près alors que les cibles bougent, { $count } fois : { $pairs }
+joint-values-repeat = des valeurs articulaires sont identiques jusqu’au dernier chiffre alors que les cibles bougent, { $count } fois : { $pairs }
     .hint = le journal contient une lecture d’une autre pose : enregistrer ces poses de nouveau, ou les exclure
 
 repeats-scatter = les répétitions de `{ $label }` s’écartent jusqu’à { FIXED($off_mm, 4) } mm de leur médiane ; incertitude-type de l’instrument { FIXED($u_mm, 4) } mm

@@ -127,8 +127,8 @@ poses = { $count ->
     }
 
 approaches = { $count ->
-        [one] { $count } approche
-       *[other] { $count } approches
+        [one] { $count } direction d’approche
+       *[other] { $count } directions d’approche
     }
 
 epochs = { $count ->
