@@ -437,14 +437,14 @@ load-proven = { $count ->
 }
 load-sentence = Last: { $load } kg.
 load-stable = { $count ->
-    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein lassen größere Abweichungen übrig
-   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein lassen größere Abweichungen übrig
+    [one] { $load } von 1 Parameter laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
+   *[other] { $load } von { $count } Parametern laden (alle stabilen Parameter): Die signifikant geänderten Parameter allein ergeben größere Abweichungen
 }
 log = Protokoll
 logo-of-the-laboratory = Logo des Labors
 manufacturer = Hersteller
 margin = Reserve
-max = Max.
+max = max.
 max-after = max. nachher
 max-before = max. vorher
 max-of = { $quantity }, max.
@@ -490,7 +490,7 @@ model-leaves-residuals = Die Residuen betragen das { $ratio }-Fache { $uncertain
 model-of-the-robot = Modell des Roboters
 model-prexyt = PreXYT-Tisch
 model-serial = serieller Arm
-model-urdf = Arm aus einer URDF-Datei
+model-urdf = durch eine URDF-Datei beschriebener Arm
 more-in-annex = { $count ->
     [one] 1 weitere Meldung: siehe Anhang.
    *[other] { $count } weitere Meldungen: siehe Anhang.
