@@ -12,7 +12,10 @@ after = nachher
 after-named = nachher ({ $name })
 against = in Abhängigkeit von
 agree = in Übereinstimmung
-all-poses-conform = alle { $count } Posen sind konform
+all-poses-conform = { $count ->
+        [one] die einzige Pose ist konform
+       *[other] alle { $count } Posen sind konform
+    }
 all-tables = Alle Tabellen
 allowed = zulässig
 along-path-in-mm = entlang der Bahn (mm)
@@ -31,7 +34,10 @@ arrows-longest = Pfeile { $factor }-fach vergrößert; der längste: { $longest 
 at-of-angles = AT der Winkel (deg)
 at-position = { $value }, bei { $position } mm
 at-rt-diamonds = Rauten: größtes AT und größtes RT mit ihren Intervallen. Das Maximum vieler streuender Werte liegt systematisch zu hoch: RT kann über dem Intervall für unendlich viele Durchläufe liegen.
-at-tool-point = Am Werkzeugpunkt: { $count } Posen
+at-tool-point = Am Werkzeugpunkt: { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    }
 authorised-by = freigegeben durch
 axis-x = x
 axis-y = y
@@ -79,7 +85,10 @@ campaigns-in-order = { $count } Kampagnen, in der angegebenen Reihenfolge
 campaigns-of-robot = { $count } Kampagnen des Roboters { $robot }, in der angegebenen Reihenfolge
 campaigns-of-robots = { $campaigns } Kampagnen von { $robots } Robotern
 campaigns-shown = { $shown } von { $total } Kampagnen
-candidate-tooltip = Pose { $pose }, { $configurations } Konfigurationen: x { $x }, y { $y } mm
+candidate-tooltip = Pose { $pose }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }: x { $x }, y { $y } mm
 candidates = Kandidaten
 candidates-and-chosen-positions = Kandidaten und gewählte Positionen
 candidates-and-configurations = { $candidates }, { $configurations } Konfigurationen
@@ -108,7 +117,10 @@ choice-proven = Bewiesen: Keine andere Auswahl von { $chosen } aus { $candidates
 choice-within-percent = { $index } liegt höchstens { $percent } % unter der bestmöglichen Auswahl von { $chosen } aus { $candidates } Kandidaten
 choice-without-bound = Für { $index } ist keine Schranke bekannt: Eine bessere Auswahl kann existieren
 chosen = gewählt
-chosen-candidate-tooltip = Pose { $pose }, { $configurations } Konfigurationen, gewählt: x { $x }, y { $y } mm
+chosen-candidate-tooltip = Pose { $pose }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }, gewählt: x { $x }, y { $y } mm
 chosen-candidates-marks = Leere Marken: Kandidaten; gefüllte Marken mit der Nummer ihrer Pose: gewählt.
 chosen-one-by-one = { $poses } Posen, { $configurations } Konfigurationen, einzeln
 chosen-poses = Gewählte Posen
@@ -156,7 +168,10 @@ correlation-description = Eine Zelle je Paar: blau bei positiver, orange bei neg
 correlation-title = Korrelation der identifizierten Parameter
 correlation-tooltip = { $first } und { $second }: { $correlation }
 count-at-poses = { $count } an { $poses } Posen
-count-of-set = { $count } Punkte ({ $set })
+count-of-set = { $count ->
+        [one] 1 Punkt
+       *[other] { $count } Punkte
+    } ({ $set })
 coupling = Kopplung
 coverage-factor = Erweiterungsfaktor
 curve = Kurve
@@ -164,7 +179,13 @@ curve-caption = In jedem Schritt kommt die beste Position mit allen ihren Konfig
 curve-description = Kreise: Index, linke Achse. Rauten: Konditionszahl, rechte Achse.
 curve-point-tooltip = { $curve }: { $value } bei { $at }
 curve-title = { $index } und Konditionszahl über der Anzahl der Positionen
-curve-tooltip = { $positions } Positionen, { $configurations } Konfigurationen: { $index } { $value }, Kondition { $condition }
+curve-tooltip = { $positions ->
+        [one] 1 Position
+       *[other] { $positions } Positionen
+    }, { $configurations ->
+        [one] 1 Konfiguration
+       *[other] { $configurations } Konfigurationen
+    }: { $index } { $value }, Kondition { $condition }
 customer = Kunde
 cycle = Zyklus
 cycles = Zyklen
@@ -238,7 +259,10 @@ enclosing-sphere-radius = umschließende Kugel, Radius
 end-of-report = Ende des Berichts
 environment = Umgebung
 error = Abweichung
-error-at-poses = { $quantity } an { $count } Posen ({ $set }): { $before } → { $after } { $unit }.
+error-at-poses = { $quantity } an { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    } ({ $set }): { $before } → { $after } { $unit }.
 error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vor der Kalibrierung ist höchstens das { $factor }-Fache des Medians nach der Kalibrierung.
 error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vor der Kalibrierung übersteigt das { $factor }-Fache des Medians nach der Kalibrierung.
 error-definition = Abweichung: { $error }; { $values }; Statistik über die Beträge, jede Wiederholung einzeln gezählt
@@ -267,7 +291,10 @@ errors-by-number-of-positions = Positionsabweichungen über der Anzahl der Posit
 errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse ({ $unit }).
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
 errors-hold-among = Diese Werte gelten im gemessenen Bereich: Der Abstand einer Validierungspose von der nächsten Kalibrierpose ist das { $ratio }-Fache des Abstands der Kalibrierposen (Median; höchstens das { $largest }-Fache). Validierungsposen mit einem Gelenk außerhalb seines Kalibrierbereichs: { $outside } von { $total }.
-errors-not-drawn = { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
+errors-not-drawn = { $count ->
+        [one] 1 Abweichung, deren Position oder Wert nicht endlich ist, ist nicht gezeichnet.
+       *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
+    }
 errors-of-each-pose = Abweichungen je Pose
 errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: die größte Abweichung jeder Pose nach der Kalibrierung, für alle Validierungsposen, die Platz finden, und für eine gleichmäßige Auswahl der Kalibrierposen.
 exchangeability = Austauschbarkeit
@@ -326,8 +353,8 @@ geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifi
 geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
 guarded-acceptance = Annahme mit Schutzabstand (ISO 14253-1)
 guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
-harmonics = Oberwellen
-harmonics-of-the-transmissions = Oberwellen der Getriebe
+harmonics = Harmonische
+harmonics-of-the-transmissions = Harmonische der Getriebe
 held = festgehalten
 held-by-the-campaign = von der Kampagne festgehalten
 held-not-identifiable = festgehalten: nicht getrennt identifizierbar
@@ -335,7 +362,10 @@ held-singular-values = Rauten: die { $count } kleinsten Singulärwerte mit allen
 hint-label = Hinweis:
 histogram-description = Anteil der Punkte jeder Gruppe in Schritten von { $step }.
 histogram-shares = Anteil jeder Gruppe in Schritten von { $step }: { $totals }.
-histogram-tooltip = { $from } bis { $to } { $unit }: { $points } Punkte der { $set }, { $percent } %
+histogram-tooltip = { $from } bis { $to } { $unit }: { $points ->
+        [one] 1 Punkt
+       *[other] { $points } Punkte
+    } ({ $set }), { $percent } %
 how-changes-are-judged = Entscheidungsregel für Änderungen
 how-many-and-where = Anzahl und Lage der Positionen
 identification-against-geometry = Die Identifikation aller Parameter aus derselben Kampagne ergibt { $identified } mm; mit Geometrie allein bleibt das { $ratio }-Fache.
@@ -417,9 +447,15 @@ limit-position-mean = mittlere Positionsabweichung
 limit-position-rms = Positionsabweichung, RMS
 limit-repeatability-max = größter Wert der Pose-Wiederholgenauigkeit RP
 limit-surface-max = größter Abstand von einer Fläche
-limited-error = { $quantity } an { $count } Posen ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
+limited-error = { $quantity } an { $count ->
+        [one] 1 Pose
+       *[other] { $count } Posen
+    } ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
 limits = Grenzwerte
-limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+limits-all-met = { $count ->
+        [one] Der Grenzwert der Kampagne ist eingehalten.
+       *[other] Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+    }
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
 limits-not-assessable = Nicht beurteilbar (Größe nicht gemessen): { $limits }.
 limits-not-met = { $count ->
@@ -474,7 +510,10 @@ met = eingehalten
 method = Methode
 method-identification = Identifikation der kinematischen Parameter ({ $model }) nach der Methode der kleinsten Quadrate
 method-iso9283 = Leistungsprüfung nach ISO 9283:1998
-method-iterations = { $method }, { $iterations } Iterationen;
+method-iterations = { $method }, { $iterations ->
+        [one] 1 Iteration
+       *[other] { $iterations } Iterationen
+    };
 minimum-posing-time = Minimale Positionierzeit
 mode-count = { $count ->
     [one] 1 Modus
@@ -597,8 +636,14 @@ path = Bahn
 path-accuracy-at = Bahngenauigkeit AT
 path-accuracy-at-reorientation = Bahngenauigkeit AT bei Umorientierung
 path-accuracy-title = Bahngenauigkeit AT
-path-passes = { $length } mm, { $passes } Durchläufe
-path-passes-incomplete = { $length } mm, { $passes } Durchläufe, { $incomplete } unvollständige
+path-passes = { $length } mm, { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }
+path-passes-incomplete = { $length } mm, { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }, { $incomplete } unvollständig
 path-repeatability-rt = Bahnwiederholgenauigkeit RT
 path-repeatability-title = Bahnwiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
@@ -635,7 +680,10 @@ pose-named = Pose { $pose }
 pose-repeatability-rp = Pose-Wiederholgenauigkeit RP
 pose-tooltip = Pose { $pose }: x { $x }, y { $y }, z { $z } mm
 poses-and-cycles = Posen und Zyklen
-poses-and-visits = { $poses } Posen, je { $visits } Anfahrten
+poses-and-visits = { $poses } Posen, je { $visits ->
+        [one] 1 Anfahrt
+       *[other] { $visits } Anfahrten
+    }
 poses-conform = { $count ->
     [one] 1 von { $total } Posen ist konform
    *[other] { $count } von { $total } Posen sind konform
@@ -697,8 +745,14 @@ ratio = Verhältnis
 reached = erreicht
 read-as = gelesen als
 readings = Messwerte
-readings-not-judged = { $target } ({ $readings } Messwerte, Redundanz { $redundancy }: nicht beurteilt)
-readings-redundancy = { $target } ({ $readings } Messwerte, Redundanz { $redundancy })
+readings-not-judged = { $target } ({ $readings ->
+        [one] 1 Messwert
+       *[other] { $readings } Messwerte
+    }, Redundanz { $redundancy }: nicht beurteilt)
+readings-redundancy = { $target } ({ $readings ->
+        [one] 1 Messwert
+       *[other] { $readings } Messwerte
+    }, Redundanz { $redundancy })
 reason = Grund
 recommendation-title = Empfehlung der zu ladenden Parameter
 recorded = aufgezeichnet
@@ -784,7 +838,10 @@ round-off-cr = Eckenverrundung CR
 routine-remarks = Routinemäßige Hinweise
 rows = Zeilen
 rows-in-frame = { $count } Zeilen: innerhalb der Tabelle scrollen.
-rows-in-workbook = { $count } weitere Zeilen: siehe Arbeitsmappe.
+rows-in-workbook = { $count ->
+        [one] 1 weitere Zeile
+       *[other] { $count } weitere Zeilen
+    }: siehe Arbeitsmappe.
 rp-by-set = RP je Satz
 rp-without-noise = RP ohne Rauschen
 rt-of-angles = RT der Winkel (deg)
@@ -797,8 +854,20 @@ seed = Startwert
 serial-number = Seriennummer
 set = Gruppe
 set-of-cycles = Satz von Zyklen
-set-summary = { $set }: { $poses } Posen, { $errors } Abweichungen
-set-summary-of = { $set }: { $poses } Posen, { $errors } Abweichungen ({ $point })
+set-summary = { $set }: { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, { $errors ->
+        [one] 1 Abweichung
+       *[other] { $errors } Abweichungen
+    }
+set-summary-of = { $set }: { $poses ->
+        [one] 1 Pose
+       *[other] { $poses } Posen
+    }, { $errors ->
+        [one] 1 Abweichung
+       *[other] { $errors } Abweichungen
+    } ({ $point })
 set-up-changes = Basis und Zielmarken: { $changed } von { $total } Größen haben sich geändert (bei neuem Aufbau zu erwarten).
 set-up-parameter-named = Parameter { $name } (Basis oder Zielmarke)
 sets = Sätze
@@ -976,7 +1045,13 @@ visits-over-time = Anfahrten über der Zeit
 warm-up-before-the-test = Warmlauf vor der Prüfung
 warnings-and-remarks = Warnungen und Bemerkungen
 weave = Pendeln
-weave-passes = { $passes } Durchläufe, { $turns } Umkehrpunkte
+weave-passes = { $passes ->
+        [one] 1 Durchlauf
+       *[other] { $passes } Durchläufe
+    }, { $turns ->
+        [one] 1 Umkehrpunkt
+       *[other] { $turns } Umkehrpunkte
+    }
 weaving = Pendeln
 weaving-frequency = Pendelfrequenz
 weaving-frequency-measured = { $measured } Hz, Sollwert { $commanded } Hz: WF { $ratio } %
